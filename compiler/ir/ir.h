@@ -168,7 +168,7 @@ struct Effect {
 struct Function {
     Name name;            ///< the declaration's
     std::string display;  ///< name with generic arguments, for comments and messages: linearize<3>
-    std::string key;      ///< display with module-qualified names: identifies the instance across compilations
+    std::string key;      ///< display with module-qualified names: each run of gliftc gives the instance the same one
     Span span;
     std::vector<LocalId> params;
     std::vector<std::uint32_t> structures;           ///< instances of the structures that calls pass at Expr::places
@@ -199,7 +199,7 @@ struct StructField {
 struct Struct {
     Name name;
     std::string display;
-    std::string key;  ///< display with module-qualified names: identifies it across compilations, as do all keys below
+    std::string key;  ///< display with module-qualified names: the same in each run of gliftc, as are all keys below
     std::uint32_t module = 0;
     bool is_pub = false;
     std::vector<StructField> fields;
@@ -224,7 +224,7 @@ struct Enum {
 /// Whether two virtual addresses may have one physical address.
 enum class Mapping : std::uint8_t {
     unknown,
-    one_to_one,          ///< proved
+    one_to_one,          ///< proved; nothing proves it yet
     claimed_one_to_one,  ///< declared by `invert` or @one_to_one; `gliftc test` checks it
     many_to_one,         ///< declared by @many_to_one
 };
@@ -257,7 +257,7 @@ struct Translator {
     FunctionId wide;          ///< copy of translate with a 64-bit result, if it is scalar; made by lower/widen
     FunctionId wide_of_wide;  ///< copy of translate with 64-bit arguments and a 64-bit result
     FunctionId invert;        ///< (physical address) -> virtual address; absent if not invertible
-    FunctionId ranges;        ///< not used
+    FunctionId ranges;        ///< not used: how a box splits into contiguous parts is inferred (lower/affine.h)
     FunctionId domain;        ///< () -> extent of the virtual domain
     Properties properties;
     std::string doc;
@@ -390,18 +390,18 @@ struct Structure {
     RareVector<std::uint32_t> base;
     Name base_name;  ///< the name that the declaration gives to that memory
     Span base_span;
-    ExprId otherwise;                      ///< value of reads at unmapped addresses; absent: zero
+    ExprId otherwise;                      ///< value of reads at unmapped addresses; absent: see says_otherwise()
     ExprId domain;                         ///< extent of the virtual domain, over the structure (root 0)
     std::optional<Blocks> blocks;          ///< as declared here; see blocks_of() of ir/chain.h
     FunctionId at;                         ///< of a view: (address) -> element; its only structure is this one
-    std::vector<FunctionId> functions;     ///< its other functions: their structures[0] is this structure
+    std::vector<FunctionId> functions;     ///< not used: see public_functions() of ir/aliases.h
     std::vector<HostField> host;           ///< of an adaptor: its host state
     std::vector<std::uint32_t> pipelines;  ///< of an adaptor: indices in Program::pipelines
     /// A bit for each axis of physical addresses: set if no address of the domain leads outside the memory along that
     /// axis, so that accesses need no test. Set by lower/contained.cpp.
     std::uint8_t contained_axes = 0;
     std::vector<Method> methods;  ///< of an adaptor: its public functions that C++ calls
-    bool copyable = true;         ///< the host can read and write its elements: false for views
+    bool copyable = true;         ///< the host can read and write its elements: false for views and adaptors
     std::string doc;
 };
 

@@ -71,7 +71,8 @@ struct PassParameter {
 struct Pass {
     std::uint32_t kernel = 0;  ///< index in Program::kernels; no_kernel: a function of a library
     Form form = Form::direct;
-    bool exists = true;  ///< false: no code is made (a wide form that would have nothing to do beyond the general one)
+    bool exists = true;  ///< false: no code is made (a wide form without buffers or dispatches in parts, which would be
+                         ///< as the general one)
     std::array<std::uint32_t, 3> group = {64, 1, 1};  ///< workgroup size
     std::uint32_t rank = 1;                           ///< number of axes of the visited addresses
     bool of_blocks = false;   ///< it visits blocks: `address` is {position in the block, number of the block}
@@ -87,8 +88,8 @@ struct Pass {
     LocalId address;
     std::vector<StmtId> prologue;  ///< shaders only: declares `address` from builtins, and `in_range`
     LocalId in_range;  ///< bool: the address is in the range. Kernels without a group return if not; others test it
-    /// The kernel's bodies, ordered from the fewest assumptions to the most. The first one is valid on every device and
-    /// at every address.
+    /// The kernel's bodies. The first one is valid on every device and at every address (of a draw, it is the vertex
+    /// part); the others are for some devices only, or under assumptions.
     std::vector<Variant> variants = std::vector<Variant>(1);
     std::vector<FunctionId> functions;  ///< lowered functions that the bodies call, callees before callers
     std::vector<LocalId> shared;        ///< arrays in workgroup memory

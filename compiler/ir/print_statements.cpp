@@ -15,7 +15,7 @@ void Printer::nested(const std::string& head, const std::vector<StmtId>& stateme
     body(statements);
 }
 
-/// var: mutable; tmp: immutable, made by a pass for a value that is used more than once; let: any other.
+/// var: mutable; tmp: immutable, made by a pass of lower/ for a value that is used more than once; let: any other.
 std::string Printer::declaration(LocalId id) {
     const Local& of = p.locals[id];
     return (of.is_mutable ? "var " : of.is_temporary ? "tmp " : "let ") + local(id) + ": " + type(of.type);

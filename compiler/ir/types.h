@@ -29,7 +29,7 @@ enum class TypeKind : std::uint8_t {
     struct_,    // a struct: Program::structs[index]
     enum_,      // an enum: Program::enums[index]; its values are uints
     optional,   // element?
-    range,      // lo..hi of element (int or uint): only in `for` and slices
+    range,      // not used: `lo..hi` is not a value
     structure,  // an instance of a structure, view or adaptor: Program::structures[index]
     slice,      // only in pipelines: a box of a structure (element is the structure type)
     device,     // only in pipelines: a value of type `element` that lives on the device until awaited

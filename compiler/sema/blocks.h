@@ -17,8 +17,8 @@ struct BlockItems {
 /// Checks the declarations and sets Structure::blocks. To be called once the structure has its domain.
 void add_blocks(Context&, const Env&, std::uint32_t structure, const BlockItems&);
 
-/// A call of `s.blocks()`, `s.block(i)` or `s.block_size()`, whose domain is one block if it declares none; absent if
-/// the method has another name.
+/// A call of `s.blocks()`, `s.block(i)` or `s.block_size()`; a structure that declares no blocks has one, its domain.
+/// Absent if the method has another name.
 std::optional<Operand> call_of_blocks(Body&, const Operand& self, ast::Identifier method, const ast::Expr& call);
 
 /// Finds the blocks that a kernel visits. The parameters that decide are those written by `each`; if there are none,

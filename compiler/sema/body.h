@@ -82,8 +82,8 @@ struct Body {
     std::unordered_map<ir::LocalId, ir::Operands> made;
     std::vector<ir::StmtId>* block = nullptr;  ///< the list to which statements are added; null: expressions only
     ir::TypeId result;                         ///< the type that `return` gives
-    unsigned loops = 0;                        ///< how many loops `break` could leave here, none of them around an arm
-    unsigned depth = 0;                        ///< how deeply the statement is nested
+    unsigned loops = 0;  ///< the loops around the statement within its innermost arm; 0: no `break`
+    unsigned depth = 0;  ///< how deeply the statement is nested
     ir::Kernel* kernel = nullptr;
     ir::Part part = ir::Part::whole;  ///< the vertex or the fragment part of a draw; whole: the kernel does not draw
     /// The structure, view or adaptor that declares this function or pipeline, or whose declaration is checked, if any.

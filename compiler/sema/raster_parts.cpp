@@ -1,5 +1,5 @@
-// Statements and built-in functions of the vertex and fragment parts of a draw: assignments to targets, place,
-// clip_distance, discard.
+// Statements and built-in functions of the vertex and fragment parts of a draw: assignments to targets, `discard`,
+// `place`, `clip_distance`, `window`, `front_facing`, `position`.
 #include "sema/raster.h"
 #include "sema/typing.h"
 
