@@ -20,7 +20,7 @@ bool reads_memory(const ir::Program& program, const std::vector<ir::StmtId>& bod
 
 namespace {
 
-/// A key that is unique among functions of this name, since the structures are part of it.
+/// The function's key, then those of the structures that it is called for. Overloads share it.
 std::string key_of(const Context& c, const ir::Function& function) {
     std::string key = function.key;
     for (std::uint32_t structure : function.structures) key += "<" + c.program.structures[structure].key + ">";

@@ -101,8 +101,8 @@ Operand gather(Body& body, const Operand& self, const std::vector<ast::ExprId>& 
                      call.span);
 }
 
-/// `s.compare(x, reference)`: the share, 0 to 1, of what a linear filter takes at x for which the comparison of the
-/// reference with the texel holds that the memory declares (`compare less`).
+/// `s.compare(x, reference)`: compares the reference with each element around x as the memory declares (`compare
+/// less`), and filters the results, 1 where the comparison holds and 0 where not.
 Operand compare(Body& body, const Operand& self, const std::vector<ast::ExprId>& arguments, const ast::Expr& call) {
     Context& c = body.context;
     const ir::Structure& structure = body.program().structures[self.structure];

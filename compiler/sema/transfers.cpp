@@ -112,8 +112,8 @@ void require_transfers(Context& c, std::uint32_t index, Span use) {
         element.type = structure.element;
         if (auto kernel = transfer_kernel(c, "write_box", {linear, self}, use)) {
             write = *kernel;
-            // It runs over the elements of the box, not over the structure's blocks, of which a box is mostly a small
-            // part.
+            // The kernel visits the elements of the box, not the structure's blocks: a box is mostly a small part of
+            // the structure.
             c.program.kernels[write].space.reset();
         }
         if (auto kernel = transfer_kernel(c, "fill_box", {self, element}, use)) fill = *kernel;
