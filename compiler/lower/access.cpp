@@ -59,8 +59,8 @@ void Expander::read_arguments() {
     }
 }
 
-/// Whether the memory of the structure at the place is that of a coherent parameter, or is written with coherent access
-/// by a function that the kernel calls.
+/// Whether the memory of the structure at the place is that of a coherent parameter, or a function that the kernel
+/// calls accesses it as coherent memory.
 bool Expander::is_coherent(const Place& place) const {
     const auto is_memory_of = [&](const Place& shared) {
         return root_of(p, cx.structure_at(place), place) == root_of(p, cx.structure_at(shared), shared);
@@ -71,7 +71,8 @@ bool Expander::is_coherent(const Place& place) const {
     });
 }
 
-/// The target of an atomic operation: `part`, a field or component of an element, with `element` as that element.
+/// The target of an atomic operation: `part`, which is an element or a field or component of one, on the load `element`
+/// in place of the read of that element.
 ExprId Expander::part_of(ExprId part, ExprId element) {
     Expr node = p.exprs[part];
     if (node.op == Op::read) return element;
@@ -130,8 +131,8 @@ ExprId Expander::otherwise_of(const Place& place) {
     return inside(std::move(frame), [&] { return value_of(cx.structure_at(*says).otherwise); });
 }
 
-/// The same for reads of the current element and its neighbours. In grouped kernels, invocations beyond the range get
-/// zero.
+/// The same for reads of the current element and its neighbours. In kernels with a group, invocations beyond the range
+/// get zero.
 ExprId Expander::otherwise_around(const Place& place) {
     const ExprId otherwise = otherwise_of(place);
     if (!cx.kernel.grouped() || !says_otherwise(p, cx.structure_at(place), place)) return otherwise;
@@ -170,7 +171,7 @@ ExprId Expander::view(const Place& place, ExprId address) {
     });
 }
 
-/// The current element of a view, or a neighbour. In grouped kernels, invocations beyond the range get zero.
+/// The current element of a view, or a neighbour. In kernels with a group, invocations beyond the range get zero.
 ExprId Expander::view_around(const Place& place, ExprId address) {
     if (!cx.kernel.grouped()) return view(place, address);
     TypeId type = cx.structure_at(place).element;
@@ -231,8 +232,8 @@ std::optional<std::vector<std::int64_t>> Expander::offset_of(const Expr& node) {
     return result;
 }
 
-/// The condition that the neighbour at `offset` is in the domain. Since the current element is, only the sides towards
-/// which the offset points are tested.
+/// The condition that the neighbour at `offset` is in the domain. Since the current element is, only the sides of the
+/// domain towards which the offset points are tested.
 ExprId Expander::near_guard(std::uint32_t root, const std::vector<std::int64_t>& offset) {
     ExprId address = centre_address(root), domain = domain_of({root, {}}), guard;
     for (std::uint32_t axis = 0; axis < offset.size(); ++axis) {

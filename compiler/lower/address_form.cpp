@@ -1,6 +1,6 @@
 // Expander: affine translators. A kernel that reads neighbours translates many addresses of one structure, so the
-// translator's code is expanded once, with a local for the address; for each address the few resulting nodes are
-// copied, which is much less work.
+// translator's code is expanded once, with a local for the address (AddressForm); for each address the few resulting
+// nodes are copied, which is much less work.
 #include "ir/walk.h"
 #include "lower/expand.h"
 

@@ -20,7 +20,7 @@ enum class Degree : std::uint8_t { uniform, affine, other };
 
 struct Part {
     Degree degree = Degree::uniform;
-    std::optional<std::uint64_t> value;  ///< its value, where that is a constant integer
+    std::optional<std::uint64_t> value;  ///< the scalar's value, where that is a constant
 };
 using Parts = std::vector<Part>;
 
@@ -216,7 +216,7 @@ bool Degrees::run_if(const Stmt& stmt) {
     if (!run(stmt.body)) return false;
     Frame taken = std::exchange(*frame_, before);
     if (!run(stmt.otherwise)) return false;
-    // What either side assigns depends on the condition.
+    // What either side assigns is a select between two values: not affine, unless both and the condition are uniform.
     std::vector<StmtId> sides = stmt.body;
     sides.insert(sides.end(), stmt.otherwise.begin(), stmt.otherwise.end());
     for_each_statement(p, sides, [&](const Stmt& inner) {

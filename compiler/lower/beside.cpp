@@ -1,7 +1,7 @@
-// Expander: neighbour reads across block borders. A neighbour at a constant offset, no further away than a block is
-// wide, lies in the invocation's own block or in an adjacent one. The memory addresses of all these blocks are computed
-// once a block (the translators' divisions by the block size fold, see quotients.cpp), and each access selects one.
-// This needs no barrier and no copy, and works also for memory that the pass writes.
+// Expander: neighbour reads across block borders, in kernels over blocks. A neighbour at a constant offset, no further
+// away than a block is wide, lies in the invocation's own block or in an adjacent one. The memory addresses of all
+// these blocks are computed once a block (the translators' divisions by the block size fold, see quotients.cpp), and
+// each access selects one. This needs no barrier and no copy, and works also for memory that the pass writes.
 #include "ir/effects.h"
 #include "lower/blocks.h"
 #include "lower/expand.h"

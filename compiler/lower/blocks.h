@@ -10,14 +10,14 @@
 
 namespace gliftc::lower {
 
-/// The type of the invocation's address: the kernel's domain type, or uint2, {position in the block, number of the
-/// block}, where blocks are visited.
+/// The type of the invocation's address: the kernel's domain type; where blocks are visited uint2, {position in the
+/// block, number of the block}.
 TypeId iteration_type(Context& cx);
 
 /// The place of the structure that declares the blocks which the kernel visits.
 ir::Place block_owner(const Context& cx);
 
-/// The number of elements of a block, if it is a constant.
+/// The number of elements of a block, but at most 2^32, if it is a constant.
 std::optional<std::uint64_t> block_volume(const Context& cx);
 
 /// The size of a block along each axis, if it is constant.
@@ -26,9 +26,9 @@ std::optional<std::vector<std::uint32_t>> block_widths(const Context& cx);
 /// The largest number of blocks: every device allows that many workgroups along two axes of a dispatch.
 constexpr std::uint64_t most_blocks = 65535ull * 65535ull;
 
-/// How many elements of a block of `volume` elements an invocation of a shader takes, where the body allows it. More
-/// than one, since each invocation computes the values that depend on the block alone; one if the volume is not
-/// divisible accordingly.
+/// How many elements of a block of `volume` elements an invocation of a shader takes, where the body allows it: a power
+/// of two, at most 8. More than one pays, since each invocation computes the values that depend on the block alone. One
+/// if no larger number leaves the block a multiple of 32 invocations, at least 64 (beyond 256: a multiple of 256).
 std::uint32_t elements_in_block(std::uint64_t volume);
 
 /// Finds the values that are the same for all elements of a block and do not change in the pass.

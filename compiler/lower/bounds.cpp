@@ -1,4 +1,4 @@
-// Following: the cases for expressions. Each scalar of a value is followed by itself.
+// Following: the cases for expressions. Each scalar of a value is followed separately.
 #include "lower/bounds.h"
 
 #include "ir/chain.h"
@@ -67,8 +67,8 @@ Parts Following::member(std::uint32_t slot, TypeId type) {
     return parts;
 }
 
-/// An argument, memory extent or domain of the structure, or of one of its members. Those of members that were made
-/// elsewhere are unknowns.
+/// A constructor argument, memory extent or domain of the structure, or of one of its members. Those of members that
+/// the structure is given, not makes, are unknowns.
 Parts Following::of_leaf(const Expr& node) {
     if (node.place.root == 0 && node.place.members.empty()) {
         if (node.op == Op::member) return member(node.slot, node.type);

@@ -10,13 +10,13 @@
 
 namespace gliftc::lower {
 
-/// A condition: its value if that is known, and the sums that are at least zero if it is true, or false.
+/// What is known of a condition.
 struct Truth {
-    std::optional<bool> known;
-    std::vector<symbolic::Sum> if_true, if_false;
+    std::optional<bool> known;                     ///< its value; none: not known
+    std::vector<symbolic::Sum> if_true, if_false;  ///< sums that are at least zero where it is true, where it is false
 };
 
-/// One scalar of a value: a number, or a condition (then `sum` is an unknown that stands for it).
+/// One scalar of a value: a number, or a condition, for which `sum` is 0 or 1 if it is known, else an unknown.
 struct Part {
     symbolic::Sum sum;
     Truth truth;
@@ -32,12 +32,14 @@ inline Truth inverse(const Truth& truth) {
     return result;
 }
 
-/// Operations whose results may be unknowns, besides binary operators and intrinsics.
+/// Operations whose results may be unknowns, besides binary operators and intrinsics. Their numbers are distinct from
+/// those that operation_of gives.
 enum Operation : std::uint32_t { not_zero = 1000, choice, leaf, conversion, logical_inversion, minus, bit_inversion };
 inline std::uint32_t operation_of(ir::BinaryOp op) { return static_cast<std::uint32_t>(op); }
 inline std::uint32_t operation_of(ir::Intrinsic intrinsic) { return 100 + static_cast<std::uint32_t>(intrinsic); }
 
-/// The interpreter for the code of one structure, whose constructor arguments are unknowns.
+/// The interpreter for the code of one structure. The structure's constructor arguments are unknowns unless set_member
+/// says what they are.
 class Following {
 public:
     Following(const ir::Program& program, std::uint32_t structure) : p(program), s(&program.structures[structure]) {}
@@ -47,7 +49,8 @@ public:
     /// The extent within which physical addresses must lie: a memory's, or the domain of the structure that is the
     /// memory.
     Parts extent_of_memory();
-    /// The physical address of a virtual one; none if the translators map every such address to `none`.
+    /// The physical address of a virtual one, which may stand for many; none if the translators map all of them to
+    /// `none`.
     std::optional<Parts> translated(Parts address);
     /// Sets component `lane` of constructor argument `slot`.
     void set_member(std::uint32_t slot, std::uint32_t lane, const symbolic::Sum& sum) { members_[{slot, lane}] = sum; }

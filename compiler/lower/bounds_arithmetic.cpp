@@ -73,7 +73,8 @@ Sum Following::at_least_one(const Sum& sum) {
     return symbols.applied({not_zero, {sum}}, {number(1), std::nullopt}, symbols.varies(sum));
 }
 
-/// a - b of unsigned numbers: the sum a - b if b is known to be no larger, else an unknown, since it may wrap.
+/// a - b of unsigned numbers: the sum a - b if b is known to be no larger, and a not to exceed 2^32 - 1; else an
+/// unknown, since the difference may wrap.
 Sum Following::difference(const Sum& a, const Sum& b) {
     if (fits(a) && symbols.is_natural(a - b)) return a - b;
     return opaque(operation_of(BinaryOp::subtract), {a, b}, p.types.uint);
@@ -190,7 +191,7 @@ Truth Following::compared(BinaryOp op, const Sum& a, const Sum& b) {
     return truth;
 }
 
-/// A number that is the same for all addresses and has every bit that the given number may have; none if not known.
+/// A number that is the same for all addresses and has every bit that the given number may have; none: not known.
 std::optional<Sum> Following::bits_of(const Sum& sum) {
     if (!symbols.varies(sum)) return sum;
     if (sum.size() == 1 && sum.begin()->first.size() == 1) {

@@ -1,7 +1,7 @@
-// Lowers kernels on several threads. Each thread has a branch of the program (the trunk): it sees the trunk's nodes,
-// which nobody changes, and adds its own. Afterwards the branches' nodes are moved to the trunk in the order of the
-// kernels ("grafted"), so that the result does not depend on which thread did what. Expressions and statements are not
-// copied: the arenas hand over whole blocks of memory.
+// Lowers kernels on several threads. The program is the trunk, of which each thread has a branch: the branch sees the
+// trunk's nodes, which nobody changes meanwhile, and adds its own. Afterwards the branches' nodes are moved to the
+// trunk in the order of the kernels ("grafted"), so that the result does not depend on which thread did what.
+// Expressions and statements are not copied: the arenas hand over whole blocks of memory.
 #pragma once
 
 #include "ir/pass.h"
@@ -18,19 +18,19 @@ struct Branch {
 
     Names names;
     ir::Program program;
-    // Names and types with ids below first_name and first_type are the trunk's own. The vectors have the trunk's ids of
-    // the branch's names and types, as far as they have been grafted.
+    // Names and types with ids below first_name and first_type are the trunk's own. For those that the branch added,
+    // the vectors have the trunk's ids, as far as they have been grafted.
     const std::uint32_t first_name, first_type;
     std::vector<Name> trunk_names;
     std::vector<ir::TypeId> trunk_types;
 };
 
-/// The nodes that a branch made for one kernel, from `begin` to `end`, and where they are in the trunk after grafting:
-/// from `to` on. They refer only to each other and to nodes of the trunk.
+/// The nodes that a branch made for one kernel: those from `begin` to `end`. They refer only to each other and to nodes
+/// of the trunk. After grafting they are in the trunk from `to` on.
 struct Growth {
     Branch* branch = nullptr;
     Mark begin, end;
-    std::uint32_t names = 0, types = 0;  ///< how many the branch had at the end
+    std::uint32_t names = 0, types = 0;  ///< how many of them the branch had at `end`
     Mark to;
 };
 

@@ -28,7 +28,8 @@ namespace {
 /// Kernels with more loads or nodes have enough to do with one element, and two would take too many registers.
 constexpr std::size_t most_loads = 16, most_of_one = 600;
 
-/// Whether a function loops: then one element is work enough, and lavapipe limits the iterations of an invocation.
+/// Whether a function or one that it calls loops: then one element is work enough, and lavapipe limits the iterations
+/// of an invocation.
 bool has_loop(const Program& program, FunctionId function) {
     const auto& body = program.functions[function].body;
     bool found = false;
@@ -208,8 +209,8 @@ private:
         return found_any;
     }
 
-    /// Replaces the second element's guards of rows below by those for one row more. Where there is no second element,
-    /// such rows then count as outside.
+    /// Replaces the second element's guards of reads at positive y by the first one's for one row more. Where there is
+    /// no second element, such rows then count as outside.
     void share_guards(StatementCopy& second, const std::vector<Expander::RowGuard>& guards) {
         for (const Expander::RowGuard& guard : guards) {
             const ExprId distance = cx.make.uint(static_cast<std::uint64_t>(guard.distance + 1));
@@ -218,8 +219,9 @@ private:
         }
     }
 
-    /// The statements under the condition that there is a second element. Stores need it only if loads are shared;
-    /// otherwise the second element is then a copy of the first, and storing it again changes nothing.
+    /// The statements under the condition that there is a second element. Where all loads come before the first store,
+    /// stores need it only if loads are shared: otherwise the second element is a copy of the first where there is
+    /// none, and storing it again changes nothing.
     StmtId where_there_is_one(const std::vector<StmtId>& statements) {
         Stmt stmt = statement(StmtOp::if_, cx.p.stmts[statements.front()].span);
         stmt.value = has_next_;

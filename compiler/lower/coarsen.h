@@ -1,8 +1,9 @@
-// Thread coarsening: an invocation of a shader takes two elements, all loads before the first store. GPUs start
-// invocations and wait for memory; with one small element each they do little else (docs/performance.md).
+// Thread coarsening: an invocation of a shader takes several elements: two, in kernels over blocks up to eight. GPUs
+// start invocations and wait for memory; with one small element each they do little else (docs/performance.md).
 //
 // Needs: the statements of a kernel after "expand". Guarantees: at the end of the range, where there is no second
-// element, the first one is computed in its place, and stored a second time or not.
+// element, it has the first one's address, and its stores repeat the first one's or are left out. In kernels over
+// blocks each element is tested, unless all elements of the block are known to be visited.
 #pragma once
 
 #include "lower/expand.h"
@@ -11,8 +12,9 @@ namespace gliftc::lower {
 
 /// A body for several elements an invocation.
 struct Coarsened {
-    std::vector<StmtId> body;                           ///< empty: there is no gain, or the kernel does not allow it
-    ExprId in_range;                                    ///< condition: the second element's address is in the range
+    std::vector<StmtId> body;  ///< empty: there is no gain, or the kernel does not allow it
+    ExprId in_range;  ///< condition that holds in it: the second element's address is in the range (in kernels over
+                      ///< blocks: the first one's)
     std::array<std::uint32_t, 3> elements = {1, 1, 1};  ///< how many elements along each axis
 };
 
@@ -20,13 +22,13 @@ struct Coarsened {
 /// neighbour reads gave, some of which the second element uses again.
 Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander& made);
 
-/// Two elements, one after the other: the statements of the first, then under a condition those of the second. Valid
-/// for any loads and stores.
+/// Two elements, one after the other: the statements of the first, then, if there is a second one, those of the second.
+/// Valid for any loads and stores.
 Coarsened coarsened_in_turn(Context& cx, const std::vector<StmtId>& body);
 
 /// In kernels over blocks, several elements of a block, a workgroup's width apart. Values that depend on the block
-/// alone come first, then the elements in a loop; or without a loop for blocks all of whose elements are visited, whose
-/// body is `whole`.
+/// alone come first, then the elements in a loop. `whole` is the body for blocks all of whose elements are visited: for
+/// these, devices that skip branches run the elements without a loop.
 Coarsened coarsened_in_block(Context& cx, const std::vector<StmtId>& body, const std::vector<StmtId>& whole);
 
 /// Whether all stores of a body may be delayed until other elements have made their loads; and how many loads and nodes
@@ -44,7 +46,7 @@ bool has_store(const ir::Program& program, const ir::Stmt& stmt);
 /// stores follow in the body, so that no variable changes any more.
 StmtId with_named_value(Context& cx, StmtId id, bool ends_in_stores, std::vector<StmtId>& before);
 
-/// Whether an invocation of a shader takes more elements than the kernel says.
+/// Whether an invocation of a shader takes more elements than the kernel declares (at<S, n>; else one).
 bool is_coarsened(const ir::Pass& pass);
 
 }  // namespace gliftc::lower

@@ -3,7 +3,7 @@
 //
 // Translators and extents are interpreted over symbolic sums of the constructor's arguments (lower/symbolic.h), and the
 // largest address is compared with the memory's extent. Sizes are assumed not to wrap around: the runtime refuses to
-// make such a structure. Where code cannot be followed or compared, each access is checked.
+// make a structure whose sizes do. Where code cannot be followed or compared, each access is checked.
 #pragma once
 
 #include "ir/ir.h"

@@ -19,7 +19,7 @@
 
 namespace gliftc::lower {
 
-/// Identifies a lowered instance of a function: the source function (or the translate function of a stage), and the
+/// Identifies a lowered instance of a function: the function as sema made it (or a translator's function), and the
 /// places of the structures and of the translator state that it uses.
 struct FunctionKey {
     ir::FunctionId function;
@@ -40,7 +40,10 @@ struct AddressForm {
     };
     ir::Place place;
     const ir::Stage* stage = nullptr;
-    bool is_known = false;  ///< false: it needs statements, or uses the address as a whole, so it cannot be copied
+    /// Whether the code can be copied. Not if it needs statements, loads, uses the address as a whole, is not to be
+    /// inlined, or is only known at run time to map the address.
+    bool is_known = false;
+    /// The local that stands for the virtual address; the physical address; a constant: whether there is one.
     ExprId address, value, has;
     std::vector<ExprId> nodes;  ///< the nodes of `value`, operands first
     std::vector<Naming> names;
@@ -59,7 +62,7 @@ struct Context {
     Trace* trace;             ///< null: nothing is traced
     bool is_stopped = false;  ///< the pass named by --stop-after has run: later passes are skipped
     Make make;
-    /// The first nodes that this lowering makes. Older ones are the program's.
+    /// The first nodes that this lowering makes. Nodes with smaller ids are the program's.
     ExprId first_expr;
     LocalId first_local;
 
@@ -70,15 +73,19 @@ struct Context {
     void name(ExprId id, std::string_view text) { names.emplace(id, p.names->intern(text)); }
     std::map<FunctionKey, ir::FunctionId> instances;
     std::vector<std::unique_ptr<AddressForm>> address_forms;
-    std::map<std::vector<std::uint64_t>, ExprId> known_calls;  ///< values of calls with integer constants, as unit(2)
-    std::unordered_set<ir::FunctionId> made_functions;         ///< the functions in `instances`: they may load
-    std::vector<LocalId> params;                               ///< of the function whose body is being simplified
-    ExprId size;                                               ///< the size of the visited range
-    ir::Part part = ir::Part::whole;                           ///< of a draw: which part is being made
-    NodeMap<ExprId, std::uint32_t> uniform_sizes{first_expr};  ///< results of uniform_size
+    /// Results of calls whose arguments are all integer constants, such as unit(2), by function and arguments; absent:
+    /// the call cannot be evaluated.
+    std::map<std::vector<std::uint64_t>, ExprId> known_calls;
+    /// The functions in `instances`. They may load, so calls of them are not uniform.
+    std::unordered_set<ir::FunctionId> made_functions;
+    std::vector<LocalId> params;      ///< parameters of the function whose body is being simplified
+    ExprId size;                      ///< the size of the visited range
+    ir::Part part = ir::Part::whole;  ///< in a kernel that draws: the part that is being lowered
+    NodeMap<ExprId, std::uint32_t> uniform_sizes{first_expr};  ///< caches uniform_size
     /// Caches Numbers::traits_of (number.h); valid once it is known which bindings are written.
     NodeMap<ExprId, std::uint8_t> traits{first_expr};
 
+    /// Tables of value numbering that are not in use (number_memory.h).
     std::vector<std::unique_ptr<NumberMemory>> spare_number_memory;
     std::unique_ptr<NumberMemory> take_number_memory();
 
@@ -100,7 +107,8 @@ std::uint32_t uniform_size(Context& cx, ExprId id);
 constexpr std::uint32_t largest_uniform = 1024;
 inline bool is_uniform(Context& cx, ExprId id) { return uniform_size(cx, id) != 0; }
 
-/// Whether the expression is so short (a name or a number) that a local for it is not worth it.
+/// Whether the expression is so short (a name, a constant, or a component or field of one) that a local for it is not
+/// worth it.
 bool is_trivial(const Context& cx, ExprId id);
 
 }  // namespace gliftc::lower

@@ -27,7 +27,7 @@ void use(const Program& p, ExprId id, IdSet<Local>& used) {
     for (ExprId operand : node.operands) use(p, operand, used);
 }
 
-/// Liveness at a statement, of a walk from the end of the body.
+/// What is known at a statement during the walk from the end of the body to its beginning.
 struct Live {
     IdSet<Local> used;      ///< locals that later statements use
     IdSet<Local> declared;  ///< locals that the body declares: nothing outside of it reads them

@@ -5,13 +5,14 @@
 
 namespace gliftc::lower {
 
-/// Sets the pass's rank and group, and makes the locals `address` and `in_range`. Called before the body is made.
+/// Sets what the pass says of its dispatch: rank, group, items, whether it visits blocks. Makes the locals `address`
+/// and `in_range`, except for draws. Called before the body is made.
 void choose_dispatch(Context& cx);
 
 /// The condition that in_range stands for.
 ExprId in_range_condition(Context& cx);
 
-/// Statements that declare `address` and `in_range` from the shader's built-in inputs. Needs cx.size.
+/// Statements that declare `address` and `in_range` from the shader's built-in inputs. Needs cx.size to be set.
 std::vector<StmtId> dispatch_prologue(Context& cx);
 
 }  // namespace gliftc::lower

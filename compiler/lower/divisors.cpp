@@ -1,7 +1,7 @@
 // Expander: divisors that are computed from the state of structures alone. In the language, dividing by zero is
 // dividing by one. Such divisors are uniform, so the host computes max(divisor, 1) and shaders need no test. The
-// extents of visited structures need no max: they are not zero, or the kernel would not run. Printers rely on all this:
-// a parameter that is computed from structures alone is not zero where it is a divisor.
+// extents of visited structures need no max: they are not zero, or the kernel would not run. The printer of GLSL relies
+// on all this: a parameter that is computed from structures alone is not zero where it is a divisor (glsl/guards.cpp).
 #include "ir/walk.h"
 #include "lower/expand.h"
 

@@ -1,10 +1,11 @@
 // The pass "expand": from structures to memory. Makes a body of loads and stores out of a kernel's body, whose
 // operations access elements of structures. The Expander's methods are in the files named below.
 //
-// Needs: a checked kernel. Guarantees: no operation of structures is left; near offsets are constants inside the
-// radius; every load that could be outside a structure is a guarded_load, every such store is under a branch; optionals
-// are pairs (has, value) wherever they need no storage; functions are inlined where that gives straight-line code. A
-// value that is used twice is one node with two parents, until share.h gives it a local.
+// Needs: a kernel that sema accepts. Guarantees: no operation of structures is left; offsets of `near` are constants
+// within the parameter's radius; every load that could be outside a structure is a guarded_load or under a branch,
+// every such store is under a branch; optionals are pairs (has, value) wherever they need no storage; functions are
+// inlined where that gives straight-line code that is not too large. A value that is used twice is one node with two
+// parents, until share.h gives it a local.
 #pragma once
 
 #include "ir/empty.h"
@@ -26,10 +27,11 @@ struct Pair {
     ExprId has;
 };
 
-/// The largest number of nodes that a kernel may expand to: ten times that of the library's largest kernel.
+/// The largest number of expression nodes that the expansion of a kernel may make: ten times that of the largest kernel
+/// in stdlib.
 constexpr std::uint32_t most_nodes = 1u << 19;
 
-/// Thrown when a kernel expands to more nodes.
+/// Thrown when the expansion of a kernel makes more than most_nodes.
 struct KernelTooLarge {
     Span span;  ///< the statement that was being expanded
 };
@@ -42,19 +44,19 @@ enum class Guards { checked, interior, block };
 /// For a function that is expanded as statements and returns before its end. The result is in variables; a return sets
 /// them and leaves the enclosing loops of the function, and statements after it test whether there was one.
 struct Leaving {
-    LocalId value, has;  ///< the result; absent: none
+    LocalId value, has;  ///< variables of the result; absent: it has no value, or is no optional
     LocalId left;        ///< a bool variable: a return was executed; absent: nothing tests it
     unsigned loops = 0;  ///< how many loops of the function enclose the statement that is being expanded
 };
 
 /// The function (or kernel) that is being expanded.
 struct Frame {
-    std::vector<ir::Place> places;  ///< for each Place root in it, the place as seen from the kernel
+    std::vector<ir::Place> places;  ///< for each Place::root in its body, that structure's place seen from the kernel
     FlatMap<LocalId, Pair> locals;
     const ir::Stage* stage = nullptr;  ///< in a translator's functions: the stage that has the state
     ir::Place structure;               ///< in a translator's functions: the structure that the stage belongs to
-    std::string prefix;                ///< for the names of locals that are made
-    TypeId result;                     ///< of a function that is expanded as statements
+    std::string prefix;                ///< put before the names of locals that are made; may be empty
+    TypeId result;                     ///< of a function that is expanded as statements: its result type
     Leaving* leaving = nullptr;        ///< null: it returns only at its end, if at all
 };
 
@@ -75,10 +77,9 @@ public:
 
     /// Whether some neighbour read has a guard, so that an interior variant would differ.
     bool has_near_guards = false;
-    /// The first near parameter with guards, and its domain, which the interior is relative to.
-    std::optional<std::uint32_t> near_root;
-    bool near_domains_agree = true;  ///< all near parameters with guards have that domain
-    ExprId near_domain;
+    std::optional<std::uint32_t> near_root;  ///< the first near parameter whose reads have guards
+    bool near_domains_agree = true;          ///< all near parameters whose reads have guards have its domain
+    ExprId near_domain;                      ///< its domain, whose inner part the interior variant is for
 
     /// A neighbour read that is executed unconditionally, and its value.
     struct NearValue {
@@ -89,7 +90,7 @@ public:
     std::vector<NearValue> near_values;
     /// The offsets that are read of each near parameter; absent if a function that is not inlined reads some.
     std::optional<NearOffsets> near_offsets = NearOffsets();
-    std::vector<Halo> halos;  ///< with Guards::block: copies from which neighbours are read
+    std::vector<Halo> halos;  ///< with Guards::block: the local copies from which neighbours are read
     /// A guard of neighbour reads at positive y: at + distance < extent.
     struct RowGuard {
         ExprId condition, at, extent;
@@ -251,8 +252,9 @@ private:
     void store(const ir::Place& place, const Pair& physical, ExprId guard, const ir::Stmt& stmt, ExprId value);
     Pair atomic(const ir::Expr& node);
     bool is_coherent(const ir::Place& place) const;
-    /// Of the memory that elements lie in; `compare`: of a sampler that compares; `by_direction`: of a cube that is not
-    /// seen as its faces.
+    /// The index of the pass's binding for the memory that the elements at a place lie in; adds one if there is none.
+    /// `compare`: a sampler that compares depths in this way. `by_direction`: a cube map is bound as a cube, which is
+    /// sampled by a direction, instead of as an array of six images.
     std::uint32_t binding(const ir::Place& place, ir::Access access, std::optional<ir::Compare> compare = {},
                           bool by_direction = false);
     std::optional<std::vector<std::int64_t>> offset_of(const ir::Expr& node);
@@ -286,12 +288,12 @@ private:
         ExprId all;                                  ///< condition: all elements that are to be copied exist
         Block copies;                                ///< the statements that copy
     };
-    /// The loops that copy one part of a halo. `address` and `index` are those of the element in the structure and in
-    /// the copy; `exists`: whether the block is in the domain.
+    /// The loops that copy one part of a halo, an element an iteration. `address`: the element's address in the
+    /// structure; `index`: its index in the copy; `exists`: whether the block that it lies in is in the domain.
     struct Copied {
         std::string name;
         std::vector<LocalId> loops;  ///< the loops' variables, one an axis
-        std::vector<ExprId> limits;  ///< and limits
+        std::vector<ExprId> limits;  ///< the loops' limits, one an axis
         ExprId address, index, exists;
     };
     Copied places_of(const Halo& halo, const Halo::Part& part, Neighbours& found);
@@ -310,7 +312,7 @@ private:
     struct Beside {
         Operands address;  ///< the neighbour's, along the axes that are chosen
         std::string name;
-        bool is_own;  ///< so far it is the own block
+        bool is_own;  ///< along the axes that are chosen it is the own block
     };
     std::optional<Pair> beside(const ir::Place& place, const std::vector<std::int64_t>& offset);
     const Way& way_along(std::uint32_t root, std::uint32_t axis, std::int64_t offset);
@@ -371,12 +373,12 @@ private:
     ExprId sample(const ir::Expr& node);
     ExprId gather(const ir::Expr& node);
     ExprId compare(const ir::Expr& node);
-    /// The elements around a point, x first, and where it lies between them.
+    /// The elements around a point, from which linear interpolation gives the value there.
     struct Around {
-        std::uint32_t axes;
-        ExprId weight;
-        ExprId all;  ///< the same as one vector, if they are
-        Operands values;
+        std::uint32_t axes;  ///< along how many axes it is interpolated: 2^axes elements
+        ExprId weight;       ///< where the point lies between them: along each axis from 0 to 1
+        ExprId all;          ///< `values` as one vector, if the device gathers them; else absent
+        Operands values;     ///< the elements, x advancing first
     };
     Around around(const ir::Place& place, ExprId at);
     Around gathered(const ir::Place& place, ExprId at);
@@ -392,7 +394,8 @@ private:
 
     // shared
     ir::Place resolved(const ir::Place& place) const;
-    ir::Place canonical(const ir::Place& place) const;  ///< in the direct form: the first parameter with the same state
+    /// In the direct form: the place below the first parameter that has the same state. Else the place itself.
+    ir::Place canonical(const ir::Place& place) const;
     std::uint32_t canonical_root(std::uint32_t root) const;
     ExprId named(const std::string& name, ExprId value);  ///< makes a `let` of the value, unless it is trivial
     void note_name(ExprId value, Name name);              ///< notes the name that the source gives to a value
@@ -432,13 +435,13 @@ private:
     std::unordered_map<std::uint32_t, Pair> centres_;
     std::unordered_map<std::uint32_t, ExprId> addresses_;
     OwnBlock block_;
-    std::vector<ValueNumber> known_;  ///< conditions that hold for the code that is being expanded
+    std::vector<ValueNumber> known_;  ///< numbers of conditions that hold for the code that is being expanded
     InlineSizes inline_sizes_{cx.p};
     TreeSizes tree_sizes_{cx};
     std::unordered_map<ir::FunctionId, bool> windows_, long_zeros_;
     std::unordered_map<StmtId, bool> returning_;
     std::vector<AddressForm::Naming>* namings_ = nullptr;  ///< names of the address form that is being made
-    std::vector<ExprId> made_again_;                       ///< copies of the nodes of an address form
+    std::vector<ExprId> made_again_;                       ///< scratch: copies of an address form's nodes
     bool compares_extents_ = false;                        ///< see divisors.cpp
     unsigned depth_ = 0;
     LocalId window_;       ///< in fragment parts: the pixel's centre from the viewport's origin, depth, 1 / w

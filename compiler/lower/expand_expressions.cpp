@@ -258,7 +258,7 @@ Pair Expander::expand_logical(const Expr& node) {
     return {make.local(result), {}};
 }
 
-/// A constructor argument of a structure; a constant if its owner passes a constant.
+/// A constructor argument of a structure; a constant if the structure that makes it passes a constant.
 ExprId Expander::expand_member(const Expr& node) {
     Place place = canonical(resolved(node.place));
     if (!place.members.empty()) {

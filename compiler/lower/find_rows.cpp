@@ -29,7 +29,8 @@ bool evaluates_all(const Expr& node) {
     return node.op != Op::select && (node.op != Op::binary || !is_logical);
 }
 
-/// The slopes that are known before the body: values that are computed once a block are constant along a row.
+/// The slopes that are known before the body: in kernels over blocks, values that are computed once a block are
+/// constant along a row.
 RowSlopes slopes_of(const Context& cx, const Variant& variant) {
     RowSlopes slopes(cx.p, cx.pass.address, variant.assumes.row);
     if (!variant.block) return slopes;
@@ -169,7 +170,8 @@ bool is_clamp(const Program& program, const Expr& node) {
            (node.intrinsic == Intrinsic::clamp || node.intrinsic == Intrinsic::min || node.intrinsic == Intrinsic::max);
 }
 
-/// Whether the node is x < n ? x : …, as in translators that map addresses beyond the border back inside.
+/// Whether the node is x < n ? y : … of uints, as in translators that map addresses beyond the border back inside,
+/// where y is x.
 bool is_choice_of_inside(const Program& program, const Expr& node) {
     if (node.op != Op::select || node.type != program.types.uint) return false;
     const Expr& condition = program.exprs[node.operands[0]];
@@ -178,7 +180,8 @@ bool is_choice_of_inside(const Program& program, const Expr& node) {
 }
 
 /// Operations that change nothing in the middle of a row (whatever translator they come from), each with the operand
-/// that it equals there: clamp, min and max of an integer that advances by one along the row, and x < n ? x : …
+/// that it equals there: clamp, min and max of an int, or min of a uint, that advances by one along the row, its limits
+/// being constant there; and x < n ? y : … with such x and y.
 using Identities = std::map<ExprId, ExprId>;
 
 Identities row_identities(const Context& cx, const Variant& variant, const std::vector<StmtId>& body) {
@@ -274,7 +277,7 @@ RowOrder order_of(const Context& cx, const Variant& variant) {
     return is_of_middle && may_be_repeated(cx, variant.body) ? RowOrder::in_blocks : RowOrder::any;
 }
 
-/// The variant for where clamps change nothing; none if it has no row accesses.
+/// The variant for where clamps change nothing; none if there are no clamps, or it has no row accesses.
 std::optional<Variant> unclamped(Context& cx, const Variant& variant) {
     std::vector<StmtId> body = variant.body;
     Variant made{Part::whole, Devices::host, variant.assumes, {}, variant.block};

@@ -1,11 +1,12 @@
 // Prepares the host device's loop over the elements of a row for vectorisation by C++ compilers. Finds accesses whose
-// index advances by one from element to element: they become row_load and row_store, accesses through a pointer to the
-// row, since compilers cannot know that a 32-bit index does not wrap. Clamps of an index (of border translators) hide
-// such accesses; where they change nothing, in the middle of a row, a variant without them is made. Also finds in which
-// order elements may be executed.
+// index advances by one from element to element: they become row_load, row_store and row_item, accesses through a
+// pointer to the row, since compilers cannot know that a 32-bit index does not wrap. Clamps of an index (of border
+// translators) hide such accesses; a variant without clamps is made for the middle of a row, where they change nothing.
+// Also finds in which order elements may be executed.
 //
-// Needs: variants for the host device of a kernel without a group. Guarantees: row_load and row_store for such accesses
-// that every element executes; the variant without clamps, if it has more of them; Variant::order.
+// Needs: variants for the host device of a kernel without a group. Guarantees: the operations above for such accesses
+// that every element executes; the variant without clamps, if there are clamps and it has such accesses;
+// Variant::order.
 #pragma once
 
 #include "lower/context.h"

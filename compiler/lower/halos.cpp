@@ -17,7 +17,8 @@ using namespace ir;
 
 namespace {
 
-/// most_numbers: limit for the scalars in all copies together, so that they stay in the first or second level cache.
+/// most_numbers: limit for the scalars in the copies of a pass together, so that they stay in the first or second level
+/// cache.
 /// least_volume: smaller blocks have more elements around them than in them, so that a copy does not pay.
 constexpr std::uint64_t most_numbers = 1u << 15, least_volume = 8;
 
@@ -52,7 +53,7 @@ std::set<std::vector<int>> steps_of(const std::vector<std::int64_t>& offset) {
     return steps;
 }
 
-/// How far the offsets that reach the block at `step` go beyond the own block along an axis.
+/// How far the offsets that reach the block at `step` (from the own one) go beyond the own block along an axis.
 std::uint32_t thickness(const std::set<std::vector<std::int64_t>>& offsets, const std::vector<int>& step,
                         std::size_t axis) {
     std::int64_t most = 0;

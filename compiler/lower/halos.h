@@ -1,5 +1,5 @@
-// Halos, on the host device: in kernels over blocks, the elements that `near` parameters read of a block and of its
-// neighbours are copied to a local array once a block.
+// Halos, on the host device: in kernels over blocks, the elements that a `near` parameter reads of a block and of the
+// adjacent blocks are copied to a local array once a block.
 #pragma once
 
 #include "lower/context.h"
@@ -27,7 +27,7 @@ struct Halo {
     };
     std::vector<Part> parts;
     LocalId copy;  ///< the array; absent: nothing reads it yet
-    ExprId at;     ///< index of the current element in the array
+    ExprId at;     ///< index that the current element would have in the array if `below` were all zero
     std::uint32_t elements() const {
         std::uint32_t all = 1;
         for (std::uint32_t along : extent) all *= along;
@@ -35,8 +35,8 @@ struct Halo {
     }
 };
 
-/// The halos for the near parameters whose offsets reach no further than the adjacent blocks and whose memory the pass
-/// does not write.
+/// The halos for the near parameters whose offsets reach no further than the adjacent blocks, whose elements are
+/// scalars or vectors (not of bools), and whose memory the pass does not write; as many as are small enough together.
 std::vector<Halo> halos_of(Context& cx, const NearOffsets& offsets);
 
 }  // namespace gliftc::lower

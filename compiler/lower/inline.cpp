@@ -11,9 +11,11 @@ using namespace ir;
 
 namespace {
 
-constexpr std::size_t plain_call_limit = 40;  ///< a function without structures is inlined up to this many nodes
+/// A function that is only `let`s and a return is inlined everywhere if it has no more nodes. Others are inlined if
+/// they take structures or give an optional, and in the code of translators and views.
+constexpr std::size_t plain_call_limit = 40;
 constexpr unsigned depth_limit = 64;
-constexpr std::uint32_t largest_tree = 1024;  ///< size, written out as a tree, beyond which a value gets a local
+constexpr std::uint32_t largest_tree = 1024;  ///< number of nodes as a tree from which on a value gets a local
 
 bool is_short(const Program& p, const Function& function) {
     std::size_t size = 0;
@@ -27,8 +29,8 @@ bool is_short(const Program& p, const Function& function) {
 
 }  // namespace
 
-/// The remembered value of a call whose arguments are integer constants, since unrolled loops repeat such calls;
-/// absent: not known.
+/// The value of a call whose arguments are integer constants. It is remembered, since unrolled loops repeat such calls.
+/// Absent: it cannot be evaluated, or some argument is no such constant.
 ExprId Expander::known_call(const Expr& node, const std::vector<Pair>& arguments) {
     std::vector<std::uint64_t> key{node.function.index};
     for (const Pair& argument : arguments) {
@@ -149,7 +151,7 @@ Pair Expander::run(const std::vector<StmtId>& body) {
     return {};
 }
 
-/// The condition, or a constant if it is known to hold or not to.
+/// The condition, or a constant if known_ says that it or its negation holds.
 ExprId Expander::decided(ExprId condition) {
     if (known_.empty()) return condition;
     const Expr& node = p.exprs[condition];

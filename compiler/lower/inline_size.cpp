@@ -56,7 +56,8 @@ std::size_t InlineSizes::of_value(ExprId root) {
     return size;
 }
 
-/// The size of an `if` with a return inside: the statements after it are made once for each side.
+/// The size of an `if`. `rest`: the statements after it, if there is a return inside: they are then made once for each
+/// side; else empty.
 std::optional<std::size_t> InlineSizes::of_both(const Stmt& stmt, const Statements& rest, Loops& loops) {
     Statements yes(stmt.body.begin(), stmt.body.end()), no(stmt.otherwise.begin(), stmt.otherwise.end());
     for (Statements* side : {&yes, &no}) side->insert(side->end(), rest.begin(), rest.end());

@@ -15,8 +15,8 @@ class InlineSizes {
 public:
     explicit InlineSizes(const ir::Program& program) : p(program) {}
 
-    /// The number of nodes that inlining a call makes, with loops unrolled. None if the call is not to be inlined: the
-    /// function cannot be executed symbolically (inline.cpp), or makes too many nodes.
+    /// An estimate of the number of nodes that inlining a call makes, with loops unrolled. None if the call is not to
+    /// be inlined: the function cannot be executed symbolically (inline.cpp), or makes too many nodes.
     std::optional<std::size_t> of(ir::FunctionId function);
 
 private:

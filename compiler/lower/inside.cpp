@@ -1,5 +1,5 @@
-// Expander: removes tests whether an address is in the domain, as a partial translator has that maps nothing beyond the
-// edge, where that is known (the current element) or tested already (neighbours).
+// Expander: a partial translator that maps nothing beyond the edge tests whether the address is in the domain. Removes
+// this test where the address is known to be inside (the current element) or is tested already (neighbours).
 #include "lower/expand.h"
 
 namespace gliftc::lower {

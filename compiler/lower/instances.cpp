@@ -1,5 +1,5 @@
-// Expander: functions that are not inlined. A lowered instance is made for each set of structures that a function is
-// called with.
+// Expander: functions that are not inlined. A lowered instance of a function is made for each list of structures, or
+// translator's state, that it is called with.
 #include "lower/expand.h"
 
 #include "ir/walk.h"

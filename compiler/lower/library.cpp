@@ -12,7 +12,8 @@ using namespace ir;
 
 namespace {
 
-/// Makes the functions of one structure: each is the body of a kernel that is made for it and lowered like any other.
+/// Makes the functions of one structure: each is the body of a kernel that is made for the function and lowered by
+/// lower_function.
 struct Maker {
     Program& program;
     Diagnostics& diagnostics;

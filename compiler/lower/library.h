@@ -1,4 +1,5 @@
-// Functions of structures for the user's own shaders: read, write and translate at one address.
+// Functions of structures for the user's own shaders: read, write and translate at one address, and, where not every
+// address is mapped, whether it is.
 #pragma once
 
 #include "diag/diagnostics.h"
@@ -6,7 +7,8 @@
 
 namespace gliftc::lower {
 
-/// Makes the functions of every public structure and view. Adds nodes to the program. Needs: lower() has run.
+/// Makes the functions of every structure and view that a module named on the command line makes public. Adds nodes to
+/// the program. Needs: lower() has run.
 std::vector<ir::Library> lower_libraries(ir::Program& program, Diagnostics& diagnostics);
 
 }  // namespace gliftc::lower

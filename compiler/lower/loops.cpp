@@ -20,7 +20,8 @@ constexpr std::uint64_t bits_of_a_word = 32;
 std::uint64_t plus(std::uint64_t a, std::uint64_t b) { return a > unknown - b ? unknown : a + b; }
 std::uint64_t times(std::uint64_t a, std::uint64_t b) { return a != 0 && b > unknown / a ? unknown : a * b; }
 
-/// Floats in buffers are added by compare-and-swap, again and again until nobody came between.
+/// Whether the update is a loop: shaders add floats in buffers by compare-and-swap, again and again until no other
+/// invocation has come between.
 bool is_retried(const Program& program, const Pass& pass, const Stmt& atomic) {
     const PassBinding& binding = pass.bindings[atomic.slot];
     return binding.shape == MemoryShape::buffer && program.types.kind(binding.element) == TypeKind::float_ &&
@@ -49,7 +50,8 @@ private:
         if (stmt.op == StmtOp::while_ || (stmt.op == StmtOp::atomic && is_retried(cx.p, cx.pass, stmt)))
             inside = note(stmt, unknown);
         if (stmt.op == StmtOp::for_) {
-            // The last test counts as an iteration, since devices then go through the inner loops, too, masked off.
+            // The last test counts as an iteration, in which devices also go through the inner loops, with no lane
+            // active.
             auto known = rounds_of(cx.p, stmt.value, stmt.limit);
             std::uint64_t count = known ? known->count : most(stmt.limit);
             inside = note(stmt, plus(times(count, plus(inside, 1)), plus(1, loops_in(stmt.body))));
@@ -57,7 +59,7 @@ private:
         return plus(total, inside);
     }
 
-    /// The number of loops in the statements and in the functions that they call.
+    /// The number of loops in the statements and in the functions that they call. Every atomic update counts as one.
     std::uint64_t loops_in(const std::vector<StmtId>& body) const {
         std::uint64_t loops = 0;
         for_each_statement(cx.p, body, [&](const Stmt& stmt) {

@@ -11,8 +11,8 @@ namespace gliftc::lower {
 /// Fills loop_rounds, longest_loop, has_reports, functions and exact.
 void summarize(Context& cx);
 
-/// Makes equal in all forms of a kernel: the bound of its loops, whether it has reports, the files that reports name,
-/// and which images are sampled.
+/// Makes equal in all forms of a kernel: the bound of its loops, whether it has reports (of checked builds), the files
+/// that reports name, and which images are sampled.
 void agree(const ir::Program& program, std::span<ir::Pass* const> forms);
 
 }  // namespace gliftc::lower

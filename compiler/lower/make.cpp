@@ -282,13 +282,13 @@ std::optional<ExprId> Make::simpler_component(ExprId vector, std::uint32_t lane)
     return again(scalar, std::move(parts));
 }
 
-/// Whether the operation may be folded: all operands are constants.
+/// Whether the operation may be folded: its operands are constants, and it is neither a call nor a construction.
 bool Make::is_foldable(const Expr& node, const Operands& operands) const {
     if (operands.empty() || node.op == Op::call || node.op == Op::construct) return false;
     return std::all_of(operands.begin(), operands.end(), [&](ExprId operand) { return is_constant(operand); });
 }
 
-/// The expression as a constant, if its value is known and finite; else the expression.
+/// The expression as a constant, if its value is known and finite; else the expression as it is.
 ExprId Make::computed(ExprId id) {
     auto value = evaluate(p, id);
     if (!value || !is_finite(*value)) return id;

@@ -55,9 +55,9 @@ public:
     /// A copy of the statement with other parts; the statement itself if the parts are its own.
     StmtId again(StmtId id, Parts parts);
 
-    /// Whether `id` is a constant as it stands; nothing is evaluated.
+    /// Whether `id` is a constant, or is constructed of constants alone; nothing is evaluated.
     bool is_constant(ExprId id) const;
-    /// The value where `id` is a scalar constant.
+    /// The bits of the constant, if `id` is a scalar constant.
     std::optional<std::uint64_t> bits_of(ExprId id) const;
     bool is_true(ExprId id) const;
     bool is_false(ExprId id) const;

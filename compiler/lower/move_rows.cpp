@@ -18,7 +18,7 @@ struct RowMove {
     ExprId first;  ///< index of the first row in memory
 };
 
-/// factor * (the loop's variable) + offset
+/// The value factor * (the loop's variable) + offset.
 struct Line {
     std::uint64_t factor = 0, offset = 0;
     bool operator==(const Line&) const = default;

@@ -1,7 +1,8 @@
-// On the host device: replaces loops that copy consecutive rows of four scalars between a local array and memory by one
-// load_rows or store_rows statement, a copy that C++ compilers vectorise.
+// On the host device: replaces each loop that copies consecutive rows of four scalars between a local array and memory
+// by one load_rows or store_rows statement, a copy that C++ compilers vectorise.
 //
-// Needs: expressions are trees. Guarantees: there are no loops left that copy a whole array in this way.
+// Needs: expressions are trees. Guarantees: no loop is left that copies a whole array in this way, an iteration a row;
+// arrays in workgroup memory and coherent memory excepted.
 #pragma once
 
 #include "lower/context.h"

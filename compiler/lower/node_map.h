@@ -12,7 +12,7 @@ namespace gliftc::lower {
 /// its thread. Entries have the number (`time`) of the map that made them, so that arrays need not be cleared.
 template <class Id, class Value> class NodeMap {
 public:
-    /// `first` is the smallest id that the lowering made.
+    /// `first`: nodes with smaller ids are older than the lowering.
     explicit NodeMap(Id first) : first_(first.index) {
         std::vector<Array>& spare = spare_arrays();
         if (spare.empty()) spare.emplace_back();

@@ -14,7 +14,7 @@ namespace {
 
 bool has_effect(const Pass& pass, const Expr& node) {
     if (node.op == Op::load || node.op == Op::guarded_load || node.op == Op::image_load)
-        return pass.bindings[node.slot].coherent;  // each one may see something else
+        return pass.bindings[node.slot].coherent;  // each load may see what another workgroup has written meanwhile
     if (node.op != Op::intrinsic) return false;
     return signature_of(node.intrinsic)[0] == '@' || is_collective(node.intrinsic);
 }
@@ -127,7 +127,7 @@ void Numbers::change_by(const Stmt& stmt) {
         for (std::uint32_t i = 0; i < cx.pass.bindings.size(); ++i) change_binding(i);
         for (LocalId local : cx.pass.shared) change(local);
     }
-    // Atomic operations write workgroup memory.
+    // An effect may be an atomic operation on workgroup memory.
     bool has_atomic = false;
     for_each_root(stmt, [&](ExprId root) { has_atomic = has_atomic || !is_pure(root); });
     if (has_atomic)

@@ -10,7 +10,8 @@ namespace gliftc::lower {
 
 using ValueNumber = std::uint32_t;
 
-/// Numbers expressions while the statements are walked in order; assignments and writes start new versions.
+/// Numbers expressions while the statements are walked in order. Assignments and writes start new versions of locals
+/// and memories, so that the same expression gets another number afterwards.
 class Numbers {
 public:
     explicit Numbers(Context& context) : cx(context), memory_(context.take_number_memory()) {}
@@ -25,7 +26,7 @@ public:
         locals_[local] = number;
         memory_->note_change();
     }
-    /// Prepares for walking the same statements again: numbers are kept.
+    /// Prepares for walking the same statements again: all versions start anew, numbers stay.
     void restart() {
         versions_.clear();
         bindings_.clear();

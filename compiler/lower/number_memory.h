@@ -34,10 +34,10 @@ public:
         ++time_;  // so that time_ differs from start_, which marks numbers that never expire
         shapes_ = 0;
     }
-    /// Something has changed: forgets the numbers of nodes whose values may change.
+    /// Says that a local or a memory has changed: forgets the numbers of nodes whose values may change.
     void note_change() { ++time_; }
 
-    /// The number of a shape; 0 where it has none yet.
+    /// The number of a shape, to be set by the caller; 0 where it has none yet.
     std::uint32_t& number_of(const ShapeKey& key) {
         if (++shapes_ * 2 > slots_.size()) grow();
         Slot& slot = slots_[place(key)];

@@ -4,10 +4,10 @@
 // The general and the wide form are valid for such calls: a store by one binding counts as a store by all that may
 // alias it (number.h), so that no load is moved over it. No special passes are compiled, since there would be one for
 // each partition of the set of parameters. Vulkan devices run the wide form, whose buffers are pointers that may be
-// equal. Images have descriptors in every form; an image that is loaded after a store by another binding is a storage
-// image in both, not a texture, so that the invocation sees its own store. The direct form assumes that there are no
-// aliases. Where it computes two elements an invocation, all loads before the first store, the other forms compute them
-// one after the other instead, since loads must not move over stores.
+// equal. Images have descriptors in every form; an image that is loaded after a store by a binding that may alias it is
+// a storage image in these two forms, not a texture, so that the invocation sees its own store. The direct form assumes
+// that there are no aliases. Where it computes two elements an invocation, all loads before the first store, the other
+// forms compute them one after the other instead, since loads must not move over stores.
 #pragma once
 
 #include "lower/context.h"
@@ -18,7 +18,7 @@ namespace gliftc::lower {
 /// or its own index.
 std::uint32_t first_of_place(const Context& cx, const ir::PassBinding& binding);
 
-/// Whether an aliasing parameter may write the element that an invocation reads by this one.
+/// Whether the element that an invocation reads by this parameter may be written by another one, which may alias it.
 bool may_be_written_elsewhere(const Context& cx, std::uint32_t root);
 
 /// Whether, among bindings that may alias (`place` is their one_place), a load may come after a store. Loaded from a

@@ -1,6 +1,6 @@
-// The table of passes (transformations) over a lowered kernel: each has a name, what it needs, what it guarantees, and
-// the function that runs it. pipeline.cpp runs them in the order of the table; --dump-after=NAME prints the code after
-// each; tests run single ones on the text of the IR.
+// The tables of the passes (transformations) over a lowered kernel: each has a name, what it needs and what it
+// guarantees; those over one body also have the function that runs them. pipeline.cpp runs them in the order of the
+// tables; --dump-after=NAME prints the code after each; tests run single ones on the text of the IR.
 #pragma once
 
 #include "lower/context.h"
@@ -22,10 +22,11 @@ struct BodyPass {
     bool (*applies)(const Context& cx) = nullptr;
 };
 
-/// The passes that run over every body (for one element, for two, for the interior, of functions), in order.
+/// The passes that run over every body, in order: bodies for one element and for several, for the interior of a domain
+/// and for whole blocks, the parts of a draw, and functions.
 std::span<const BodyPass> body_passes();
 
-/// The passes that then run over the bodies for the host device, in order. They make separate variants of them.
+/// The passes that then run over the bodies for the host device, in order. What they make are separate variants.
 std::span<const BodyPass> host_passes();
 
 /// A step that makes a body, or works on all bodies of a kernel.

@@ -94,7 +94,7 @@ void finish_images(const Program& program, Pass& pass) {
                           !loads_after_store(program, pass, binding.one_place);
 }
 
-/// In the wide form: adds parameters for the addresses of the buffers.
+/// In the wide form: adds parameters for the addresses of the buffers, and finds whether the form is needed.
 void reach_by_address(Context& cx) {
     cx.pass.exists = cx.pass.has_base();  // without buffers or split dispatches it is like the general form
     for (std::uint32_t i = 0; i < cx.pass.bindings.size(); ++i) {
@@ -121,8 +121,8 @@ void add_whole_block(Context& cx, const Expander& checked, const std::vector<Exp
     cx.pass.variants.push_back(std::move(made));
 }
 
-/// Adds the host device's variant for elements whose neighbours are all in the domain. The domain is kept in `holders`
-/// until it is a parameter.
+/// Adds the host device's variant for elements whose neighbours are all in the domain. Keeps the expression of the
+/// domain in `holders`, until move_uniforms has made a parameter of it.
 void add_interior(Context& cx, Expander& checked, const std::vector<ExprId>& facts, std::vector<StmtId>& holders) {
     if (cx.kernel.space || !checked.has_near_guards || !checked.near_domains_agree || cx.is_wide()) return;
     Expander expander(cx, Guards::interior);
@@ -171,8 +171,8 @@ std::vector<Variant> for_host(Context& cx, const Variant& variant) {
     return found;
 }
 
-/// Replaces variants for the host device, and copies those for any device, by what the host device's passes make of
-/// them.
+/// Runs the host device's passes: what they make of the variants for the host device replaces these, what they make of
+/// those for any device is added, for the host device.
 void add_host_variants(Context& cx) {
     std::vector<Variant> others, made;
     for (Variant& variant : cx.pass.variants) {
@@ -202,7 +202,8 @@ void check_whole([[maybe_unused]] const Context& cx) {
 #endif
 }
 
-/// How many elements an invocation of a shader takes. two_in_turn: the second after the first has been stored.
+/// How many elements an invocation of a shader takes; in kernels over blocks "two" means up to eight, wherever it
+/// helps. two_in_turn: the second after the first has been stored.
 enum class Elements { one, two_where_it_helps, two_in_turn };
 
 /// The last steps, after move_uniforms: variants for the host device, properties of bindings, the summary.

@@ -1,5 +1,6 @@
-// Polynomials modulo 2^32: the normal form of uint expressions, with sums and products multiplied out. Their variables
-// are atoms: values that are not sums or products.
+// Polynomials modulo 2^32: the normal form of uint expressions, with sums, products and left shifts by constants
+// multiplied out. Their variables are atoms: values that are none of these. A select between values that differ by a
+// uniform amount is a sum, too: c ? base + step : base is base + c * step, the atom c being 1 or 0.
 #pragma once
 
 #include "lower/number.h"
@@ -30,7 +31,7 @@ public:
 
     /// The terms that depend on the invocation. Two values for which these are equal differ by a uniform amount.
     Polynomial varying(const Polynomial& polynomial);
-    /// The terms of `varying` but those that are a condition (1 or 0) times a uniform amount.
+    /// The terms of `varying` without those that are a condition (1 or 0) times a uniform amount.
     Polynomial unchosen(const Polynomial& varying);
 
     /// a - b; or b - a, to be subtracted, where that has fewer operations.
@@ -54,8 +55,8 @@ private:
     Context& cx;
     Numbers& numbers_;
     std::pmr::monotonic_buffer_resource memory_;
-    FlatMap<ValueNumber, ExprId> atoms_;
-    FlatMap<ValueNumber, bool> uniform_;
+    FlatMap<ValueNumber, ExprId> atoms_;    ///< an expression for each atom
+    FlatMap<ValueNumber, bool> uniform_;    ///< whether the atom is the same for all invocations
     FlatMap<ValueNumber, ExprId> choices_;  ///< for atoms `condition ? 1 : 0`: the condition
     NodeMap<ExprId, const Polynomial*> known_{cx.first_expr};
     std::deque<Polynomial> made_;  ///< a deque, so that pointers in known_ stay valid

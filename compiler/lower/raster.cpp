@@ -6,7 +6,8 @@ namespace gliftc::lower {
 
 using namespace ir;
 
-/// The address of a parameter's current element, relative to its range: in the vertex part the vertex or the instance.
+/// The address of a parameter's current element, relative to its range: in the vertex part of a draw the vertex or the
+/// instance, else the invocation's address.
 ExprId Expander::own_address(std::uint32_t root) {
     const ExprId address = make.local(cx.pass.address);
     if (cx.part != Part::vertex) return address;

@@ -1,4 +1,4 @@
-// Helpers for passes that replace parts of expressions: they rebuild the nodes around these.
+// Helpers for passes that replace parts of expressions: they rebuild the nodes around the replaced parts.
 #pragma once
 
 #include "lower/context.h"

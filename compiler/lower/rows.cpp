@@ -1,8 +1,9 @@
-// Expander: `s.load(a)` and `s.store(a, x)`, which access rows of four elements that are consecutive along x. Elements
-// that are also consecutive in a buffer are accessed as vectors of four numbers, if all rows begin at a multiple of
-// four elements and lie in the domain; else one by one. A row of four elements of N numbers each is N such vectors. If
-// there is one row of four scalars, and it is known to begin at such a multiple, it is loaded without a test that all
-// of it is in the domain: shaders may read a buffer up to the next multiple of 16 bytes (glift/memory.h).
+// Expander: `s.load(a)` and `s.store(a, x)`, which access rows of four elements that are consecutive along x (single
+// elements, if their number is not a multiple of four). Elements that are also consecutive in a buffer are accessed as
+// vectors of four numbers, if all rows begin at a multiple of four elements and lie in the domain, and if loads are of
+// an `in` parameter; else one by one. A row of four elements of N numbers each is N such vectors. If there is one row
+// of four scalars, and it is known to begin at such a multiple, it is loaded without a test that all of it is in the
+// domain: shaders may read a buffer up to the next multiple of 16 bytes (glift/memory.h).
 #include "ir/chain.h"
 #include "lower/expand.h"
 #include "lower/polynomial.h"
@@ -63,8 +64,8 @@ ExprId Expander::address_in(const Rows& rows, ExprId row, std::uint32_t lane) {
     return further(rows.first, make.add(make.multiply(row, rows.step), make.uint(lane)));
 }
 
-/// Whether rows can be accessed as vectors: the elements are one, two or three 32-bit numbers (four are a vector by
-/// themselves) in a buffer, and physical addresses advance like virtual ones, at every address.
+/// Whether rows can be accessed as vectors: there are four elements in each, of one, two or three 32-bit numbers (four
+/// are a vector by themselves), in a buffer, and physical addresses advance like virtual ones, at every address.
 bool Expander::lie_in_vectors(const Rows& rows) {
     const Structure& structure = cx.structure_at(rows.place);
     if (structure.kind != StructureKind::stored || rows.width != row_width || !is_total(structure)) return false;
@@ -106,13 +107,13 @@ bool Expander::is_at_vector(ExprId physical) {
            });
 }
 
-/// Whether there is one row of one vector, which is known to begin at a multiple of four.
+/// Whether there is one row of one vector, along a single axis, which is known to begin at a multiple of four.
 bool Expander::is_whole_vector(const Rows& rows, ExprId physical) {
     return rows.count == 1 && parts_of(rows) == 1 && make.type(rows.first) == p.types.uint && is_at_vector(physical);
 }
 
-/// The distance from the first element to behind the last one, if it is a constant, and so small that nothing
-/// overflows.
+/// The distance in addresses from the first element to behind the last one, if it is a constant, and so small that
+/// nothing overflows.
 std::optional<std::uint64_t> Expander::span_of(const Rows& rows) {
     if (rows.count == 1) return row_width;
     constexpr std::uint64_t largest = 1u << 24;

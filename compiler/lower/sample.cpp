@@ -1,5 +1,5 @@
-// Expander: filtered reads. They use the device's sampler if the memory is an image in which elements have their own
-// addresses, else a weighted sum of reads.
+// Expander: filtered reads, `sample`, `gather` and `compare`. They use the device's sampler where it can do that, for
+// which the memory must be an image in which elements have their own addresses; else a weighted sum of reads.
 #include "ir/chain.h"
 #include "lower/expand.h"
 #include "lower/memory.h"
@@ -34,7 +34,7 @@ BinaryOp operator_of(Compare compare) {
 
 }  // namespace
 
-/// `number` along every axis.
+/// A float, or a vector of floats, whose components are all `number`.
 ExprId Expander::of_floats(TypeId type, double number) {
     Expr constant;
     constant.type = p.types.float_;
@@ -61,7 +61,8 @@ ExprId Expander::in_image(const Place& place, ExprId at) {
     return make.add(at, make.convert(make.type(at), origin));
 }
 
-/// What a device's sampler is given for a point in the image: it takes the nearest layer, by its number.
+/// The coordinates that a device's sampler is given for a point in the image: the point divided by the extent, and for
+/// an array of images the number of the layer in which the point lies.
 ExprId Expander::sampler_point(const Place& place, ExprId at) {
     const ExprId point = make.binary(BinaryOp::divide, at, make.convert(make.type(at), image_extent(place)));
     if (root_memory(p, cx.structure_at(place)).shape != MemoryShape::image2darray) return point;
@@ -91,13 +92,14 @@ ExprId Expander::sample(const Expr& node) {
     return of_image(Op::image_sample, node.type, binding(place, Access::read, {}, is_cube), std::move(operands));
 }
 
-/// Whether the device gathers the texels around a point: not of what is written in the pass.
+/// Whether the device gathers the texels around a point: of 2-D images and arrays of them in which elements have their
+/// own addresses, unless they are coherent.
 bool Expander::is_gathered(const Place& place) {
     return !is_coherent(place) && is_texel_address(place) && is_flat(root_memory(p, cx.structure_at(place)).shape);
 }
 
-/// The four texels around a point, and how near it is to each. Devices are asked for the point at which all four meet,
-/// so that none of them rounds it to other texels.
+/// The four texels around a point, gathered by the device. It is asked for the point at which all four meet, so that no
+/// device rounds it to other texels.
 Expander::Around Expander::gathered(const Place& place, ExprId at) {
     const std::string name = cx.name_of(place);
     const TypeId element = cx.structure_at(place).element, four = p.types.vector(element, 4);
@@ -123,7 +125,7 @@ ExprId Expander::gather(const Expr& node) {
     return make.construct(node.type, around(place, at).values);
 }
 
-/// The mean of what comparisons with each of the elements give, weighted as what `sample` gives is.
+/// The mean of the comparisons with each of the elements around a point, with the weights that `sample` gives them.
 ExprId Expander::compare(const Expr& node) {
     Place place = resolved(node.place);
     const Memory& memory = root_memory(p, cx.structure_at(place));
@@ -144,7 +146,7 @@ ExprId Expander::compare(const Expr& node) {
     return mixed(std::move(found));
 }
 
-/// The address of an element around a point: of images that of a texel of it, the nearest one.
+/// The address of the texel of an image that is nearest to `texel`, which may lie beyond the edge.
 ExprId Expander::texel_near(const Place& place, ExprId texel) {
     const TypeId type = make.type(texel);
     const ExprId size = make.convert(type, image_extent(place));
@@ -154,8 +156,8 @@ ExprId Expander::texel_near(const Place& place, ExprId texel) {
     return make.intrinsic(Intrinsic::clamp, type, {texel, make.zero(type), last});
 }
 
-/// Element centres lie at +0.5: the 2^n elements around the point, and its distance to each, x first. Beyond an image
-/// its edge counts, beyond other structures what they give there.
+/// The elements around a point, each read separately. Element centres lie at +0.5. Beyond an image its edge counts,
+/// beyond other structures what they give there.
 Expander::Around Expander::around(const Place& place, ExprId at) {
     const Structure& structure = cx.structure_at(place);
     const bool is_image = is_texel_address(place);

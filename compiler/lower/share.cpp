@@ -17,17 +17,17 @@ struct Record {
     std::uint32_t uses = 0;
     LocalId local;        ///< the local that holds it, once it is declared
     Name name;            ///< the name that the source gives it, if any
-    bool is_let = false;  ///< the source has a `let` of it
+    bool is_let = false;  ///< the body has a `let` of it
 };
 
 /// What is done with an expression or a `let` that the walk comes to.
 struct Decision {
     enum Kind : std::uint8_t {
         operands,  // keep the node; its operands have decisions of their own
-        truth,     // replace a condition that is known by `number`, 1 or 0
+        truth,     // replace a condition whose value is known by `number`, 1 or 0
         first,     // first use of the value of record `number`
         repeated,  // replace by the local of record `number`
-        renamed,   // drop a `let` whose value another local has
+        renamed,   // drop a `let` of another local: uses name that one
         any,       // keep a `let`; its value has a decision of its own
     };
     Kind kind = operands;
@@ -84,7 +84,7 @@ private:
     Numbers numbers_;
     Plan& plan_;
     static constexpr std::uint32_t none = 0xffffffffu;
-    std::vector<std::uint32_t> available_;  ///< for each value number the record that is in scope, or `none`
+    std::vector<std::uint32_t> available_;  ///< for each value number the index of the record in scope, or `none`
     std::vector<std::pair<ValueNumber, std::uint32_t>> undo_;
     std::vector<std::pair<ValueNumber, bool>> known_;  ///< conditions that are known to be true or false
 };
@@ -97,7 +97,7 @@ void Counting::begin_record(ValueNumber number) {
     decide(Decision::first, record);
 }
 
-/// Whether the expression is so short that it needs no local.
+/// Whether the expression needs no local: it is short, or uniform.
 bool Counting::is_leaf(ExprId id, const Expr& node) {
     if (node.op == Op::local || is_trivial(cx, id)) return true;
     if (node.op == Op::swizzle || node.op == Op::field) return is_leaf(node.operands[0], cx.p.exprs[node.operands[0]]);

@@ -33,8 +33,8 @@ std::int64_t times(std::int64_t a, std::int64_t b) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b));
 }
 
-/// Whether a / b is the same for all elements of a row: rows begin at multiples of their length, `a.aligned`, and b is
-/// such a multiple, too.
+/// Whether a / b is the same for all elements of a row: a begins the row at a multiple of the row's length,
+/// `a.aligned`, and b is such a multiple, too.
 bool is_by_rows(const Slope& a, const Slope& b) {
     return a.step == 1 && a.aligned != 0 && b.constant && *b.constant > 0 && *b.constant % a.aligned == 0;
 }

@@ -97,7 +97,7 @@ private:
     }
 
     Context& cx;
-    /// The current region: an `invocations` statement, or a single statement outside of them.
+    /// The number of the current region: an `invocations` statement, or a single statement outside of them.
     std::uint32_t region_ = 0;
     std::map<LocalId, std::set<std::uint32_t>> uses_;  ///< the regions that use each local
     std::set<LocalId> uniform_;                        ///< variables of loops that all invocations execute together

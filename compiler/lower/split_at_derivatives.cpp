@@ -100,7 +100,7 @@ private:
 
     Context& cx;
     std::map<LocalId, LocalId> kept_;  ///< copies of interpolated values, made for the current statement
-    bool waits_ = false;               ///< a barrier is needed before the next statement, which has a derivative
+    bool waits_ = false;               ///< a barrier is needed before the statement, since it has a derivative
 };
 
 /// Whether the rasteriser sets the local or reads it: it has a value for each fragment already.

@@ -1,5 +1,6 @@
-// Loop fission at derivatives, for the host device, on which the fragment part is a loop over the pixels of a block:
-// the operand of a derivative is computed for all fragments, then each takes the difference of its neighbours' values.
+// Loop fission at derivatives, for the host device, on which the fragment part of a draw is a loop over the pixels of a
+// block: the operand of a derivative is computed for all of them, then each takes the difference of its neighbours'
+// values.
 //
 // Needs: a fragment part whose derivatives are in control flow that is uniform for a triangle, or at least for each
 // quad of it. Guarantees: a derivative's operand is a local with a value for each fragment, and a barrier separates it

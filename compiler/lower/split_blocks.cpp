@@ -11,8 +11,8 @@ using namespace ir;
 
 namespace {
 
-/// Finds arrays that only depend on the block: they are assigned only in `block` statements whose loops, conditions and
-/// values depend on the block alone.
+/// Finds arrays that depend on the visited block alone: they are assigned only in compound statements (StmtOp::block)
+/// whose loops, conditions and values depend on the visited block alone.
 class Filling {
 public:
     Filling(Context& context, const std::vector<StmtId>& body) : cx(context), values_(context) {
@@ -25,7 +25,7 @@ public:
             if (!statements_.contains(id)) note_assigned(id);
     }
 
-    /// Whether the statement declares such an array, or is a `block` that fills such arrays only.
+    /// Whether the statement declares such an array, or is a compound statement that fills only such arrays.
     bool has(StmtId id) const {
         const Stmt& stmt = cx.p.stmts[id];
         if (stmt.op == StmtOp::let)

@@ -22,6 +22,7 @@ public:
     }
 
 private:
+    /// A local in scope that other sums may be computed from.
     struct Candidate {
         LocalId local;
         const Polynomial* polynomial;
@@ -64,7 +65,7 @@ ExprId Strength::relative(ExprId id) {
     if (polynomial == nullptr) return {};
     Polynomial varying = polynomials_.unchosen(polynomials_.varying(*polynomial));
     if (varying.empty()) return {};
-    // One term alone, as in x + 1, is already as short as it can be.
+    // A single atom plus a uniform amount, as in x + 1, is as short as it can be.
     if (varying.size() == 1 && varying[0].product.size() == 1 && varying[0].factor == 1) return {};
     const Candidate* best = nullptr;
     Polynomials::Difference nearest;
@@ -87,7 +88,7 @@ ExprId Strength::relative(ExprId id) {
 /// needs no branch.
 ExprId Strength::around_select(const Expr& node, Operands operands) {
     const Expr* named = &cx.p.exprs[operands[1]];
-    // A temporary is used elsewhere, too, so that base + step is computed anyway.
+    // A temporary is used elsewhere, too, so base + step is computed anyway: then the select stays.
     const bool is_own = named->op == Op::local && !cx.p.locals[named->local].is_temporary;
     const ExprId* definition = is_own ? cx.definitions.find(named->local) : nullptr;
     const Expr& moved = definition ? cx.p.exprs[*definition] : *named;

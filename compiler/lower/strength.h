@@ -1,5 +1,5 @@
-// Strength reduction of addresses: an integer that differs from one that is already computed by a uniform amount
-// becomes that one plus the amount.
+// Strength reduction of addresses: a uint that differs by a uniform amount from one that is computed already becomes
+// that one plus or minus the amount.
 //
 // Works on polynomials modulo 2^32 (polynomial.h), not on particular containers: a neighbour's address in a row-major
 // array is that of the current element plus a stride, because their polynomials differ by the stride. Needs: bodies

@@ -1,8 +1,9 @@
 // Multivariate polynomials with integer coefficients ("sums" of products of unknowns), and proofs that they are not
 // negative. lower/bounds.h compares addresses with the size of a memory by them, for all sizes at once.
 //
-// An unknown is a size, which has a lower bound and is the same for all addresses, or a number that varies with the
-// address between two bounds. Numbers are mathematical integers: callers have to treat arithmetic that may wrap around.
+// An unknown is a size, which has a lower bound and is the same for all addresses; or a number that varies with the
+// address; or the result of an operation on such. Numbers are mathematical integers: callers have to treat arithmetic
+// that may wrap around.
 #pragma once
 
 #include <cstdint>
@@ -28,6 +29,7 @@ Sum operator+(const Sum& a, const Sum& b);
 Sum operator-(const Sum& a, const Sum& b);
 Sum operator*(const Sum& a, const Sum& b);
 
+/// The bounds of an unknown; absent: none is known.
 struct Bounds {
     std::optional<Sum> low, high;
 };
@@ -58,7 +60,7 @@ public:
 
     const Bounds& bounds(Unknown unknown) const { return unknowns_[unknown].bounds; }
 
-    /// The work limit is reached: from now on is_natural proves nothing.
+    /// Whether the limit of work is reached: from then on is_natural proves nothing.
     bool is_exhausted() const;
 
 private:

@@ -66,8 +66,8 @@ Expr* read_of(Program& p, const Stmt& stmt, LocalId temporary) {
     return is_its ? &read : nullptr;
 }
 
-/// Marks reads of a temporary's elements that need no copy, since no later statement uses the temporary. Considers
-/// statements of the list in which it is declared only: a loop makes the temporary anew in each iteration.
+/// Marks reads of a temporary's elements that need no copy, since no later statement uses the temporary: returns, and
+/// `let`s in the list of statements in which it is declared (a loop makes the temporary anew in each iteration).
 void mark_last_reads(Program& p, const std::vector<StmtId>& body, std::size_t at) {
     const LocalId temporary = p.stmts[body[at]].local;
     for_each_statement(p, body, [&](const Stmt& stmt) {
@@ -89,8 +89,9 @@ bool has_own_memory(const Program& p, LocalId local) {
     return p.structures[p.types[p.locals[local].type].index].kind == StructureKind::stored;
 }
 
-/// Whether the statement may write the memory that a device_read without a copy refers to. `names` are the locals that
-/// refer to it if it is a temporary's; otherwise any write to what is not a temporary counts.
+/// Whether the statement may write the memory that a device_read without a copy refers to. A dispatch may if it writes
+/// what is not itself one of `temporaries`, or one of `names`: the locals that refer to the memory if it is a
+/// temporary's. So may calls of pipelines, and all statements but `let`, `temp` and `assign`.
 bool may_write(const Program& p, const Stmt& stmt, const std::vector<LocalId>& names, bool is_temporary,
                const std::vector<LocalId>& temporaries) {
     const auto is_among = [](const std::vector<LocalId>& list, LocalId local) {

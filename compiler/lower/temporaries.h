@@ -7,7 +7,7 @@ namespace gliftc::lower {
 
 /// Adds a release statement for each temporary, after the last statement that uses it in the list of statements in
 /// which it is declared; so one that a loop uses lives until the loop's end. What a pipeline returns is not released.
-/// Also decides which reads that stay on the device need no copy (Op::device_read).
+/// Also decides which elements that are read as values on the device (Op::device_read) need no copy.
 void release_temporaries(ir::Program& program);
 
 }  // namespace gliftc::lower

@@ -8,7 +8,7 @@ namespace gliftc::lower {
 
 using namespace ir;
 
-/// The address in the structure's own memory: applies its translators.
+/// The address in the structure's own memory, which may be a structure: applies its translators.
 Pair Expander::linked(const Place& place, ExprId address, const std::string& name) {
     Pair at{address, {}};
     for (const Stage& stage : cx.structure_at(place).via) {
@@ -140,8 +140,8 @@ Pair Expander::expanded(const Place& place, const Stage& stage, ExprId address, 
 
 bool Expander::is_total(const Structure& structure) { return ir::is_total(p, structure); }
 
-/// Whether the parameter is a range of its own size (any, scatter, coherent), whose addresses in the kernel are
-/// relative to the range's origin.
+/// Whether the place is a parameter with a range of its own size (any, scatter, coherent, target), in the forms in
+/// which ranges need not be whole structures: addresses in the kernel are then relative to the range's origin.
 bool Expander::is_range(const Place& place) const {
     if (cx.is_direct() || !place.members.empty()) return false;
     return has_own_range(cx.kernel.params[place.root].pattern);

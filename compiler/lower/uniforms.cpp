@@ -13,8 +13,8 @@ using namespace ir;
 
 namespace {
 
-constexpr unsigned shader_operations =
-    3;  ///< up to so many operations on existing parameters are cheaper than one more parameter
+/// Up to so many operations on parameters that exist anyway are cheaper than one more parameter.
+constexpr unsigned shader_operations = 3;
 
 std::string word_for(BinaryOp op) {
     switch (op) {
@@ -62,9 +62,9 @@ private:
     Lifted lifted_;
     Numbers numbers_;
     std::map<ValueNumber, std::uint32_t> leaves_;  ///< leaves that are used, with a bit for each component used
-    std::vector<std::vector<ExprId>>
-        lifted_values_;  ///< for each body the uniform values in it, in order of their uses
-    std::unordered_map<ValueNumber, std::uint32_t> slots_;
+    /// For each body the uniform values in it, in the order of their uses.
+    std::vector<std::vector<ExprId>> lifted_values_;
+    std::unordered_map<ValueNumber, std::uint32_t> slots_;  ///< the parameters of values that have become one
     // The following are for the body that is being rewritten.
     NodeMap<ExprId, ExprId> visited_{cx.first_expr};
     std::unordered_map<ValueNumber, unsigned> counts_;  ///< number of uses of uniform values that the shader computes

@@ -1,6 +1,7 @@
 // Uniform values, which are the same for all invocations, become parameters of the pass.
 //
-// Needs: bodies of memory operations. Guarantees: no member, memory_extent, domain or value parameter is left in them.
+// Needs: bodies of memory operations. Guarantees: no member, memory_extent, host_state, domain or value parameter is
+// left in them.
 #pragma once
 
 #include "lower/context.h"

@@ -1,7 +1,7 @@
-// Decides which loops are unrolled: only loops with constant bounds and at most unroll_limit iterations. Where offsets
-// of neighbour reads depend on the loop, the body is copied for each iteration, so that they become constants; such a
-// body has no break or continue, nor a return of an inlined function. Loops that index a private array by their
-// variable only get an unroll hint.
+// Helpers that decide which loops of a kernel are unrolled: loops with constant bounds and at most unroll_limit
+// iterations, for one of two reasons. Offsets of neighbour reads depend on the loop: then the body is copied for each
+// iteration, so that they become constants, unless a break, a continue or the return of an expanded function leaves the
+// loop. Or the loop indexes a private array by its variable: then it gets an unroll hint for the shader's compiler.
 #pragma once
 
 #include "ir/ir.h"

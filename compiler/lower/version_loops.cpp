@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t most_uint = UINT32_MAX;
 
-/// A sum of parameters and locals that do not change in the loops.
+/// The terms of a sum: parameters, and the invocation's address.
 using Terms = std::vector<ExprId>;
 
 /// The values that a uint takes over all iterations: the sum of `terms` plus a number between `least` and `most`.
@@ -76,8 +76,8 @@ private:
     Context& cx;
     const Program& program;
     Tests tests_;
-    std::unordered_map<LocalId, Reach> locals_;
-    std::unordered_set<LocalId> truths_;  ///< locals that hold such guards
+    std::unordered_map<LocalId, Reach> locals_;  ///< the values that locals take
+    std::unordered_set<LocalId> truths_;         ///< locals whose value is one of `conditions`
 };
 
 /// Whether two parameters or locals are the same.

@@ -14,12 +14,14 @@ namespace {
 /// What happens to a number beyond 2^64 - 1: it wraps around, or it stays at 2^64 - 1.
 enum class Overflow : std::uint8_t { wraps, saturates };
 
-/// An expression in the copy: `narrow`, in its original type, or `wide`, in 64 bits, if a uint may exceed 2^32.
+/// An expression in the copy: either `narrow`, in its original type, or `wide`, in 64 bits, if a uint in it may exceed
+/// 2^32 - 1. The other one is absent.
 struct Value {
     ExprId narrow, wide;
 };
 
-/// The 64-bit copy of a function. Its result stays in its original type if it depends on no sum or product.
+/// The 64-bit copy of a function; the function itself if nothing in it is in 64 bits. Its result stays in its original
+/// type if it is narrow at every return.
 struct Copy {
     FunctionId id;
     bool has_wide_result = false;
@@ -160,7 +162,8 @@ ExprId Widener::widened(const Value& value) {
     return convert(type, value.narrow);
 }
 
-/// The value in its original type: the low 32 bits, or, for extents, a call that throws an error if it does not fit.
+/// The value in its original type: the low 32 bits; for extents, unless it is an optional, a call that throws an error
+/// if the value does not fit.
 ExprId Widener::narrowed(const Value& value) {
     if (value.narrow) return value.narrow;
     const TypeId wide = p.exprs[value.wide].type;
@@ -306,7 +309,8 @@ Value Widener::call(Expr node) {
     return copy.has_wide_result ? note(id) : Value{id, {}};
 }
 
-/// Intrinsics: those that mean the same in any width may be on 64-bit operands; others get 32 bits.
+/// Intrinsics: those that mean the same in any width may be on 64-bit operands, in extents findMSB, too; others get 32
+/// bits.
 Value Widener::intrinsic(Expr node) {
     switch (node.intrinsic) {
     case Intrinsic::min:
@@ -343,7 +347,8 @@ Value Widener::optional(Expr node) {
     return grows ? note(id) : Value{id, {}};
 }
 
-/// The extent of a buffer: exact, in 64 bits, in expressions that are evaluated when structures are made.
+/// The extent of a memory: in expressions that are evaluated when structures are made, a scalar one (of buffers and 1-D
+/// images) is exact, in 64 bits.
 Value Widener::extent(Expr node) {
     if (overflow_ == Overflow::wraps || node.type != p.types.uint) return {add(std::move(node)), {}};
     node.type = p.types.uint64;
