@@ -17,7 +17,7 @@ const ir::Memory& memory_of(const Unit& unit, const KernelParam& param) {
     return structure.memories[structure.via_memory];
 }
 
-/// What names the parameter's memory in generated C++: `colour->data()`.
+/// The parameter's memory in generated C++: `colour->data()`.
 std::string memory_text(const Unit& unit, const KernelParam& param) {
     const std::uint32_t memory = unit.program.structures[param.structure].via_memory;
     return unit.globals.param_names.at(&param) + "->" + unit.globals.class_names[param.structure].memories[memory] +

@@ -12,15 +12,15 @@ namespace gliftc::cpp {
 
 /// The SPIR-V words of one kernel; a form that is empty does not exist on Vulkan devices.
 struct KernelCode {
-    std::vector<std::uint32_t> direct, general, wide;
+    std::vector<std::uint32_t> direct, general, wide;  ///< compute shaders; of draws vertex shaders
     std::vector<std::uint32_t> direct_fragment, general_fragment, wide_fragment;  ///< fragment shaders of draws
 };
 
 struct Globals;
 
 struct Options {
-    /// Over how many sources the code of the module's own kernels is spread, and likewise that of the kernels which it
-    /// uses of other modules.
+    /// The number of sources over which the code of the module's own kernels is spread, and also of those for the
+    /// kernels of other modules that it uses.
     std::uint32_t shards = 1;
     bool spirv_files = false;  ///< SPIR-V in files beside the sources, else within
     bool tests = false;        ///< also a function for each test of the module, and a table of them
@@ -30,11 +30,11 @@ struct Options {
 };
 
 struct TestName {
-    std::string title, place;
+    std::string title, place;  ///< `place`: of the test in its source, grid.glift:8
 };
 
 struct File {
-    std::string name;  ///< what follows the module's stem: `.glift.hpp`
+    std::string name;  ///< what follows file_stem in the file's name: `.glift.hpp`
     std::string text;
     bool is_code = true;  ///< C++, else bytes
 };
@@ -42,13 +42,14 @@ struct File {
 /// C++ for one module (module.cpp lists the files).
 struct Module {
     std::vector<File> files;
-    std::vector<TestName> tests;  ///< in a test program: all that it runs
+    std::vector<TestName> tests;  ///< in a test program: the tests and checks that it runs; else empty
 };
 
-/// What the code of modules that were printed earlier in the same run defines, by index: it is not defined again.
+/// What the code of modules that were printed earlier in the same run defines, as indices in ir::Program: later modules
+/// do not define it again.
 struct Defined {
     std::set<std::uint32_t> kernels, pipelines, structures;
-    std::set<std::uint32_t> moved;  ///< structures whose functions that move boxes are defined
+    std::set<std::uint32_t> moved;  ///< structures whose functions that copy boxes to the host and back are defined
 };
 
 /// The kernels, as indices, whose Vulkan code the module's C++ contains: the others need no SPIR-V.

@@ -53,7 +53,7 @@ Text function_call(Printer& p, const std::string& name, const ir::Operands& oper
 
 bool is_scalar_integer(const Printer& p, TypeId type) { return p.program.types.is_integer(type); }
 
-/// Whether it is a constant by which no division goes wrong: neither 0 nor -1.
+/// Whether it is a constant by which C++ may divide any integer: neither 0 nor -1.
 bool is_safe_divisor(const Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
     if (expr.op != Op::constant || expr.bits == 0) return false;
@@ -196,7 +196,8 @@ Text print_swizzle(Printer& p, const Expr& expr) {
     return {"glift::swizzle<" + lanes + ">(" + vector + ")"};
 }
 
-/// A part of a struct or an array, which hold bools as memory does: vectors of bools are converted to those of values.
+/// The value of a part of a struct or an array. These hold bools as memory does, so vectors of bools are converted to
+/// the type that values have.
 std::string as_value(Printer& p, const Expr& part, std::string text) {
     if (!is_bool_vector(p.program, part.type)) return text;
     return concat(type_text(p.globals, part.type, p.use_namespaces), "(", text, ")");

@@ -20,8 +20,8 @@ const NameSet& functions_of_runtime() {
     return names;
 }
 
-/// What a module calls the structure: its first public name, else another of its own, else a public one of a module
-/// that it imports: an index of its aliases. Their number if there is none.
+/// The index of the alias by which a module calls the structure: the module's first public one, else another of its
+/// own, else a public one of a module that it imports. The number of aliases if there is none.
 std::size_t alias_in(const ir::Program& program, const ir::Structure& structure, std::uint32_t module) {
     enum Rank { own_public, own, imported, foreign };
     const auto rank_of = [&](const ir::Alias& alias) {

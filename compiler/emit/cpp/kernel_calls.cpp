@@ -24,15 +24,16 @@ const std::string& param_name(const Unit& unit, const KernelParam& param) {
     return unit.globals.param_names.at(&param);
 }
 
-/// Whether the parameter takes a container, not a range of one: an adaptor, and what functions are called of.
+/// Whether the parameter takes a container, not a range of one: an adaptor, or a structure of which the kernel calls
+/// functions (Pattern::calls).
 bool is_container(const Unit& unit, const KernelParam& param) {
     if (!ir::is_structure(param)) return false;
     return param.pattern == Pattern::calls ||
            unit.program.structures[param.structure].kind == ir::StructureKind::adaptor;
 }
 
-/// The structures passed whose footprints the runtime compares, in the order of the parameters. `{}`, not compared: a
-/// container, of which members are accessed, and an argument that lies on the device.
+/// The structures passed whose footprints (the elements that are accessed) the runtime compares, in the order of the
+/// parameters. `{}`, not compared: a container, of which members are accessed, and an argument that lies on the device.
 std::string footprints_text(const Unit& unit, const Kernel& kernel) {
     std::string text;
     for (const KernelParam& param : kernel.params)
@@ -91,7 +92,7 @@ const KernelParam* first_visited(const Kernel& kernel) {
     return nullptr;
 }
 
-/// A value that the host computes for each call.
+/// The expression of a value that the host computes for each call.
 std::string uniform_text(Unit& unit, const Kernel& kernel, ir::ExprId value) {
     Printer p(unit.globals);
     for (const KernelParam& param : kernel.params) {
@@ -132,7 +133,7 @@ std::string value_of(Unit& unit, const Kernel& kernel, const PassParameter& para
     return "{}";
 }
 
-/// Declares `parameters` and dispatches one form.
+/// Prints the declaration of `parameters` and the dispatch of one form.
 void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& pass, const std::string& name,
                     const char* form) {
     const std::vector<NamedParameter> ordered = parameters_in_order(unit.globals, pass);
@@ -263,7 +264,7 @@ bool function_adds_functions(const Unit& unit, std::uint32_t kernel) {
     return adds;
 }
 
-/// The structs that the parameters of its forms are packed into.
+/// The structs into which the parameters of a kernel's forms are packed.
 static void print_blocks(Writer& out, const Globals& globals, const ir::Lowered::Forms& forms,
                          const std::string& name) {
     std::string blocks;
@@ -311,8 +312,8 @@ static void print_blocks_visited(Unit& unit, Writer& out, const Kernel& kernel, 
     out.line(text + ");");
 }
 
-/// The check that all parameters that are visited by the blocks of one have the same blocks: they must read them from
-/// the same memories.
+/// The check that all visited parameters of a kernel over blocks have the same blocks as the one whose blocks are
+/// visited: they must read them from the same memories.
 static void print_same_blocks(Unit& unit, Writer& out, const Kernel& kernel) {
     const KernelParam& first = kernel.params[*kernel.space];
     for (std::uint32_t index : kernel.same_space) {

@@ -66,7 +66,8 @@ void print_literal(Writer& out, const std::string& name, const std::vector<std::
     out.raw(text + "\";\n");
 }
 
-/// Names of the SPIR-V of one form: of draws, both shaders.
+/// Names of the constants with the SPIR-V of one form: `fragment` is that of a draw's fragment shader. Empty: there is
+/// none.
 struct Words {
     std::string spirv, fragment;
 };
@@ -122,7 +123,7 @@ std::string form_text(const Pass& pass, const Words& words, const std::string& h
     return "{" + text + "}";
 }
 
-/// The files, other than the kernel's own, that reports may name.
+/// The table of the files, other than the kernel's own, that reports may name.
 void print_other_files(Unit& unit, Writer& out, const Pass& pass, const std::string& name) {
     if (pass.files.size() < 2) return;
     std::string list;
@@ -161,8 +162,8 @@ void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, co
     out.line("};");
 }
 
-/// Kernel::digest, which tells kernels apart: FNV-1a of their code and of all that is printed about them. Empty where
-/// there is no code for Vulkan devices, which keep pipelines by it.
+/// Kernel::digest, by which Vulkan devices keep pipelines: FNV-1a of the kernel's SPIR-V and of all that is printed
+/// about it. Empty where there is no code for Vulkan devices.
 std::string digest_text(const Unit& unit, std::uint32_t kernel, const std::string& printed) {
     if (kernel >= unit.code.size() || !unit.reach.vulkan_kernels.contains(kernel)) return "";
     std::uint64_t hash = 14695981039346656037u;

@@ -1,4 +1,4 @@
-// What the code of a kernel and the function that calls it share: the layout of the parameter block.
+// What the code of a kernel and the function that calls it share: the layout of the block of the pass's parameters.
 #pragma once
 
 #include "emit/cpp/unit.h"

@@ -55,7 +55,7 @@ void print_includes(const ModuleParts& parts, Writer& out, const std::string& st
     out.gap();
 }
 
-/// The kernels that are of the namespace `home`.
+/// The code of those kernels that are in the namespace of the module `home`.
 void print_namespace(const ModuleParts& parts, Writer& out, std::uint32_t home,
                      const std::vector<std::uint32_t>& kernels, const SpirvFile* spirv) {
     Unit unit = make_unit(parts, home);

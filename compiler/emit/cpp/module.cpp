@@ -1,16 +1,17 @@
 // A module's headers and sources, put together from their parts.
 //
-//   <name>.glift.hpp                  what a program sees: the module's own, and classes that it shows of others
+//   <name>.glift.hpp                  what a program sees: public classes and functions, and classes of other modules
+//                                     that these name
 //   <name>.glift.types.hpp            the structs and enums that the .hpp needs
-//   <name>.glift.internal.hpp         what both sources see: hidden classes and functions
+//   <name>.glift.internal.hpp         what .glift.cpp and .glift.library.cpp see: hidden classes and functions
 //   <name>.glift.cpp                  the module's own pipelines, members of classes, and functions that call kernels
-//   <name>.glift.library.cpp          the same of other modules, where no other source has it
+//   <name>.glift.library.cpp          the same of other modules, where no other source defines it
 //   <name>.glift.kernels.cpp          the code of the module's own kernels (kernel_sources.cpp)
-//   <name>.glift.library.kernels.cpp  that of other modules
+//   <name>.glift.library.kernels.cpp  the code of kernels of other modules
 //
 // Several headers may define a class: an #ifndef of its name skips all definitions but the first. A function of a
-// module that has a source of its own is defined there; other functions are weak, so that it does not matter how many
-// sources define them.
+// module that has a source of its own is defined there; instances of generics and functions of other modules are weak
+// symbols, so that it does not matter how many sources define them.
 #include "emit/cpp/unit.h"
 
 #include <algorithm>
@@ -91,7 +92,7 @@ private:
     const Options& options_;
     Defined& defined_;
     Reach reach_;
-    Reach elsewhere_;  ///< what the headers declare that this module's header includes
+    Reach elsewhere_;  ///< the types and classes of the headers that this module's header includes
     ProgramNames names_;
     const ModuleParts parts_;
     std::map<std::uint32_t, Unit> units_;
@@ -131,7 +132,7 @@ void ModulePrinter::name_by_devices() {
                    reach_.vulkan_pipelines.contains(index));
 }
 
-/// Whether this run makes a source for the module itself. A test program is one source.
+/// Whether this run makes sources for the module itself. A test program has only those of the module with the tests.
 bool ModulePrinter::has_source(std::uint32_t module) const {
     return module == module_ || (program_.modules[module].is_root && !options_.tests);
 }
@@ -156,7 +157,7 @@ bool ModulePrinter::is_shown(std::uint32_t pipeline) const {
     return p.is_pub && p.module == module_ && !p.owner && !options_.tests;
 }
 
-/// Whether a header declares it that this module's header includes.
+/// Whether a header that this module's header includes declares the kernel or pipeline.
 bool ModulePrinter::is_declared_elsewhere(bool is_pub, const std::string& key, std::uint32_t module) const {
     return is_pub && module != module_ && has_source(module) && key.find('<') == std::string::npos;
 }
@@ -415,7 +416,7 @@ std::string ModulePrinter::library_source() {
     return out.take();
 }
 
-/// Notes for later modules what is defined now. A test program shares nothing with those of other modules.
+/// Notes for later modules of the run what this one defines. A test program shares nothing with those of other modules.
 void ModulePrinter::note_definitions() {
     if (options_.tests) return;
     defined_.kernels.insert(reach_.kernels.begin(), reach_.kernels.end());
@@ -426,7 +427,7 @@ void ModulePrinter::note_definitions() {
 
 Module ModulePrinter::print() {
     Module result;
-    std::string own = source(), library = library_source();  // the headers name what these come to
+    std::string own = source(), library = library_source();  // before the headers, which print from the same units
     result.files.push_back({".glift.hpp", header()});
     result.files.push_back({".glift.types.hpp", types_header()});
     result.files.push_back({".glift.internal.hpp", internal_header()});

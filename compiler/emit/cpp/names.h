@@ -11,7 +11,8 @@
 
 namespace gliftc::cpp {
 
-/// `text` with every run of characters that a C++ name can't have replaced by one '_', and no word or macro of C++.
+/// `text` as a C++ name: every run of characters that a name can't have is replaced by one '_', and a '_' is appended
+/// to keywords and macros.
 std::string identifier(std::string_view text);
 
 /// Variables that the host code of a kernel declares: names of the source that equal one are changed.
@@ -44,16 +45,16 @@ public:
     void enter() { scopes_.emplace_back(); }
     void leave();
 
-    /// Names that the generated code around the scopes uses itself: a name of the source that equals one gets a '_'
-    /// behind.
+    /// Says which names the generated code around the scopes uses itself: a name of the source that equals one gets a
+    /// '_' behind.
     void reserve(std::initializer_list<const char*> names);
     /// The same for a set, which must outlive the scopes.
     void avoid(const NameSet& names) { avoided_.push_back(&names); }
 
     /// Declares `wanted`, or the first of wanted_2, wanted_3, … that is free, in the innermost scope.
     std::string declare(std::string_view wanted);
-    /// Declares a stem, which is not used as a name itself: names are formed from it with each of the suffixes, and
-    /// none of these is taken.
+    /// Declares a stem, from which names are formed with each of the suffixes; it is not a name itself. Returns
+    /// `wanted`, or the first of wanted_2, wanted_3, … for which none of these names is taken.
     std::string declare_stem(std::string_view wanted, std::span<const char* const> suffixes);
 
     const NameSet& used() const { return used_; }

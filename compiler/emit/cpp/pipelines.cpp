@@ -24,7 +24,7 @@ struct PipelinePrinter {
     const Pipeline& pipeline;
     Printer p;
     std::string commands = "commands";  ///< the variable whose methods record passes
-    bool tracks = false;                ///< a test: notes which structures passes write
+    bool tracks = false;                ///< a test: its structures are kept to its end, to be compared
 
     PipelinePrinter(Unit& unit, const Pipeline& pipeline) : unit(unit), pipeline(pipeline), p(unit.globals) {
         p.names.reserve({"commands", "test"});
@@ -169,7 +169,8 @@ void PipelinePrinter::temporary(const Stmt& stmt) {
     p.out.line(unit.class_name(type.index) + " " + name + (arguments.empty() ? ";" : "(" + arguments.substr(2) + ");"));
 }
 
-/// The passes of an arm go into commands under its condition (Commands::where).
+/// One arm, a side of an `if` whose condition lies on the device: its passes are recorded by commands under that
+/// condition (Commands::where, where_not).
 void PipelinePrinter::arm(const std::string& condition, const std::vector<ir::StmtId>& body, const char* where) {
     if (body.empty()) return;
     p.out.open("");
@@ -228,8 +229,8 @@ void PipelinePrinter::replace(const Stmt& stmt) {
                memories_of(unit, member, index) + "});");
 }
 
-/// The line that keeps one structure, shown by a name; where its domain may be larger than its memory, also what it is
-/// made of.
+/// The line that keeps one structure for the comparison, under the name `shown`; where its domain may be larger than
+/// its memory, also the lines that keep its memories and members instead.
 void PipelinePrinter::keep(const std::string& shown, const std::string& object, std::uint32_t index) {
     const ir::Structure& made = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];
@@ -316,9 +317,9 @@ void PipelinePrinter::statement(const Stmt& stmt) {
     ir::misplaced(stmt.op, "emit/cpp: a pipeline");
 }
 
-/// Whether a pass of the pipeline calls functions. If not, a pipeline that computes a value of the device
+/// Whether a pass of the pipeline calls functions. If not, a pipeline that computes a value on the device
 /// (Pipeline::is_value) runs whatever its caller's conditions say, since several passes with conditions take longer.
-/// Functions may loop long on values that an arm which did not run has left undone.
+/// With calls it does not: functions may loop long on values that an arm which did not run has not computed.
 bool calls_functions(const Unit& unit, const Pipeline& pipeline) {
     bool found = false;
     for (ir::StmtId id : pipeline.body) {

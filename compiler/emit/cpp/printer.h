@@ -1,4 +1,5 @@
-// Expressions, statements and functions of the IR as C++: what host kernels and bindings share.
+// Expressions, statements and functions of the IR as C++: what the printers of host kernels (emit/host) and of the
+// other generated C++ share.
 #pragma once
 
 #include "emit/cpp/names.h"
@@ -37,20 +38,22 @@ struct Text {
 
 /// The names of a generated class's members; the same wherever they are used.
 struct ClassNames {
-    std::vector<std::string> arguments, memories, members, host, pipelines;  ///< functions: the class's interface
-    std::vector<std::string> methods, extents;  ///< likewise: functions of an adaptor; extents of memories
-    std::string base;  ///< likewise: the memory, if it is a structure that has a name other than the member's
-    /// Names of the class's data members.
+    /// Names of its functions: for each constructor argument, memory, member structure, host state and pipeline.
+    std::vector<std::string> arguments, memories, members, host, pipelines;
+    std::vector<std::string> methods, extents;  ///< more functions: the structure's own, and extents of memories
+    std::string base;  ///< the function for the memory, if that is a structure with a name other than the member's
+    /// Names of its data members.
     std::vector<std::string> argument_fields, memory_fields, member_fields, host_fields, extent_fields;
-    NameSet own;  ///< names that the class's functions use: fields, pipelines, members that every such class has
-    NameSet all;  ///< these and the rest of its interface: in its functions they hide names of the namespace
+    NameSet own;  ///< names that bodies of its functions use: fields, pipelines, members that every such class has
+    NameSet all;  ///< these and its other functions: within the class they hide names of the namespace
 };
 
-/// What everything is called in the namespace of its module. Each list is indexed as the table of ir::Program in its
-/// comment. The names depend on little but the things themselves, so that all files and all runs of gliftc agree.
+/// The names of all that a program declares, each in the namespace of its module. Each list is indexed as the table of
+/// ir::Program that its comment names. A name depends on little but what it names, so that all files and all runs of
+/// gliftc agree.
 struct ProgramNames {
     std::vector<std::string> spaces;                ///< of Program::modules: laplacian, std.array → std_array
-    std::vector<NameSet> types;                     ///< of Program::modules: no other name hides them
+    std::vector<NameSet> types;                     ///< of Program::modules: their types, which no other name hides
     std::vector<std::string> structs;               ///< of Program::structs
     std::vector<std::vector<std::string>> fields;   ///< of Program::structs
     std::vector<std::string> enums;                 ///< of Program::enums
@@ -59,7 +62,7 @@ struct ProgramNames {
     std::vector<ClassNames> classes;                ///< of Program::structures
     std::vector<std::string> kernels;               ///< of Program::kernels: the functions that call them
     std::vector<std::string> pipelines;             ///< of Program::pipelines
-    std::vector<Scopes> taken;                      ///< of Program::modules
+    std::vector<Scopes> taken;                      ///< of Program::modules: all names in their namespaces
 };
 
 ProgramNames program_names(const ir::Program& program);
@@ -72,14 +75,14 @@ bool is_held_by_handle(const ir::Structure& structure, std::size_t member);
 /// imports.
 bool is_alias_seen(const ir::Program& program, const ir::Alias& alias, std::uint32_t module);
 
-/// Names that all code in one namespace shares. What lies in another namespace is spelled with it: ::grid::Cell.
+/// Names that all code in one namespace shares. Names of another namespace are spelled with it: ::grid::Cell.
 struct Globals {
     const ir::Program& program;
     const Sources& sources;
     std::string space;                                  ///< the namespace
     Scopes names;                                       ///< of the namespace
     NameSet type_names;                                 ///< of structs and structures: no other name hides them
-    NameSet kernel_symbols;                             ///< what is made for a kernel beside its function
+    NameSet kernel_symbols;                             ///< of data and code made for kernels beside their functions
     std::vector<std::string> struct_names;              ///< of Program::structs
     std::vector<std::vector<std::string>> field_names;  ///< of Program::structs
     std::vector<std::string> structure_names;           ///< of Program::structures
@@ -90,13 +93,13 @@ struct Globals {
     std::unordered_map<std::uint32_t, std::string> kernel_stems;
     std::unordered_map<const ir::KernelParam*, std::string> param_names;
     std::unordered_map<ir::FunctionId, std::string> function_names;
-    std::string functions;  ///< printed so far, callees first
+    std::string functions;  ///< the functions printed so far, callees first
 
     Globals(const ir::Program& program, const Sources& sources) : program(program), sources(sources) {}
 };
 
-/// Where generated code stands: in the namespace of the module `home`, in a file of the module `root`. In its own
-/// namespace a module's code calls structures as the module does.
+/// Where generated code stands: in the namespace of the module `home`, in a file of the module `root`. Where both are
+/// one, structures have the names that the module gives them (aliases).
 struct Surroundings {
     std::uint32_t root, home;
 };
@@ -113,22 +116,24 @@ struct Printer {
     const NameSet* class_names = nullptr;  ///< within a class: names that hide those of the namespace
     std::unordered_map<ir::LocalId, std::string> local_names;
     std::unordered_map<ir::FunctionId, std::string> local_functions;  ///< declared where they are called
-    /// Spells the operations that refer to the surroundings: parameters, loads, members, pipelines' host operations.
+    /// Spells the operations that depend on what surrounds the body: parameters, loads, members, host operations of
+    /// pipelines.
     std::function<Text(const ir::Expr&)> outer_expression;
     std::function<std::string(const ir::Expr&)> outer_place;  ///< the lvalue of a load, for atomic operations
-    std::function<void(const ir::Stmt&)> outer_statement;
+    std::function<void(const ir::Stmt&)> outer_statement;     ///< prints the statements that do
     /// Prints `return value;`; empty: as in C++.
     std::function<void(ir::ExprId)> print_return;
-    /// How a local that is not simply a name is spelled (an array over the workgroup): may be empty.
+    /// Spells a local that is not simply a name (an element of an array over the workgroup); gives "" for others. May
+    /// be empty.
     std::function<std::string(ir::LocalId)> outer_local;
-    bool use_namespaces = false;  ///< headers: glift::uint4, else uint4
-    std::uint32_t marked_file = 0xffffffffu, marked_line = 0;
+    bool use_namespaces = false;                               ///< headers: glift::uint4, else uint4
+    std::uint32_t marked_file = 0xffffffffu, marked_line = 0;  ///< of the latest mark_line
 
     explicit Printer(Globals& globals) : globals(globals), program(globals.program) { names.avoid(globals.type_names); }
 };
 
 // globals.cpp
-/// The names in the struct that mirrors the pass' parameters.
+/// The members' names in the struct that mirrors the pass's block of parameters.
 std::vector<std::string> block_names(const Globals& globals, const ir::Pass& pass);
 std::string declare_function(Globals& globals, ir::FunctionId function);
 
@@ -148,11 +153,11 @@ std::string join_arguments(Printer& p, const ir::Operands& arguments);
 std::string wrap(Text&& text, Level least);
 
 // surroundings.cpp
-/// Spells the operation member, memory_extent or domain of a structure that `object` reaches, `f->` or `table.`; empty:
-/// within its own class.
+/// Spells a property of a structure that `object` reaches, `f->` or `table.` (empty: within its own class): the
+/// operations member, memory_extent, host_state, domain, structure_value.
 Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint32_t root_structure,
                         const std::string& object);
-/// A name of the module's namespace as it is seen where the printer is: with the namespace where another one hides it.
+/// A name of the module's namespace as the printed body must spell it: with the namespace where another name hides it.
 std::string visible(const Printer& p, const std::string& name);
 
 // statements.cpp
@@ -163,6 +168,6 @@ void mark_line(Printer& p, Span span);  ///< a comment with the source line wher
 std::string file_name(const Sources& sources, std::uint32_t file);
 std::string place_text(const Sources& sources, Span span);         ///< laplacian.glift:8
 void require_function(Globals& globals, ir::FunctionId function);  ///< prints it to globals.functions if it isn't there
-bool is_pure(const ir::Program& program, ir::FunctionId function);  ///< touches nothing but its arguments
+bool is_pure(const ir::Program& program, ir::FunctionId function);  ///< accesses nothing but its arguments
 
 }  // namespace gliftc::cpp

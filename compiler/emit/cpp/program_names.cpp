@@ -1,4 +1,4 @@
-// What structs, classes and functions are called, each in the namespace of its module.
+// The names of structs, classes and functions, each in the namespace of its module.
 #include "emit/cpp/printer.h"
 #include "ir/evaluate.h"
 
@@ -36,7 +36,7 @@ NameSet members_of_class(ir::StructureKind kind) {
     return names;
 }
 
-/// Names that no type may have: members and variables of generated code with these names would hide it.
+/// Names that no type may have: members and variables of generated code that have these names would hide the type.
 const NameSet& not_for_types() {
     static const NameSet names = [] {
         NameSet all = members_of_class(ir::StructureKind::stored);
@@ -51,7 +51,7 @@ const NameSet& not_for_types() {
     return names;
 }
 
-/// Whether the memory is a structure that has another name, too: it has a function for each.
+/// Whether the structure's memory is a structure that has another name as a member: the class has a function for each.
 bool has_named_base(const ir::Structure& structure) {
     if (structure.base.empty()) return false;
     return structure.base.size() > 1 || structure.members[structure.base[0]].name != structure.base_name;
@@ -72,8 +72,8 @@ bool is_plain(std::string_view arguments) {
     });
 }
 
-/// `Array_2_grid_Cell` of the key `std.array.Array<2, grid.Cell>`; where others may be called so, too, or it is long:
-/// `choose_by_5d1f3a2c`.
+/// `Array_2_grid_Cell` for the key `std.array.Array<2, grid.Cell>`; where that name is long, or other keys may give it,
+/// too, a name with a hash of the key: `choose_by_5d1f3a2c`.
 std::string name_of_instance(const std::string& name, const std::string& key) {
     const std::size_t arguments = key.find('<');
     if (arguments == std::string::npos) return identifier(name);
@@ -154,7 +154,7 @@ struct Naming {
 
     std::string type(std::uint32_t module, const std::string& wanted) {
         std::string name = wanted;
-        // Two underscores in a row are not for programs.
+        // Two underscores in a row are reserved in C++.
         if (not_for_types().contains(name)) name += name.ends_with('_') ? "2" : "_";
         if (not_for_types().contains(name)) name += '2';
         name = names.taken[module].declare(name);

@@ -16,7 +16,7 @@ namespace gliftc::cpp {
 
 namespace {
 
-/// Kinds of devices on which some statement of a pipeline may run.
+/// The kinds of devices on which a statement of a pipeline may run.
 struct Devices {
     bool host = true, vulkan = true;
 
@@ -28,9 +28,9 @@ struct Collector {
     Reach reach;
     std::set<std::uint32_t> seen{};
     std::set<ir::FunctionId> functions{};
-    Devices devices{};        ///< those on which what is being visited may run
-    bool moves_all = false;   ///< boxes of all structures, as test programs do
-    std::uint32_t owner = 0;  ///< of the pipeline that is looked at: where its places begin that have no local
+    Devices devices{};        ///< those on which the visited statement may run
+    bool moves_all = false;   ///< a test program, which copies boxes of all structures to the host
+    std::uint32_t owner = 0;  ///< the adaptor of the visited pipeline, at which places without a local begin
 
     void type(ir::TypeId id, bool visible);
     void structure_type(std::uint32_t index);
@@ -49,8 +49,8 @@ struct Collector {
     void element_read(const ir::Expr& read);
 };
 
-/// The value of a device property that the kind of device decides: of the host device all but its workgroup memory, of
-/// others only that they are not the host.
+/// The value of a device property, if the kind of device decides it: for the host device all but the size of its
+/// workgroup memory, for Vulkan devices only that they are not the host.
 std::optional<std::uint64_t> property_on(bool host, ir::DeviceProperty property) {
     if (property == ir::DeviceProperty::is_host) return host;
     if (!host) return std::nullopt;
@@ -79,7 +79,7 @@ std::optional<std::uint64_t> binary_on(bool host, const ir::Program& program, co
     return ir::apply(program.types, expr.binary, type, {*a, 0}, {*b, 0}).bits;
 }
 
-/// A value of a pipeline on a kind of device: known if it is computed from constants and such properties.
+/// The value of an expression of a pipeline on a kind of device, if it is computed from constants and such properties.
 std::optional<std::uint64_t> value_on(bool host, const ir::Program& program, ir::ExprId id) {
     const ir::Expr& expr = program.exprs[id];
     const ir::TypeKind kind = program.types.kind(expr.type);
@@ -132,7 +132,7 @@ void Collector::expression(const ir::Expr& expr) {
     if (expr.op == ir::Op::call) function(expr.function);
 }
 
-/// The types of all values in a body, and in the functions that it calls.
+/// Adds the types of all values in a body, and the functions that it calls.
 void Collector::code(const std::vector<ir::StmtId>& body) {
     ir::for_each_statement(program, body, [&](const ir::Stmt& stmt) {
         if (stmt.local) type(program.locals[stmt.local].type, false);
@@ -165,7 +165,7 @@ void Collector::passes(const ir::Lowered::Forms& forms) {
     }
 }
 
-/// What moves boxes of the structure between host and device: programs call it, and few pipelines.
+/// Adds what moves boxes of the structure between host and device. Programs call it, and few pipelines do.
 void Collector::transfers(std::uint32_t structure) {
     if (!reach.moved.insert(structure).second) return;
     const Devices before = std::exchange(devices, {});
@@ -183,8 +183,8 @@ void Collector::transfers(std::uint32_t structure) {
     devices = before;
 }
 
-/// A read of one element: it stays where it lies if it can, else it is moved as a box, which takes the kernels for
-/// that.
+/// Adds what a read of one element as a value needs: nothing if the element can stay where it lies, else the kernels
+/// that move it as a box.
 void Collector::element_read(const ir::Expr& read) {
     std::uint32_t root = owner;
     if (read.local) {
@@ -295,7 +295,7 @@ void Collector::step(const ir::Stmt& stmt) {
         return;
     case ir::StmtOp::block: devices = steps(stmt.body, devices); return;
     case ir::StmtOp::return_: devices = {false, false}; return;
-    default: steps(stmt.body, devices); return;  // a loop may not run
+    default: steps(stmt.body, devices); return;  // a loop may run no iteration: what follows it is reached anyway
     }
 }
 

@@ -5,13 +5,14 @@
 
 namespace gliftc::cpp {
 
-/// A keyword of C++, or what generated code names without a scope: std, glift, uint, float4.
+/// Whether it is a keyword of C++, or a name that generated code uses without a scope: std, glift, uint, float4.
 bool is_word(std::string_view name);
 
-/// A macro of C's, C++'s or POSIX' headers, of compilers, of the runtime's headers: macros know no scopes.
+/// Whether it is a macro of C's, C++'s or POSIX's headers, of compilers, or of the runtime's, Vulkan's or
+/// oneTBB's headers: macros know no scopes.
 bool is_macro(std::string_view name);
 
-/// A function, type or variable that C's or POSIX' headers declare outside of namespaces.
+/// Whether it is a function, type or variable that C's or POSIX's headers declare outside of namespaces, or main.
 bool is_global(std::string_view name);
 
 }  // namespace gliftc::cpp

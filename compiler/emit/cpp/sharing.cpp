@@ -10,14 +10,14 @@ namespace {
 
 bool writes(const ir::PassBinding& binding) { return binding.access != ir::Access::read; }
 
-/// The parameter's number among the kernel's parameters that are structures.
+/// The parameter's number among the kernel's parameters that are structures or values on the device.
 std::size_t structure_number(const ir::Kernel& kernel, std::uint32_t root) {
     const auto is_structure = [](const ir::KernelParam& param) { return param.pattern != ir::Pattern::value; };
     const auto last = kernel.params.begin() + root;
     return static_cast<std::size_t>(std::count_if(kernel.params.begin(), last, is_structure));
 }
 
-/// The parameters that the kernel promises to be apart from this one, a bit each.
+/// The parameters whose memory the kernel declares to be disjoint from this one's, a bit each.
 std::uint32_t promised_apart(const ir::Kernel& kernel, std::uint32_t root) {
     std::uint32_t bits = 0;
     for (std::uint32_t other = 0; other < kernel.params.size(); ++other) {

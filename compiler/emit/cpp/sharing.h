@@ -1,14 +1,16 @@
-// What a call tells the runtime where one memory may be given for several parameters.
+// What generated code tells the runtime about a kernel's bindings, where a call may give one memory for several
+// parameters.
 #pragma once
 
 #include "emit/cpp/unit.h"
 
 namespace gliftc::cpp {
 
-/// Whether two bindings of the pass may be one memory that is written.
+/// Whether a call may give one memory for two bindings of the pass, of which one is written: they have one shape and
+/// format.
 bool may_share(const ir::Pass& pass);
 
-/// The fields of glift::Binding that say how a parameter touches the memory.
+/// The fields of glift::Binding that say how the parameter accesses the memory.
 std::string sharing_fields(const ir::Program& program, const ir::Kernel& kernel, const ir::PassBinding& binding);
 
 }  // namespace gliftc::cpp

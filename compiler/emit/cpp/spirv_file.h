@@ -1,4 +1,4 @@
-// SPIR-V beside C++: all that one source holds, in one file that the assembler includes (.incbin).
+// SPIR-V beside C++: the SPIR-V of all kernels in one source, in one file that the assembler includes (.incbin).
 #pragma once
 
 #include "emit/cpp/emit.h"
@@ -21,7 +21,7 @@ public:
     std::string bytes() const;
     /// The `asm` statement that includes the file.
     std::string statement() const;
-    /// Arguments of a glift::Spirv: `glift_spirv_0f0e… + 120, 567`.
+    /// The arguments of the glift::Spirv for a kernel's form: `glift_spirv_0f0e… + 120, 567`.
     std::string place_of(std::uint32_t kernel, ir::Form form, ir::Part part) const;
 
 private:

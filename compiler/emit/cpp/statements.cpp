@@ -42,7 +42,8 @@ std::string_view compound_of(BinaryOp op) {
     return "";
 }
 
-/// The target of an assignment, as an lvalue: print() would convert it from memory's type to the language's (bool2).
+/// The target of an assignment, as an lvalue: print() would convert vectors of bools from the type that memory has to
+/// that of values.
 std::string print_target(Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
     if (expr.op != Op::field && expr.op != Op::index && expr.op != Op::swizzle) return print_any(p, id);
@@ -164,7 +165,7 @@ void print_if(Printer& p, const Stmt& stmt) {
     p.out.close();
 }
 
-/// Whether a loop's limit can be evaluated in each round, since it cannot change.
+/// Whether a loop's limit can be evaluated before each iteration, since it cannot change.
 bool is_steady(const Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
     return expr.op == Op::constant || expr.op == Op::parameter ||
@@ -251,7 +252,7 @@ void print_statement(Printer& p, ir::StmtId id) {
         print_nested(p, stmt.body);
         return p.out.close();
     case StmtOp::evaluate: return p.out.line(print_any(p, stmt.value) + ";");
-    case StmtOp::subgroup_barrier: return;  // in C++ an invocation is a subgroup
+    case StmtOp::subgroup_barrier: return;  // on the host device a subgroup has one invocation
     case StmtOp::barrier:
 #define STRUCTURE_STATEMENT(name) case StmtOp::name:
 #define HOST_STATEMENT(name) case StmtOp::name:

@@ -49,13 +49,14 @@ std::string base_of(const Unit& unit, std::uint32_t index) {
     return "";
 }
 
-/// Whether boxes of it go to the host and back. The class says so wherever it is made; what the functions do is defined
-/// where it is used.
+/// Whether boxes of the structure can be copied to the host, and back if it is stored. Every definition of the class
+/// declares the functions for that; modules whose code may copy boxes define them (Reach::moved).
 bool has_transfers(const Structure& structure) {
     return structure.kind == StructureKind::stored || (structure.kind == StructureKind::view && structure.domain);
 }
 
-/// Elements of a buffer in 64 bits, of an image as many as it can have along each axis.
+/// The type of a memory's extent: a number of 64 bits for the elements of a buffer, 32 bits along each axis of an
+/// image.
 std::string extent_type(const Unit& unit, const ir::Memory& memory, bool qualified) {
     if (memory.shape == ir::MemoryShape::buffer) return "std::uint64_t";
     const ir::TypeId type = unit.program.exprs[memory.extent].type;
@@ -83,7 +84,7 @@ bool is_written_as(const Structure& structure, std::size_t member) {
     return structure.members[member].by_reference || (!structure.base.empty() && structure.base[0] == member);
 }
 
-/// The accessor of the memory, if it is a structure that has a name of its own.
+/// The accessor of the memory, if that is a structure with another name than the member's.
 void print_base(const Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
     if (names.base.empty()) return;
     const Structure& structure = unit.program.structures[index];
@@ -163,7 +164,7 @@ bool has_parts(const Structure& structure) {
            (std::ranges::any_of(structure.memories, is_own) || std::ranges::any_of(structure.members, is_made_here));
 }
 
-/// What a memory is to be, as a glift::MemoryDescription.
+/// The glift::MemoryDescription of a memory.
 std::string memory_description(Unit& unit, Printer& p, std::uint32_t index, std::size_t i, const ClassNames& names) {
     const ir::Memory& memory = unit.program.structures[index].memories[i];
     const std::string& extent = names.extent_fields[i];
@@ -223,7 +224,7 @@ std::string argument_of_part(Unit& unit, Printer& p, const ir::MemberStructure& 
     return fitted(p, argument, part);
 }
 
-/// Like own_printer, for functions of the class whose parameters have names of the source.
+/// Like own_printer, for functions of the class whose parameters have names from the source.
 Printer method_printer(Unit& unit, std::uint32_t index) {
     Printer p = own_printer(unit, index);
     p.names.reserve({"commands"});
@@ -299,7 +300,7 @@ void print_constructors(Unit& unit, Writer& out, std::uint32_t index, const Clas
         out.dedent();
         out.gap();
     };
-    if (!constructor_of(unit, index, names, false).parameters.empty()) head("", false);  // else the default one
+    if (!constructor_of(unit, index, names, false).parameters.empty()) head("", false);  // else = default in the class
     if (has_parts(structure)) head(memory_parameters(unit, index, names), true);
 }
 
@@ -322,7 +323,7 @@ void print_same_state(Unit& unit, Writer& out, std::uint32_t index, const ClassN
 
 }  // namespace
 
-/// The parameters of a method as they are declared; those that read memory run a pass.
+/// The parameters of a method as they are declared. Methods that read memory run a pass, so they take commands, too.
 static std::string method_parameters(Unit& unit, Printer& p, const ir::Method& method, bool qualified) {
     std::string text = method.pipeline ? "const glift::Commands& commands" : "";
     for (ir::LocalId local : unit.program.functions[method.function].params)

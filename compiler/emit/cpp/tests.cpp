@@ -1,4 +1,4 @@
-// What only a test program has: the table of tests.
+// What only a test program has: the table of tests, and what it compares of structures.
 #include "emit/cpp/unit.h"
 #include "ir/walk.h"
 #include "layout/layout.h"

@@ -1,4 +1,4 @@
-// What moves elements between structures and the host.
+// The functions of generated classes that move elements between structures and the host.
 #include "emit/cpp/unit.h"
 #include "ir/chain.h"
 
@@ -15,14 +15,14 @@ const ir::Program::Transfer* transfer_of(const ir::Program& program, std::uint32
 
 bool is_kernel(const Unit& unit, std::uint32_t kernel) { return kernel < unit.program.kernels.size(); }
 
-/// Of the function that lists the elements that are there.
+/// The parameters of the function that lists the resident elements of a box.
 std::string list_parameters(const std::string& type) {
     return "(const glift::Commands& commands, const glift::Range<" + type +
            ">& range, glift::uint most, const glift::Memory& counter, const glift::Memory& addresses, const "
            "glift::Memory& places, const glift::Memory& values) const";
 }
 
-/// The type of the places that a structure's addresses are translated to.
+/// The type of places: the physical addresses to which a structure's addresses are translated.
 std::string place_type(const Unit& unit, const ir::Structure& structure, bool qualified) {
     const ir::Structure& translated =
         ir::structure_at(unit.program, structure, ir::translated_by(unit.program, structure));

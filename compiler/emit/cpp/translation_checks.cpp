@@ -13,8 +13,8 @@ namespace {
 using ir::Structure;
 using ir::TypeKind;
 
-/// Whether the structure's constructor takes nothing but extents of its domain, so that any size makes a whole
-/// structure.
+/// Whether the structure's constructor takes nothing but values of the type of its domain, so that a structure can be
+/// made of any extent.
 bool is_made_of_extents(const ir::Program& program, const Structure& structure) {
     const auto is_given = [](const ir::MemberStructure& member) { return member.by_reference; };
     if (std::ranges::any_of(structure.members, is_given)) return false;
@@ -23,7 +23,8 @@ bool is_made_of_extents(const ir::Program& program, const Structure& structure) 
     });
 }
 
-/// A value of the structure's element type that its memory keeps exactly, from a number `i`; empty where there is none.
+/// The C++ expression of a value of the structure's element type, made from a number `i`, that its memory keeps
+/// exactly; empty where there is none.
 std::string sample_value(const Unit& unit, const Structure& structure) {
     if (ir::is_computed(unit.program, structure)) return "";
     const ir::Type& type = unit.program.types[structure.element];
@@ -81,8 +82,8 @@ std::string extents_text(const Unit& unit, ir::TypeId type) {
 
 using Tables = std::vector<ir::Place>;
 
-/// The tables whose elements the translator's functions read, each once. The root of each place is an index of the
-/// translator's structures.
+/// The structures (tables) whose elements the translator's functions read, each once. The root of each place is an
+/// index in Translator::structures.
 Tables tables_of(const ir::Program& program, const ir::Translator& translator) {
     Tables tables;
     for (ir::FunctionId id : {translator.translate, translator.invert}) {
@@ -228,7 +229,7 @@ std::string why_not_mirrored(const ir::Program& program, const Structure& struct
     return "";
 }
 
-/// Why the structure's translation cannot be tried at all; empty: it can.
+/// Why the structure's translation cannot be checked at all; empty: it can.
 std::string why_never(const ir::Program& program, const Structure& structure) {
     for (const ir::Stage& stage : structure.via) {
         const ir::Translator& translator = program.translators[stage.translator];

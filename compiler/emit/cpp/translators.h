@@ -1,11 +1,12 @@
-// Translators as C++ for the host: where generated code computes physical addresses itself.
+// Translators as C++ for the host, for generated code that computes physical addresses itself.
 #pragma once
 
 #include "emit/cpp/unit.h"
 
 namespace gliftc::cpp {
 
-/// Whether the translator's function calls functions that use the translator's state: print_method cannot print it.
+/// Whether the translator's function calls functions that use the translator's state. print_method cannot print such a
+/// function.
 bool uses_state_elsewhere(const ir::Program& program, ir::FunctionId function);
 
 /// Declares the scalar state of a stage (one translator of `via`), in terms of the structure that `object` reaches
@@ -19,8 +20,8 @@ void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, 
                   const std::vector<std::string>& states,
                   const std::function<Text(Printer&, const ir::Expr&)>& surroundings = {});
 
-/// True if elements that follow each other along x may lie one after the other in a buffer, as the host has them: boxes
-/// of such a structure are copied by rows. The affine translator says where a row begins.
+/// Whether elements that follow each other along x may lie one after the other in a buffer, in the same layout as on
+/// the host: boxes of such a structure are copied by rows. Its translator is affine and says where a row begins.
 bool has_rows(const ir::Program& program, const ir::Structure& structure);
 
 /// The memory that the elements of a structure which has rows lie in.

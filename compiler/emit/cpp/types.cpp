@@ -82,7 +82,7 @@ std::string Spelling::of(ir::TypeId id) const {
     case TypeKind::optional: return "std::optional<" + of(type.element) + ">";
     case TypeKind::structure: return globals.structure_names[type.index];
     case TypeKind::slice: return "glift::Range<" + of(type.element) + ">";
-    case TypeKind::device:  // memory holds it
+    case TypeKind::device:  // the value lies in memory
         return "glift::DeviceScalar<" + Spelling{globals, prefix, true}.of(type.element) + ">";
     }
     return "void";

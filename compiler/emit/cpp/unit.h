@@ -10,21 +10,21 @@
 
 namespace gliftc::cpp {
 
-/// What of the program a module's C++ contains.
+/// What of the program a module's C++ contains, as indices in ir::Program.
 struct Reach {
     std::set<std::uint32_t> kernels, pipelines, enums;
-    /// The kernels and pipelines that may be called on the host device, and on Vulkan devices: only they have code for
-    /// it.
+    /// The kernels and pipelines that may be called on the host device, and on Vulkan devices. Others have no code for
+    /// that kind of device.
     std::set<std::uint32_t> host_kernels, vulkan_kernels, host_pipelines, vulkan_pipelines;
     std::vector<std::uint32_t> structs;     ///< types of fields come first
-    std::vector<std::uint32_t> structures;  ///< members and what `temp`s make come first
-    std::set<std::uint32_t> in_header;      ///< structures that the header shows
-    std::set<std::uint32_t> moved;          ///< structures of which boxes go to the host and back
-    std::set<std::uint32_t> pub_kernels;
+    std::vector<std::uint32_t> structures;  ///< members, and what the signatures of its pipelines name, come first
+    std::set<std::uint32_t> in_header;      ///< structures whose classes the public header has
+    std::set<std::uint32_t> moved;          ///< structures of which boxes are copied to the host and back
+    std::set<std::uint32_t> pub_kernels;    ///< kernels that the public header declares
 };
 
 Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& options);
-/// Adds the structs that only the lowered code of kernels uses.
+/// Adds the structs, enums and structures that only the lowered code of kernels for the host device uses.
 void add_inner_structs(Reach& reach, const ir::Program& program, const ir::Lowered& lowered);
 
 /// How a test program checks the translation of one structure.
@@ -34,7 +34,7 @@ struct TranslationCheck {
     std::string of_one;  ///< the function that checks a structure already made; empty: none can
     /// The function that makes structures of several extents and checks them; empty: those that tests make are checked.
     std::string of_extents;
-    std::string why_not_alone;  ///< if `of_extents` is empty: why
+    std::string why_not_alone;  ///< if `of_extents` is empty: the reason, for the user
 };
 
 class SpirvFile;
@@ -51,8 +51,9 @@ struct ModuleParts {
     const ProgramNames& names;
 };
 
-/// The code of one namespace that is made for a module: its own, or another module's, for what it uses of that and no
-/// other header or source defines (instances of generics, and all of modules that this run makes no files for).
+/// The code of one namespace that is made for a module. The namespace is the module's own, or that of another module:
+/// for what the module uses of that one and no other header or source defines (instances of generics, and all of
+/// modules that this run makes no files for).
 struct Unit {
     const ir::Program& program;
     const ir::Lowered& lowered;
@@ -62,34 +63,35 @@ struct Unit {
     const std::vector<KernelCode>& code;
     const Options& options;
     const Reach& reach;
-    const ProgramNames& own;  ///< names within their namespaces
+    const ProgramNames& own;  ///< names as they are within their own namespaces
     Globals globals;
-    std::string tests;                                   ///< the table of tests
+    std::string tests;                                   ///< name of the table of tests; empty: there is none
     std::vector<TranslationCheck> translation_checks{};  ///< in a test program
     std::vector<TestName> test_names{};                  ///< in a test program
-    const SpirvFile* spirv_file = nullptr;               ///< of the source that is printed; null: SPIR-V within
+    const SpirvFile* spirv_file = nullptr;               ///< of the printed source; null: the source has the SPIR-V
 
     std::string name(Name n) const { return (*program.names)[n]; }
     std::string type(ir::TypeId id, bool qualified = false) const { return type_text(globals, id, qualified); }
     const std::string& class_name(std::uint32_t structure) const { return globals.structure_names[structure]; }
     /// The class's name within the class and where its members are defined.
     const std::string& own_name(std::uint32_t structure) const { return own.structures[structure]; }
-    /// What stands before a definition: GLIFT_SHARED, if another module's code may have it, too, so that the linker
-    /// takes one.
+    /// What stands before a definition: GLIFT_SHARED (a weak symbol) if another module's code may have it, too, so that
+    /// the linker takes one; else nothing.
     const char* linkage(const std::string& key) const;
 };
 
 Unit make_unit(const ModuleParts& parts, std::uint32_t home);
 
-/// What `print` makes of each kernel. Those that add functions to the file are printed first and in order, which is
-/// that of the functions. The others change nothing that they share, and are printed in parallel.
+/// What `print` makes of each kernel. Those that add functions to the file are printed first, one after the other, so
+/// that the functions have a fixed order. The others change nothing that they share, and are printed in parallel.
 std::vector<std::string> printed_kernels(Unit& unit, const std::vector<std::uint32_t>& kernels,
                                          bool (&adds_functions)(const Unit&, std::uint32_t),
                                          std::string (&print)(Unit&, std::uint32_t));
 
+/// The comment with which each generated file begins.
 std::string begin_of_file(const std::string& stem);
 
-/// The structure instance at a place below a root.
+/// The structure at a place whose root is `root_structure`.
 std::uint32_t structure_at(const ir::Program& program, std::uint32_t root_structure, const ir::Place& place);
 
 // structures.cpp
@@ -97,13 +99,13 @@ void print_class(Unit& unit, Writer& out, std::uint32_t structure);
 void print_class_members(Unit& unit, Writer& out, std::uint32_t structure);
 
 // transfers.cpp
-/// What moves boxes of the structure between host and device, and lists what is there.
+/// The functions that move boxes of the structure between host and device, and list the elements that are resident.
 void print_transfers(Unit& unit, Writer& out, std::uint32_t structure);
-/// In the class, what lists the elements that are there; nothing, where that is the whole domain.
+/// In the class: the declaration of the function that lists the resident elements; nothing where all always are.
 void print_list_declaration(const Unit& unit, Writer& out, std::uint32_t structure);
 
 // descriptions.cpp
-/// The function of a class that names its parts.
+/// The function `describe` of a class, which names its parts.
 void print_description(const Unit& unit, Writer& out, std::uint32_t structure);
 /// The same of a struct.
 void print_description(const Unit& unit, Writer& out, const std::vector<ir::StructField>& fields,
@@ -122,7 +124,7 @@ bool code_adds_functions(const Unit& unit, std::uint32_t kernel);
 /// The constant `<name>_drawing` of a kernel that draws: its targets and fixed state (glift::Drawing).
 void print_drawing(const Unit& unit, Writer& out, const ir::Kernel& kernel, const std::string& name,
                    bool derives_loads);
-/// The statements that give the arguments of a call to its glift::DrawIteration.
+/// The statements that pass the arguments of a call to the glift::DrawIteration `iteration`.
 void print_draw_arguments(const Unit& unit, Writer& out, const ir::Kernel& kernel);
 
 // kernel_sources.cpp
@@ -131,7 +133,7 @@ std::vector<File> kernel_sources(const ModuleParts& parts, const std::string& st
                                  const std::vector<std::uint32_t>& kernels, const std::string& part);
 
 // kernel_calls.cpp
-/// The head of the function that calls a kernel, with the parameters from number `first` on.
+/// The head of the function that calls a kernel, with the kernel's parameters from number `first` on.
 std::string kernel_signature(Unit& unit, std::uint32_t kernel, bool qualified, std::size_t first = 0);
 std::string kernel_function(Unit& unit, std::uint32_t kernel);
 /// Whether kernel_function will add functions to those that the file shares.
@@ -150,9 +152,10 @@ void print_pipeline(Unit& unit, Writer& out, std::uint32_t pipeline);
 std::vector<TranslationCheck> print_translation_checks(Unit& unit, Writer& out);
 
 // tests.cpp
-/// One letter for each scalar of a type, as glift::KeptStructure has them.
+/// One letter for each scalar of a type, and a '.' for each byte of padding, as glift::KeptStructure has them.
 std::string scalars_of(const ir::Program& program, ir::TypeId type);
-/// The same for a structure's elements, with `n` for floats of eight bits that are drawn: each device rounds its way.
+/// The same for a structure's elements, with `n` for floats of eight-bit formats that some kernel draws to: devices
+/// round them differently.
 std::string kept_scalars(const ir::Program& program, std::uint32_t structure);
 /// The table `tests`, after what it needs; nothing where the module has none.
 void print_tests(Unit& unit, Writer& out);

@@ -8,7 +8,8 @@ namespace gliftc::cpp {
 
 namespace {
 
-/// Where a line may be broken: after commas and before `&&`, `||`, `?`, `:` and `<<`, with the bracket depth there.
+/// A place where a line may be broken, with the depth of brackets there: after a comma, or before one of
+/// `&&`, `||`, `?`, `:`, `+`.
 struct Break {
     std::size_t at;
     int depth;

@@ -11,10 +11,10 @@ inline constexpr std::size_t line_width = 120;
 
 class Writer {
 public:
-    /// One line at the present depth. A line too long is broken after a comma of the outermost parentheses that allow
-    /// it.
+    /// One line at the present depth. A line that is too long is broken after a comma or before an operator, at the
+    /// lowest depth of brackets that has one; comments are not broken.
     void line(std::string_view text);
-    /// Ends what is written so far with one empty line (never two).
+    /// Adds an empty line, unless there is one already or a block has just begun.
     void gap();
     /// `text {` and one level deeper.
     void open(std::string_view text);
@@ -38,10 +38,11 @@ private:
     int depth_ = 0;
 };
 
-/// The literal of a string: "say \"hi\"\n".
+/// The text as a string literal of C++: "say \"hi\"\n".
 std::string quoted(std::string_view text);
 
-/// Text that may stand in a line, also in a literal or a comment: with '?' for control characters, '"' and '\'.
+/// The text as it may stand within a line, also in a literal or a comment: with '?' in place of control characters, '"'
+/// and '\'.
 std::string in_line(std::string_view text);
 
 /// `/// ` lines for a documentation comment; nothing for an empty one.

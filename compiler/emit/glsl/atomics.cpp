@@ -1,5 +1,6 @@
-// Writes that are combined: one atomic operation of integers. Floats in buffers are added by compare-and-swap; their
-// minima and maxima are those of the integers that have their bits, without a loop.
+// Writes that are combined (scatter<S, op>): one atomic operation. Where devices need not have it for floats, these are
+// kept as integers with their bits: sums in buffers are made by compare-and-swap, minima and maxima by integer
+// operations without a loop.
 #include "emit/glsl/printer.h"
 
 #include <algorithm>
@@ -43,7 +44,7 @@ std::string float_atomic(Printer& p, std::uint32_t binding, Combine combine) {
     return function_name(p, use);
 }
 
-/// A sum by compare-and-swap, again and again until nobody came between.
+/// The function that adds by compare-and-swap, again and again until no other invocation has come between.
 std::string addition(Printer& p, const AtomicUse& use) {
     const std::string test = round_test(p, {}, p.pass.files.size() > 1 ? "line, file" : "line");
     const std::string element = element_text(p, use.binding, "index");
@@ -58,11 +59,11 @@ std::string addition(Printer& p, const AtomicUse& use) {
            element + ", expected, wanted);\n    } while (seen != expected);\n}\n\n";
 }
 
-/// How a float is reached whose bits are combined.
+/// How the function that combines a float's bits accesses the float.
 struct BitsPlace {
-    std::string parameter;  ///< of the function: where it lies
+    std::string parameter;  ///< the function's parameter: the element's index, or the texel
     std::string load;
-    std::string arguments;  ///< the first ones of an atomic operation
+    std::string arguments;  ///< the first arguments of an atomic operation on it
     std::string prefix;     ///< of atomic operations: atomicMin, imageAtomicMin
 };
 
@@ -80,10 +81,11 @@ BitsPlace bits_place(const Printer& p, std::uint32_t slot) {
             "imageLoad(" + name + ", at).x", name + ", at", "imageAtomic"};
 }
 
-/// Bits of floats that are not negative order as ints do, those of negative ones the other way round. So one signed
-/// operation does for a value that is not negative. A negative one may hide a better value for the moment that it takes
-/// to see which one that was, which is then put back; since nobody reads in this pass, only the end counts. A NaN is
-/// not written, and gives way to any number. What was read first need not be the newest: values only get better.
+/// The function for minima and maxima. The bits of floats that are not negative have the order of ints, those of
+/// negative ones the reverse order. So one signed operation is enough for a value that is not negative. A negative
+/// value may overwrite a better one, which is put back at once; since nothing in this pass reads the element, only the
+/// final value counts. A NaN is not written, and gives way to any number. The value read first need not be the newest:
+/// values only get better.
 std::string extremum(const Printer& p, const AtomicUse& use) {
     const BitsPlace place = bits_place(p, use.binding);
     const auto call = [&](const std::string& operation, const std::string& value) {

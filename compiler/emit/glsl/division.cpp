@@ -2,10 +2,10 @@
 //
 // Devices may be 2.5 units in the last place off (Vulkan, "Precision of core SPIR-V instructions"). From an
 // approximation and a fused multiply-add the right result is found by Markstein's corrections; operands are brought
-// near 1 first, so that nothing overflows or is flushed. Those of halves are rounded once more from those of floats,
-// which have more than twice their digits, so that it is as if they were rounded once. tests/device/probe_exact
-// measures this: no difference from the CPU in 5 million pairs on an H200. Where the device's own are exact (lavapipe,
-// whose fma is not fused), the runtime says so by constant 100.
+// near 1 first, so that nothing overflows or is flushed. Results of halves are rounded from those of floats, which have
+// more than twice their digits, so that it is as if they were rounded once. tests/device/probe_exact measures
+// this: no difference from the CPU in 5 million pairs on an H200. Where the device's own results are exact (lavapipe,
+// whose fma is not fused), the runtime says so by specialisation constant 100.
 #include "emit/glsl/printer.h"
 
 #include <bit>

@@ -1,4 +1,4 @@
-// A whole compute shader.
+// A whole shader: of a kernel, or of a part of a draw.
 #include "emit/glsl/emit.h"
 
 #include "emit/glsl/printer.h"
@@ -16,7 +16,7 @@ std::string capitalised(std::string name) {
     return name;
 }
 
-/// Workgroup arrays that share one place in memory, one after the other, are one variable.
+/// Arrays in workgroup memory that use one allocation, in turn, are one variable.
 void name_shared(Printer& p) {
     for (const std::vector<ir::LocalId>& place : p.pass.shared_places) {
         std::vector<std::string> names;
@@ -31,7 +31,7 @@ void name_shared(Printer& p) {
     }
 }
 
-/// Everything outside functions is named first, so that no local hides it.
+/// Names everything outside functions. This comes first, so that no local hides it.
 void name_globals(Printer& p) {
     for (const ir::PassParameter& parameter : p.pass.parameters)
         p.parameter_names.push_back(parameter.source == ir::ParameterSource::address ? ""
@@ -87,7 +87,7 @@ std::string function_text(Printer& p, ir::FunctionId id) {
     return take(p) + "\n";
 }
 
-/// Declares what the prologue declares; kernels without a group return where the invocation is beyond the range.
+/// Prints the prologue. In kernels without a group, invocations beyond the range return.
 void print_prologue(Printer& p, bool grouped) {
     for (ir::StmtId id : p.pass.prologue) {
         const ir::Stmt& stmt = p.program.stmts[id];

@@ -59,7 +59,7 @@ std::string operand_text(Printer& p, ExprId id, Level outer, bool is_right) {
     return fits ? std::move(text.text) : concat("(", text.text, ")");
 }
 
-/// A mask reads better as 0x00ff00ffu.
+/// A uint constant from 10 on in hexadecimal, as masks are easier to read: 0x00ff00ffu. Empty: it is something else.
 std::string mask_text(const Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
     if (expr.op != Op::constant || expr.type != p.program.types.uint || expr.bits < 10) return "";
@@ -233,8 +233,8 @@ Text print_local(Printer& p, const Expr& expr) {
                            (*p.program.names)[p.program.locals[expr.local].name]);
 }
 
-/// The operand of an index or a member access, as an lvalue: also where its value as a whole would have to be composed
-/// of its parts (blocks.cpp).
+/// The operand of an index or a member access, in place: never composed of its parts, as its value would be if it holds
+/// arrays of bools in a block (blocks.cpp).
 std::string print_whole(Printer& p, ExprId id);
 
 Text print_index(Printer& p, const Expr& expr) {

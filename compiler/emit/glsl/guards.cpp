@@ -1,4 +1,5 @@
-// Where a device's operation leaves open what the language defines: when a guard can be left out.
+// Operations whose result the language defines for all operands, and devices only for some: decides where the guards
+// for the others can be left out.
 //
 // The meaning is the same on every target: division by zero divides by one (and INT_MIN / -1 too), shift amounts count
 // modulo the width, indices are clamped to the ends, conversions to integers saturate.
@@ -20,8 +21,8 @@ bool depends_on_value_parameters(const ir::Program& program, ExprId id) {
     return false;
 }
 
-/// Whether a parameter depends on the state of structures alone: lower/divisors.cpp makes sure that no zero among these
-/// divides.
+/// Whether a parameter depends on the state of structures alone: lower/divisors.cpp makes sure that such a parameter is
+/// not zero where it is a divisor.
 bool is_state_of_structures(const Printer& p, std::uint32_t parameter) {
     const ir::PassParameter& param = p.pass.parameters[parameter];
     switch (param.source) {

@@ -1,5 +1,6 @@
-// Functions that the language defines and GLSL does not, printed before the source's own where they are used.
-// Each has the meaning that the host device and the constant evaluator give it, bit for bit.
+// Helpers: operations that GLSL lacks or does not define for all operands, as functions printed before the source's own
+// where they are used. Each gives what the host device and the constant evaluator give, bit for bit, except `angle`
+// (atan2) away from (0, 0).
 #include "emit/glsl/printer.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ const char* name_of(Helper helper) {
     throw std::logic_error("emit/glsl: unknown helper");
 }
 
-/// A vector type that the program may have no id for: the columns of a matrix.
+/// A vector type by its scalar and size, for vectors of which the program may have no TypeId: the columns of a matrix.
 std::string vector_text(Printer& p, TypeId scalar, std::uint32_t count) {
     std::string text = type_text(p, scalar);
     if (count == 1) return text;
@@ -260,7 +261,8 @@ std::string arithmetic(Printer& p, const HelperUse& use) {
         if (types.is_floating(use.a))
             return one_line(t + " sign_of(" + t + " x)", "x > " + zero_text + " ? " + one + " : x < " + zero_text +
                                                              " ? -" + one + " : " + zero_text);
-        // By halves: lavapipe takes int64_t(k) > 0 for true where it unrolls a loop over k from 0u on.
+        // By its upper and lower 32 bits: lavapipe takes int64_t(k) > 0 for true where it unrolls a loop over k from 0u
+        // on.
         return "int64_t sign_of(int64_t x) {\n    int high = int(x >> 32l);\n"
                "    return high < 0 ? -1l : (high | int(x)) != 0 ? 1l : 0l;\n}\n";
     }

@@ -54,7 +54,8 @@ Text minimum(Printer& p, const char* name, const Expr& expr) {
     return call(p, name, expr);
 }
 
-/// clamp where the bounds are constants in order; it is undefined in GLSL where they are not.
+/// `clamp` where the bounds are constants in order; else min and max, since clamp is undefined in GLSL if they are not
+/// in order.
 Text clamp(Printer& p, const Expr& expr) {
     const Expr& low = p.program.exprs[expr.operands[1]];
     const Expr& high = p.program.exprs[expr.operands[2]];
@@ -78,7 +79,7 @@ Text atomic(Printer& p, const char* name, const Expr& expr) {
     if (kind == ir::TypeKind::int64 || kind == ir::TypeKind::uint64) p.extensions.insert("GL_EXT_shader_atomic_int64");
     const ir::Op place = ir::place_of(p.program, expr.operands[0]).op;
     if (place == ir::Op::load || place == ir::Op::image_load) return {ordered_atomic(p, name, expr)};
-    // In workgroup memory barriers order things.
+    // Workgroup memory is ordered by barriers: plain loads and stores do.
     if (expr.intrinsic == Intrinsic::atomicLoad) return print(p, expr.operands[0]);
     if (expr.intrinsic == Intrinsic::atomicStore)
         return {print_any(p, expr.operands[0]) + " = " + print_any(p, expr.operands[1])};

@@ -59,7 +59,8 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
         text.replace(at, what.size(), by);
 }
 
-/// Passes on what a function's printer has declared and found to be needed.
+/// Copies the names that a function's printer has declared, and the types, helpers and extensions that it has found to
+/// be needed.
 void carry_over(const Printer& from, Printer& to) {
     to.names = from.names;
     to.struct_names = from.struct_names;
@@ -93,7 +94,7 @@ std::string print_function(Printer& p, const LibraryFunction& wanted, const std:
     return std::exchange(p.out, {});
 }
 
-/// Bindings as macros, so that the including shader chooses.
+/// The memories, with macros for their bindings, which the including shader chooses.
 std::string memories_text(Printer& p, const std::string& macro) {
     std::string text = bindings_text(p);
     replace_all(text, "set = 0, binding = ", "set = " + macro + "_SET, binding = " + macro + "_BINDING + ");

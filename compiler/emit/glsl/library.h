@@ -8,14 +8,17 @@
 
 namespace gliftc::glsl {
 
-/// Declarations of the structure's memories and state, and for a structure Field
-///     float Field_read(uvec4 address);               the value there, or what unmapped addresses read as
+/// Declarations of the structure's memories and state, and functions. For a structure Field of floats:
+///
+///     float Field_read(uvec4 address);               the value there, or that of reads at unmapped addresses
 ///     void Field_write(uvec4 address, float value);  not for views; nothing happens at unmapped addresses
-///     uint Field_translate(uvec4 address);           the physical address; of a partial mapping where
-///     Field_is_mapped(address)
-/// FIELD_SET and FIELD_BINDING may be defined before: the state is at FIELD_BINDING, memory k at FIELD_BINDING + 1 + k.
-/// FIELD_STATE defined: the members of the state are declared by the user's shader, as push constants for example.
-/// FIELD_READONLY defined: memories are readonly and there is no Field_write.
+///     bool Field_is_mapped(uvec4 address);           absent if all addresses of the domain are known to be mapped
+///     uint Field_translate(uvec4 address);           the physical address of a mapped address; absent if nothing
+///                                                    translates (views without memory)
+///
+/// The including shader defines FIELD_BINDING before: the state is at that binding, memory k at FIELD_BINDING + 1 + k.
+/// It may define FIELD_SET (0), the descriptor set. FIELD_STATE defined: it declares the members of the state itself,
+/// as push constants for example. FIELD_READONLY defined: memories are readonly and there is no Field_write.
 std::string library_of(const ir::Program& program, const Sources& sources, const ir::Library& library);
 
 }  // namespace gliftc::glsl

@@ -58,7 +58,7 @@ const char* shape_text(MemoryShape shape) {
     throw std::logic_error("emit/glsl: an image that is a buffer");
 }
 
-/// i, u or nothing: what images of this element begin with.
+/// "i", "u" or "": what the names of image types with this element begin with.
 std::string image_prefix(const Printer& p, TypeId element) {
     TypeId scalar = p.program.types.scalar_of(element);
     if (p.program.types.kind(scalar) == TypeKind::int_) return "i";
@@ -119,8 +119,8 @@ std::string buffer_text(Printer& p, std::size_t index) {
            " { " + row + "; };   // the same, as vectors\n";
 }
 
-/// An element by its address, computed in 64 bits: the index of an array has 32 bits, of which SPIR-V takes one for a
-/// sign.
+/// An element by its address, which is computed in 64 bits: the index of an array would have 32 bits, of which SPIR-V
+/// takes one for a sign.
 std::string at_address(const std::string& block, const std::string& address, const std::string& index,
                        std::uint32_t bytes) {
     return block + "(" + address + " + " + index + " * " + std::to_string(bytes) + "ul).at";
@@ -231,8 +231,8 @@ std::string parameter_declaration(Printer& p, std::size_t i) {
     return declaration(p, param.type, name);
 }
 
-/// Whether a parameter is copied to a variable: numbers and vectors are. A struct has another type in a block than in a
-/// variable, which glslang's `?:` mixes up.
+/// Whether a parameter that lies in a buffer may be copied to a variable: scalars and vectors may. A struct has another
+/// type in a block than in a variable, which glslang's `?:` mixes up.
 bool is_copied(const Printer& p, const ir::PassParameter& parameter) {
     const ir::TypeKind kind = p.program.types.kind(parameter.type);
     return parameter.source != ir::ParameterSource::address && kind != ir::TypeKind::struct_ &&
@@ -284,7 +284,7 @@ void print_parameter_copies(Printer& p) {
 
 namespace {
 
-/// Coordinates and the reference are one vector.
+/// A depth comparison: GLSL takes the coordinates and the reference as one vector.
 std::string compare_text(Printer& p, const ir::Expr& expr) {
     const std::string& name = p.binding_names.at(expr.slot);
     const std::uint32_t count = p.program.types.components(p.program.exprs[expr.operands[0]].type) + 1;
@@ -310,7 +310,7 @@ Text print_load(Printer& p, const ir::Expr& expr) {
                                                           : "0";
     std::string components = first_components(p, binding.element);
     if (expr.op == ir::Op::image_compare) return {compare_text(p, expr)};
-    // Devices give the texels counter-clockwise from the last row.
+    // Devices give the texels counter-clockwise from the one with the smaller x and the larger y.
     if (expr.op == ir::Op::image_gather)
         return {"textureGather(" + name + ", " + print_any(p, expr.operands[0]) + ").wzxy"};
     if (expr.op == ir::Op::image_sample)

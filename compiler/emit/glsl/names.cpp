@@ -51,7 +51,7 @@ const std::unordered_set<std::string_view>& reserved_words() {
         "split",
         "scaled_quotient",
         "subnormal_quotient",
-        // what it writes in layout(…), where no type may have the name
+        // what the printer writes in layout(…): no type may have these names
         "binding",
         "buffer_reference",
         "buffer_reference_align",

@@ -8,7 +8,7 @@
 
 namespace gliftc::glsl {
 
-/// True of keywords, built-in functions, reserved words and the names of the printer's own helper functions.
+/// Whether it is a keyword, a built-in function, a reserved word, or a name that the printer itself uses.
 bool is_reserved(std::string_view name);
 
 /// `text` with every run of characters that a GLSL name can't have replaced by one '_'.

@@ -1,10 +1,10 @@
-// What orders reads and writes around it without a barrier of the workgroup: atomic operations between workgroups, and
-// barriers of a subgroup.
+// Operations that order the reads and writes around them without a barrier of the workgroup: atomic operations on
+// coherent memory, which workgroups share, and barriers of a subgroup.
 //
 // On lavapipe (Mesa 22.3) the fence that these bring is a barrier: where only some subgroups of a workgroup reach it,
-// the others are ended silently. There operations that read and write at once order everything by themselves,
-// since they are sequentially consistent, and a subgroup does its statements one after the other. The runtime says so
-// by constant 102.
+// the others are ended silently. There read-modify-write operations order everything by themselves, since they are
+// sequentially consistent, and a subgroup does its statements one after the other. The runtime says so by
+// specialisation constant 102.
 #include "emit/glsl/printer.h"
 #include "ir/walk.h"
 
@@ -78,7 +78,8 @@ std::string subgroup_barrier(Printer& p, const std::string& memory) {
 
 namespace {
 
-/// The operations on a place, `place` of a buffer or `image, at`, which order what `storage` names.
+/// The macros of the ordered operations on `place` (an element of a buffer, or `image, at`). They order accesses to the
+/// kinds of memory that `storage` names.
 std::string operations(const Printer& p, const OrderNames& names, const std::string& place,
                        const std::string& storage) {
     if (names.load.empty()) return "";

@@ -1,4 +1,5 @@
-// What the parts of the GLSL printer share: the shader so far, and what it turned out to need.
+// What the parts of the GLSL printer share: the text of the shader so far, and the helpers, types and extensions that
+// it has turned out to need.
 #pragma once
 
 #include "emit/glsl/emit.h"
@@ -33,7 +34,7 @@ struct Text {
     Level level = Level::postfix;
 };
 
-/// Functions printed before the source's own, only where used; each is defined in helpers.cpp.
+/// Functions that are printed before those of the source, if they are used; helpers.cpp has their definitions.
 enum class Helper : std::uint8_t {
     quotient,
     remainder,
@@ -72,29 +73,30 @@ enum class Helper : std::uint8_t {
     skips_branches,
 };
 
-/// A helper for one type, or an update of a float in one binding by atomic operations on its bits.
+/// A helper for certain types of operands.
 struct HelperUse {
     Helper helper;
     ir::TypeId a, b;
     bool operator==(const HelperUse&) const = default;
 };
+/// A function that updates a float in one binding by atomic operations on its bits.
 struct AtomicUse {
     std::uint32_t binding;
     ir::Combine combine;
     bool operator==(const AtomicUse&) const = default;
 };
 
-/// What shaders that report declare beside the bindings; see status.cpp.
+/// Names of what shaders with a status record declare beside the bindings; see status.cpp.
 struct StatusNames {
     std::string block, limit, rounds, another_round, report;
 };
 
-/// What shaders with atomic operations on coherent memory declare; see order.cpp.
+/// Names of the macros that shaders with atomic operations on coherent memory define; see order.cpp.
 struct OrderNames {
     std::string load, store, both, exchange;
 };
 
-/// Bounds of a local, [low, high).
+/// Bounds of a local: low <= value < high.
 struct Bounds {
     std::int64_t low, high;
 };
@@ -103,12 +105,12 @@ struct Printer {
     Printer(const ir::Program& program, const Sources& sources, const ir::Pass& pass, const Options& options)
         : program(program), sources(sources), pass(pass), options(options) {}
 
-    /// What describes the draw; null: the pass is none.
+    /// The description of the draw; null: the pass does not draw.
     const ir::Raster* raster() const {
         const bool draws = pass.kernel != ir::no_kernel && program.kernels[pass.kernel].raster;
         return draws ? &*program.kernels[pass.kernel].raster : nullptr;
     }
-    /// What the shader's main does.
+    /// The statements of the shader's main function.
     const std::vector<ir::StmtId>& body() const {
         const bool is_fragment = raster() != nullptr && options.part == ir::Part::fragment;
         return is_fragment ? fragment_for(pass, ir::Devices::shaders)->body
@@ -126,14 +128,14 @@ struct Printer {
     std::vector<std::string> row_names;      ///< the same memory as vectors of four, as expressions; empty: not needed
     std::vector<std::string> row_block_names;
     std::vector<std::string> parameter_names;
-    std::vector<std::string> member_names;  ///< of the block of parameters; empty: as parameter_names
+    std::vector<std::string> member_names;  ///< names in the block of parameters; empty: those of parameter_names
     StatusNames status;                     ///< named only where the pass has a status record
     OrderNames order, image_order;          ///< named only where atomic operations order coherent memory
-    std::string fences;                     ///< that they are barriers
+    std::string fences;                     ///< constant 102: fences are barriers (order.cpp); empty: not needed
     std::vector<std::string> struct_names;  ///< of Program::structs
     std::vector<std::vector<std::string>> field_names;
     std::unordered_map<ir::FunctionId, std::string> function_names;
-    std::string function_prefix;  ///< of their names: in files that shaders include beside others
+    std::string function_prefix;  ///< put before these names, in files that shaders include beside others
     std::unordered_map<ir::LocalId, std::string> local_names;
     std::unordered_map<ir::LocalId, Bounds> bounds;
     bool in_range_is_known = false;  ///< the shader returned already where in_range is false
@@ -154,7 +156,7 @@ struct Printer {
 std::string type_text(Printer& p, ir::TypeId type);
 std::string declaration(Printer& p, ir::TypeId type, const std::string& name);  ///< float a[8]
 std::string zero(Printer& p, ir::TypeId type);
-std::string padding_values(const Printer& p, ir::TypeId type);  ///< ", 0u" for what a struct has behind its fields
+std::string padding_values(const Printer& p, ir::TypeId type);  ///< ", 0u" for the padding behind a struct's fields
 std::string struct_definition(Printer& p, ir::TypeId type);
 std::string struct_definitions(Printer& p);
 std::string literal(Printer& p, ir::TypeId type, std::uint64_t bits, double number);
@@ -169,7 +171,7 @@ std::string print_negated(Printer& p, ir::ExprId condition);
 std::string join_arguments(Printer& p, const ir::Operands& arguments);
 bool is_constant(const Printer& p, ir::ExprId expr);  ///< a constant, or made of constants only
 
-// guards.cpp: where a device's operation leaves open what the language defines
+// guards.cpp: operations whose result the language defines for all operands, and devices only for some
 bool divisor_is_safe(const Printer& p, ir::ExprId divisor);
 bool shift_is_safe(const Printer& p, ir::ExprId amount, std::uint32_t width);
 std::string guarded_index(Printer& p, ir::ExprId index, std::uint32_t count);
@@ -202,12 +204,13 @@ std::string texel_text(Printer& p, ir::ExprId id);
 std::string bindings_text(Printer& p);
 std::string parameter_members(Printer& p);
 std::string parameters_text(Printer& p);
-/// Parameters that lie in a buffer are copied when the shader begins where constant 103 says so: llvmpipe, which does
-/// not know that nobody writes them, would read them again for each lane wherever they are used. GPUs read them in
-/// place; there copies would take registers.
+/// Where parameters lie in a buffer and specialisation constant 103 says so, the shader copies them to variables when
+/// it begins: llvmpipe, which does not know that nobody writes them, would read them again for each lane wherever they
+/// are used. GPUs read them in place; there copies would take registers.
 void name_parameter_reads(Printer& p);
 void print_parameter_copies(Printer& p);
-/// Floats that are combined, by atomic operations on integers.
+/// Whether the binding's elements are floats that are combined by atomic operations on integers: it is declared as ints
+/// or uints.
 bool stored_as_bits(const Printer& p, const ir::PassBinding& binding);
 
 // atomics.cpp
@@ -219,7 +222,7 @@ Text print_intrinsic(Printer& p, const ir::Expr& expr);
 
 // helpers.cpp
 std::string need(Printer& p, Helper helper, ir::TypeId a, ir::TypeId b = {});  ///< the name to call
-std::vector<std::string> helper_list(Printer& p);                              ///< each once
+std::vector<std::string> helper_list(Printer& p);                              ///< definitions, each once
 std::string helper_definitions(Printer& p);
 
 // order.cpp
@@ -243,17 +246,17 @@ void need_inner_of_subgroup(Printer& p, const HelperUse& use);
 void name_interface(Printer& p);
 std::string interface_text(Printer& p);
 void print_part_start(Printer& p);
-/// Whether the shader uses the binding, and so declares it. A compute shader uses all that its pass has.
+/// Whether the shader uses the binding, and so declares it. A compute shader declares all bindings of its pass.
 bool is_used(const Printer& p, std::size_t binding);
 
 // status.cpp: how a shader reports errors
 void name_status(Printer& p);
 std::string status_definitions(Printer& p);
-std::string place_parameters(const Printer& p);  ///< of functions that report
+std::string place_parameters(const Printer& p);  ///< source line and file, of functions that report
 std::string place_arguments(const Printer& p, Span span);
 std::string round_test(
     const Printer& p, const std::vector<ir::StmtId>& body,
-    const std::string& place);  ///< `another_round(9u)`, empty where rounds are not counted (a library never counts)
+    const std::string& place);  ///< `another_round(0u, 9u)`, tested before each round; empty: rounds are not counted
 void print_round_start(Printer& p);
 std::string report_text(Printer& p, const ir::Stmt& stmt);
 
@@ -264,7 +267,7 @@ void line(Printer& p, std::string text);  ///< one line at the current indent, b
 void mark_line(Printer& p, Span span);
 std::string file_name(std::string_view path);
 
-// emit.cpp: the parts of a shader that a library has too
+// emit.cpp: the parts of a shader that a file of library functions has, too
 void name_structs(Printer& p);
 std::string callees_text(Printer& p);  ///< the functions of the pass, named now
 std::string enumerators_text(const Printer& p);

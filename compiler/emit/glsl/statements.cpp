@@ -1,4 +1,4 @@
-// Statements, one a line, with the source line each came from.
+// Statements, each on lines of its own, with the source line that it came from.
 #include "base/concat.h"
 #include "emit/glsl/printer.h"
 #include "ir/levels.h"
@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::size_t line_length = 110;
 
-/// The best place to break a line before `limit`: the outermost operator or comma, the last of these.
+/// The best place to break a line before `limit`: at the last of the operators and commas at the lowest depth of
+/// brackets.
 std::size_t break_point(const std::string& text, std::size_t from, std::size_t limit) {
     std::size_t best = std::string::npos;
     int depth = 0, best_depth = 1000;
@@ -40,7 +41,7 @@ std::size_t break_point(const std::string& text, std::size_t from, std::size_t l
 
 std::string statement_end(const std::string& text) { return text + ";"; }
 
-/// `x += y` for `x = x + y`.
+/// `x += y` in place of `x = x + y`.
 std::string assignment(Printer& p, const Stmt& stmt) {
     std::string target = print(p, stmt.target, Level::postfix);
     const Expr& value = p.program.exprs[stmt.value];
@@ -66,7 +67,7 @@ bool is_left_whole(Printer& p, const Stmt& stmt) {
     return print_any(p, value.operands[0]) == print(p, stmt.target, Level::postfix);
 }
 
-/// Notes the lower bound of a local that is a maximum with a constant.
+/// Notes the lower bound of a local whose value is max(…, constant).
 void note_low_bound(Printer& p, const Stmt& stmt) {
     const Expr& value = p.program.exprs[stmt.value];
     if (value.op != ir::Op::intrinsic || value.intrinsic != ir::Intrinsic::max) return;
@@ -106,7 +107,7 @@ void print_if(Printer& p, const Stmt& stmt, const std::string& before) {
     line(p, "}");
 }
 
-/// Whether it has the same value in each round of a loop.
+/// Whether the expression has the same value in each iteration of a loop.
 bool is_steady(const Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
     switch (expr.op) {

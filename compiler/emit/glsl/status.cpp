@@ -1,9 +1,10 @@
-// The record in which a shader reports errors to the runtime, and the count of its loops' rounds.
+// The status record, in which a shader reports errors to the runtime, and the count of the rounds (iterations) of its
+// loops.
 //
-// Some devices end the loops of an invocation after a number of rounds, silently. They run the lanes of a subgroup in
-// step, so a round of one lane is a round of all: the count is the subgroup's, and each test of a loop's condition adds
-// one to it. Specialisation constant 101 is the device's limit; where it is 0 nothing is counted and the driver drops
-// all of this.
+// Some devices (lavapipe) end the loops of an invocation after a number of rounds, silently. They run the lanes of a
+// subgroup in step, so a round of one lane is a round of all: the count is the subgroup's, and each test of a loop's
+// condition adds one to it. Specialisation constant 101 is the device's limit; where it is 0 nothing is counted and the
+// driver drops all of this.
 #include "emit/glsl/printer.h"
 #include "ir/walk.h"
 
@@ -98,11 +99,11 @@ std::string place_arguments(const Printer& p, Span span) {
 
 namespace {
 
-/// All loops in the statements and in the functions that they call.
+/// The number of loops in the statements and in the functions that they call.
 std::uint32_t loops_in(const Printer& p, const std::vector<ir::StmtId>& body) {
     std::uint32_t loops = 0;
     for_each_statement(p.program, body, [&](const ir::Stmt& stmt) {
-        // Sums of floats are tried again and again.
+        // Sums of floats in buffers are loops, too: compare-and-swap, again and again.
         const bool is_retried = stmt.op == ir::StmtOp::atomic && stmt.combine == ir::Combine::add &&
                                 stored_as_bits(p, p.pass.bindings[stmt.slot]);
         loops += stmt.op == ir::StmtOp::for_ || stmt.op == ir::StmtOp::while_ || is_retried;

@@ -1,5 +1,5 @@
-// Subgroup operations. GLSL exchanges scalars and vectors; what is made of them is exchanged part by part, in a
-// function for each type. A lane that is not in the subgroup gives the value of the lane that asks.
+// Subgroup operations. GLSL exchanges scalars and vectors between lanes; other types are exchanged part by part, in a
+// function for each type. Where the lane that is asked is not in the subgroup, the lane that asks gets its own value.
 #include "emit/glsl/printer.h"
 
 #include <stdexcept>
@@ -17,8 +17,8 @@ namespace {
 struct Exchange {
     const char* function;
     const char* extension;
-    const char* argument;   ///< name of the second parameter; none: there is no second
-    const char* inside;     ///< whether the lane that is asked is in the subgroup
+    const char* argument;   ///< name of the second parameter; empty: there is none
+    const char* inside;     ///< condition: the lane that is asked is in the subgroup; empty: it always is
     const char* lane = "";  ///< the second argument where it is no parameter
 };
 
@@ -72,7 +72,8 @@ Text exchange(Printer& p, Helper helper, const Expr& expr) {
     return {need(p, helper, expr.type) + "(" + join_arguments(p, expr.operands) + ")"};
 }
 
-/// GLSL's broadcast wants one lane for all invocations; only of a constant that is known.
+/// GLSL's broadcast wants the same lane for all invocations; that it is the same is known of constants only. Others are
+/// shuffled.
 Text broadcast(Printer& p, const Expr& expr) {
     return exchange(p, is_constant(p, expr.operands[1]) ? Helper::broadcast : Helper::shuffled, expr);
 }
@@ -84,7 +85,7 @@ Text broadcast_first(Printer& p, const Expr& expr) {
     return exchange(p, Helper::broadcast_first, expr);
 }
 
-/// A part of a value that is not exchanged whole, as it is written after `value`.
+/// A part of a value that is not exchanged whole; `text` is written behind `value` to select it.
 struct Part {
     std::string text;
     TypeId type;
@@ -104,7 +105,7 @@ std::vector<Part> parts_of(const Printer& p, TypeId id) {
     return parts;
 }
 
-/// Scalars, vectors and, column by column, matrices.
+/// The function for a scalar or vector (`columns` is 0), or for a matrix, column by column.
 std::string whole_definition(const std::string& head, const std::string& type, const Exchange& e,
                              std::uint32_t columns) {
     const std::string second = *e.argument ? std::string(", ") + e.argument : std::string(e.lane);

@@ -69,7 +69,7 @@ void use_struct(Printer& p, TypeId type) {
     p.struct_types.push_back(type);
 }
 
-/// The element of (nested) arrays and the text of their extents, [2][3].
+/// The element type of (nested) arrays; adds the text of their extents, [2][3].
 TypeId without_arrays(const Printer& p, TypeId type, std::string& extents) {
     while (p.program.types.kind(type) == TypeKind::array) {
         extents += "[" + std::to_string(p.program.types[type].count) + "]";
@@ -114,7 +114,8 @@ std::uint32_t padding_of(const Printer& p, TypeId type) {
     return layout::size_of(p.program, type).size - end;
 }
 
-/// Members for the padding: without them glslang puts what comes next into it, which C++ does not.
+/// Members for the padding behind a struct's fields: without them glslang would put the next element or member there,
+/// which C++ does not.
 std::string padding_members(Printer& p, TypeId type) {
     const std::uint32_t bytes = padding_of(p, type);
     const std::vector<std::string>& fields = p.field_names[p.program.types[type].index];

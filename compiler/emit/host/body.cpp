@@ -11,7 +11,7 @@ namespace gliftc::host {
 
 namespace {
 
-/// The buffer and the index of a vector of four in it.
+/// Arguments for a function that accesses a row: the buffer, and the row's index in it, counted in vectors of four.
 std::string row_arguments(Body& body, std::uint32_t binding, ir::ExprId index) {
     body.used_bindings.insert(binding);
     return body.binding_names[binding] + ", " + cpp::print_any(body.p, index);
@@ -32,7 +32,7 @@ std::string image_call(Body& body, const char* name, std::uint32_t binding) {
            cpp::type_text(body.p.globals, b.element) + ">(" + body.binding_names[binding];
 }
 
-/// A texel that several threads access.
+/// A texel as an lvalue, for accesses from several threads.
 std::string texel_text(Body& body, std::uint32_t binding, ir::ExprId at) {
     return image_call(body, "texel", binding) + ", " + cpp::print_any(body.p, at) + ")";
 }
@@ -131,7 +131,7 @@ std::string report_text(Body& body, const Stmt& stmt) {
     return "glift::host::report_outside(call, {" + record + "}, " + cpp::print_any(body.p, stmt.target) + ");";
 }
 
-/// Copies a row of memory to a row of an array.
+/// Copies consecutive elements of memory to an array.
 void print_copy(Body& body, const Stmt& stmt) {
     cpp::Printer& p = body.p;
     body.used_bindings.insert(stmt.slot);

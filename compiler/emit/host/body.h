@@ -1,4 +1,4 @@
-// What the printers of rows and of workgroups share: names of bindings and parameters, memory operations.
+// What the printers of rows, workgroups and draws share: names of bindings and parameters, memory operations.
 #pragma once
 
 #include "emit/cpp/printer.h"
@@ -15,20 +15,20 @@ struct Body {
     std::vector<std::string> binding_names;
     std::vector<std::string> parameter_names;
     std::set<std::uint32_t> used_bindings, used_parameters;
-    /// The pointers to rows through which accesses go: their names, by the access's binding and index operand.
+    /// Names of the pointers to rows through which accesses go, by the access's binding and index operand.
     std::map<std::pair<std::uint32_t, ir::ExprId>, std::string> row_pointers;
     /// The same for arrays that are filled once a block, by the local and the index operand.
     std::map<std::pair<ir::LocalId, ir::ExprId>, std::string> item_pointers;
-    bool first_only = false;  ///< workgroups: what is printed runs once, for the first invocation
-    std::string group_text;   ///< the workgroup's size
+    bool first_only = false;  ///< in workgroups: the printed code runs once, with the values of the first invocation
+    std::string group_text;   ///< in workgroups: their size, as a uint3
 
     Body(cpp::Globals& globals, const ir::Pass& pass);
     Body(const Body&) = delete;
 };
 
-/// `f_data[index]`, or through its row pointer.
+/// An element of a buffer: `f_data[index]`, or through its row pointer, `f_data_row[i]`.
 std::string element_text(Body& body, std::uint32_t binding, ir::ExprId index);
-/// Functions of the pass that touch memory or parameters, as lambdas.
+/// Prints the functions of the pass that access memory or parameters, as lambdas.
 void print_local_functions(Body& body);
 /// Declarations of the bindings and parameters that were used, to stand before `text`.
 void declare_used(Body& body, cpp::Writer& out, const std::string& name);

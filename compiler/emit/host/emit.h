@@ -4,8 +4,11 @@
 // rows in parallel. Memory that a row runs through in order is reached by a pointer to the row's first element. Where a
 // kernel looks at neighbours, the part of a row away from the sides of the domain runs without checks.
 //
-// A kernel with a group becomes a function for one workgroup: what lies between two barriers is a loop over the
+// A kernel with a group becomes a function for one workgroup: the code between two barriers is a loop over the
 // invocations, values that live on across a barrier are arrays with an element for each invocation.
+//
+// A kernel that draws becomes a function for vertices, one for the fragments of a block of 64 pixels, and one that
+// calls the runtime's rasteriser with them.
 #pragma once
 
 #include "emit/cpp/printer.h"
@@ -15,7 +18,8 @@
 
 namespace gliftc::host {
 
-/// `static void <name>(const glift::HostCall& call)`, which needs the struct and globals.functions.
+/// The function `static void <name>(const glift::HostCall& call)` and what it calls; needs the struct
+/// `<name>_parameters` and globals.functions before it.
 std::string kernel_of(cpp::Globals& globals, const ir::Pass& pass, const std::string& name);
 
 }  // namespace gliftc::host

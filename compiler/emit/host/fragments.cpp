@@ -1,6 +1,6 @@
-// The fragment part of a draw: loops over the pixels of a block. The statement `invocations` is one such loop. A local
-// that a later loop reads (`keep`) is an array with an element for each pixel, and so are the colours and depths that
-// the part assigns.
+// The fragment part of a draw: loops over the pixels of a block (64 pixels, glift::host::block_pixels). The statement
+// `invocations` is one such loop. A local that a later loop reads (`keep`) is an array with an element for each pixel,
+// and so are the colours and depths that the part assigns.
 #include "emit/cpp/mentions.h"
 #include "emit/host/body.h"
 #include "ir/effects.h"
@@ -34,10 +34,10 @@ struct Part {
     const ir::Program& program;
     const ir::Raster& raster;
     cpp::Printer& p;
-    std::map<LocalId, std::string> arrays;  ///< of the locals that are kept, and of the targets
-    bool is_inside = false;                 ///< of a loop over pixels
+    std::map<LocalId, std::string> arrays;  ///< names of the arrays for locals that are kept, and for the targets
+    bool is_inside = false;                 ///< the printed code is in a loop over pixels
     bool has_helpers = false;               ///< pixels beside the triangle take part, for their neighbours' derivatives
-    bool is_split = false;                  ///< several loops, between which some fragments may have ended
+    bool is_split = false;                  ///< fragments may end before the last loop over pixels
     const Stmt* last = nullptr;             ///< the last loop, if nothing follows it
 
     Part(cpp::Globals& globals, const ir::Pass& pass);
@@ -48,7 +48,7 @@ struct Part {
     void print_leave(bool returns_in_loop);
     void print_statement(const Stmt& stmt, const std::function<void(const Stmt&)>& print_other);
     cpp::Text derivative(const ir::Expr& expr);
-    bool returns_in_loop = false;
+    bool returns_in_loop = false;  ///< in the printed loop over pixels, a fragment may end within an inner loop
 };
 
 Part::Part(cpp::Globals& globals, const ir::Pass& pass)
@@ -100,7 +100,8 @@ void Part::print_leave(bool in_loop) {
     p.out.line(in_loop ? "return;" : "continue;");
 }
 
-/// Helpers take no part in the last loop, since no neighbour needs their values afterwards.
+/// Prints a loop over pixels. Helper pixels take no part in the last one, since no neighbour needs their values
+/// afterwards.
 void Part::print_invocations(const Stmt& loop) {
     const std::vector<StmtId>& list = loop.body;
     const std::string pixels = has_helpers && &loop == last ? "running & drawn" : "running";

@@ -1,6 +1,6 @@
-// Kernels with a group, split at their barriers: one workgroup after the other on each thread. The statement
-// `invocations` is a loop over those of the workgroup. A local that lives on across a barrier (`keep`) is an array with
-// an element for each invocation.
+// Kernels with a group, split at their barriers: each thread runs one workgroup after the other. The statement
+// `invocations` is a loop over the invocations of a workgroup. A local that lives on across a barrier (`keep`) is an
+// array with an element for each invocation.
 #include "emit/host/body.h"
 #include "ir/walk.h"
 
@@ -21,7 +21,7 @@ struct Groups {
     const ir::Program& program;
     const ir::Pass& pass;
     cpp::Printer& p;
-    std::map<LocalId, std::string> arrays;  ///< of the locals that are kept
+    std::map<LocalId, std::string> arrays;  ///< names of the arrays for locals that are kept
     std::string invocation = "0";           ///< index of the current one: `local_index` or `0`
     bool may_return = false;
 
@@ -54,7 +54,7 @@ void Groups::print_keep(LocalId local) {
     p.out.line(cpp::type_text(p.globals, declared.type) + " " + arrays[local] + "[" + size() + "];");
 }
 
-/// The ids of an invocation that the statements name.
+/// Declares those ids of an invocation that the statements use.
 void Groups::print_ids(const std::vector<StmtId>& list) {
     const std::array<std::uint32_t, 3>& g = pass.group;
     const std::string x = std::to_string(g[0]), y = std::to_string(g[1]);

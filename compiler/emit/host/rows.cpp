@@ -1,5 +1,5 @@
-// Kernels without a group: a loop along x for each row of elements. Accesses of rows go through pointers to their first
-// element.
+// Kernels without a group: a loop along x for each row of elements. Accesses whose index advances by one along the row
+// go through a pointer to the row's first element.
 #include "base/concat.h"
 #include "emit/cpp/mentions.h"
 #include "emit/host/body.h"
@@ -17,10 +17,11 @@ using ir::Stmt;
 using ir::StmtId;
 using ir::StmtOp;
 
+/// An access through a row pointer (row_load, row_store, row_item).
 struct RowAccess {
     std::uint32_t binding;
     ExprId index;
-    ir::LocalId array;  ///< absent: the access is to the binding
+    ir::LocalId array;  ///< of row_item: the local array; absent: the access is to the binding
 };
 
 std::vector<RowAccess> row_accesses(const ir::Program& program, const std::vector<StmtId>& body) {
@@ -41,8 +42,8 @@ std::vector<RowAccess> row_accesses(const ir::Program& program, const std::vecto
 /// Whether it is a `let`, which can be left out if nothing reads it.
 bool is_let(const Stmt& stmt) { return stmt.op == StmtOp::let && stmt.value; }
 
-/// A part of a row as the variant wants it: one that runs in blocks takes a part that is empty or at least a block
-/// long.
+/// A part of a row as the variant wants it: one that runs in blocks of glift::host::block_elements takes a part that is
+/// empty or at least a block long.
 std::string in_blocks_text(const ir::Variant& variant, const std::string& part, const std::string& end) {
     return variant.order == ir::RowOrder::in_blocks ? "glift::host::in_blocks(" + part + ", " + end + ")" : part;
 }
@@ -82,7 +83,7 @@ void Rows::print_address(const std::string& x) {
     else p.out.line("const uint" + std::to_string(pass.rank) + " address{" + x + others[pass.rank - 1] + "};");
 }
 
-/// The values that some expressions have at the first element from `begin` on.
+/// Prints the address of the element at x = `begin`, and the `let`s that some expressions need there.
 void Rows::print_values_at(const std::vector<StmtId>& statements, const std::vector<ExprId>& wanted,
                            const std::string& begin) {
     std::vector<StmtId> lets;
@@ -119,7 +120,8 @@ std::string Rows::type_of(const RowAccess& access) {
     return (binding.access == ir::Access::read ? "const " : "") + cpp::storage_text(p.globals, binding.element);
 }
 
-/// Pointers to the first element in the row of all memory that is run through in order, with the values they need.
+/// Prints a pointer to the first element for each memory and array that the row accesses in order, and the values that
+/// the pointers need.
 void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::vector<RowAccess>& accesses,
                               const std::string& begin) {
     std::vector<ExprId> wanted;
@@ -168,7 +170,7 @@ std::vector<StmtId> Rows::without_unused(const std::vector<StmtId>& statements, 
     return {kept.rbegin(), kept.rend()};
 }
 
-/// What one element does; `return` goes on with the next.
+/// Prints the code for one element; `return` goes on with the next element.
 void Rows::print_element(const std::vector<StmtId>& statements) {
     bool in_loop = false;
     ir::for_each_statement(program, statements, [&](const Stmt& stmt) {
@@ -202,7 +204,8 @@ void Rows::print_plain_loop(const ir::Variant& variant, const std::string& begin
     }
     IdSet<ir::Local> read;
     const std::vector<StmtId> kept = without_unused(statements, read);
-    // GLIFT_BLOCK keeps the compiler from unrolling loops over short rows, of which it could then make no vectors.
+    // GLIFT_BLOCK is for the short rows of a kernel over blocks: it keeps the compiler from unrolling the loop, of
+    // which it could then make no vectors.
     if (variant.order != ir::RowOrder::ascending)
         p.out.line(variant.assumes.row != 0 ? "GLIFT_BLOCK" : "GLIFT_INDEPENDENT");
     if (accesses.empty()) {
@@ -219,7 +222,8 @@ void Rows::print_plain_loop(const ir::Variant& variant, const std::string& begin
     p.names.leave();
 }
 
-/// A loop over the elements with x in [begin, end), which are none or fill a block, in blocks that may overlap.
+/// A loop over the elements with x in [begin, end), none or at least a block, in blocks of glift::host::block_elements,
+/// which may overlap.
 void Rows::print_blocks(const ir::Variant& variant, const std::string& begin, const std::string& end) {
     const std::vector<StmtId>& statements = variant.body;
     const std::vector<RowAccess> accesses = row_accesses(program, statements);
@@ -275,8 +279,8 @@ void Rows::print_inside(const ir::Variant& variant, const ir::Variant& bounded, 
     p.out.line("const glift::host::Part inside = " + in_blocks_text(bounded, inside, end) + ";");
 }
 
-/// A loop over what lies before the middle, the middle, and what lies behind it; the middle comes first in the text.
-/// One function holds them all: a separate lambda would be compiled for the narrowest vectors.
+/// Opens a loop over three sections of a row: before the middle, the middle, and behind it. The code for the middle
+/// comes first in the text. One function holds them all: a separate lambda would be compiled for the narrowest vectors.
 void Rows::open_sections(const std::string& name, const std::string& begin, const std::string& middle,
                          const std::string& end) {
     p.out.open("for (const glift::host::Section& " + name + " : glift::host::sections(" + begin + ", " + middle + ", " +
@@ -289,7 +293,7 @@ void Rows::close_sections() {
     p.out.close();
 }
 
-/// A loop over every `items`-th element: the kernel's body takes care of those between.
+/// A loop over every `items`-th element (at<S, items>): the kernel's body takes care of those between.
 void Rows::print_strides(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end) {
     p.marked_line = 0;
     p.names.enter();
@@ -301,7 +305,8 @@ void Rows::print_strides(const std::vector<StmtId>& statements, const std::strin
     p.names.leave();
 }
 
-/// Loops over the elements with x in [begin, end): one, or the ends apart from the middle where bounds hold.
+/// Loops over the elements with x in [begin, end): one loop, or separate ones for the middle, where bounds hold, and
+/// the ends.
 void Rows::print_loop(const ir::Variant& variant, const std::string& begin, const std::string& end) {
     p.local_names[pass.address] = "address";
     if (pass.items != 1) return print_strides(variant.body, begin, end);
@@ -324,7 +329,8 @@ void print_array(Rows& rows, const Stmt& let) {
                       std::to_string(type.count), "> ", cpp::declare_local(p, let.local), ";"));
 }
 
-/// The loop for whole blocks: one, or one for each row of the block.
+/// In kernels over blocks, the loop for blocks all of whose elements are visited: one, or one for each row of the
+/// block.
 void print_rows_of_block(Rows& rows, const ir::Variant& whole) {
     if (whole.assumes.row == 0) return rows.print_loop(whole, "row.begin", "row.end");
     const std::string width = std::to_string(whole.assumes.row) + "u";
@@ -336,7 +342,8 @@ void print_rows_of_block(Rows& rows, const ir::Variant& whole) {
     rows.p.names.leave();
 }
 
-/// Computes once a block what its number decides; then runs the loop for whole blocks, or the one for any block.
+/// Kernels over blocks: computes the values that depend on the block alone; then runs the loop for blocks all of whose
+/// elements are visited (`whole`), or the one for any block.
 void print_block(Rows& rows, const ir::Variant& whole, const ir::Variant& any) {
     cpp::Printer& p = rows.p;
     p.out.line("bool is_whole = false;");

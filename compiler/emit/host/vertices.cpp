@@ -5,7 +5,7 @@ namespace gliftc::host {
 
 namespace {
 
-/// Declares what the part assigns for the rasteriser.
+/// Declares a local that the part assigns for the rasteriser.
 void declare_output(cpp::Printer& p, ir::LocalId local) {
     p.out.line(cpp::type_text(p.globals, p.program.locals[local].type) + " " + cpp::declare_local(p, local) + "{};");
 }

@@ -33,7 +33,7 @@ struct Writer {
     void document(const std::string& doc) {
         if (!doc.empty()) out.field("doc", doc);
     }
-    /// An array with what write(item) writes of each item.
+    /// An array with the values that write(item) writes, for each item.
     template <class Items, class Write> void list(std::string_view key, const Items& items, Write&& write) {
         out.key(key);
         out.array([&] {
@@ -305,7 +305,8 @@ void Writer::kernel_param(const ir::KernelParam& p) {
     });
 }
 
-/// The entries of a kernel that draws beside those of every kernel. Its group has no meaning.
+/// The entries that a kernel that draws has in addition to those of every kernel. The group in its forms has no
+/// meaning.
 void Writer::draw(const ir::Kernel& k) {
     const ir::Raster& raster = *k.raster;
     out.object([&] {

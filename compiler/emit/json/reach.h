@@ -1,4 +1,4 @@
-// What a module's reflection must contain besides what the module declares: all that these refer to.
+// The structures, structs and enums that a module's reflection must contain.
 #pragma once
 
 #include "ir/pass.h"
@@ -12,7 +12,8 @@ struct Reached {
     std::set<std::uint32_t> structures, structs, enums;
 };
 
-/// Everything that the kernels and pipelines of `module` use, and what is pub in it.
+/// Those that the kernels and pipelines of `module` take or give, those that are public in it, and all that these
+/// consist of.
 Reached reach(const ir::Program& program, std::uint32_t module);
 
 }  // namespace gliftc::json

@@ -9,9 +9,9 @@ namespace gliftc::json {
 
 class Text {
 public:
-    /// What `entries` writes becomes the entries of an object: key() and a value each.
+    /// An object, whose entries `entries` writes: key() and a value each.
     template <class Entries> void object(Entries&& entries) { enclose('{', '}', entries); }
-    /// What `entries` writes becomes the entries of an array: a value each.
+    /// An array, whose entries `entries` writes: a value each.
     template <class Entries> void array(Entries&& entries) { enclose('[', ']', entries); }
 
     void key(std::string_view name);

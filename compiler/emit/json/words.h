@@ -19,7 +19,8 @@ const char* word(ir::ParameterSource source);
 const char* word(ir::HostPattern pattern);
 const char* word(ir::Mapping mapping);
 
-/// What Place::root is an index of: a kernel's parameters, with names, or only the structure itself, without a name.
+/// What Place::root is an index of: one of a kernel's parameters, with its name, or the structure itself, without a
+/// name.
 struct Root {
     std::string name;
     std::uint32_t structure = 0;

@@ -64,7 +64,7 @@ private:
         bool in_aggregate;
     };
 
-    /// A block has one member, the element.
+    /// Whether the pointer is to a block whose element is a struct or an array. A block has one member, the element.
     bool starts_at_aggregate(Id pointer) const {
         const auto block = blocks_.find(pointer);
         if (block == blocks_.end()) return false;

@@ -16,7 +16,7 @@ namespace gliftc::spirv {
 
 namespace {
 
-/// glslang's tables of built-in functions, made at the first use and kept.
+/// Makes glslang's tables of built-in functions at the first use; they are kept.
 void initialise_glslang() {
     static const bool done = glslang::InitializeProcess();
     (void)done;
@@ -70,8 +70,8 @@ Spirv compile(const std::string& glsl, EShLanguage language) {
     return result;
 }
 
-/// The module without its GLSL text, which glslang adds with the lines and which is most of the module. The lines are
-/// those of .glift files.
+/// The module without its GLSL text, which glslang adds together with the line numbers and which is most of the module.
+/// The line numbers are those of .glift files.
 std::vector<std::uint32_t> without_source(const std::vector<std::uint32_t>& words) {
     constexpr std::size_t header_words = 5, source_words = 4;  // of OpSource: language, version and the file's name
     std::vector<std::uint32_t> result(words.begin(), words.begin() + header_words);

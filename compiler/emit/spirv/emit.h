@@ -1,4 +1,5 @@
-// SPIR-V from GLSL, in process: glslang, exactness, the validator, and the optimiser on request.
+// SPIR-V from GLSL, in process: glslang, corrections of its result (exact.h, alignment.h), the optimiser on request,
+// the validator.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@ enum class Optimise : std::uint8_t { no, performance };
 enum class Stage : std::uint8_t { compute, vertex, fragment };
 
 struct Spirv {
-    std::vector<std::uint32_t> words;  ///< empty where error is not
+    std::vector<std::uint32_t> words;  ///< empty if there is an error
     std::string error;                 ///< what glslang or the validator said: a fault of this compiler
 };
 

@@ -39,7 +39,7 @@ bool is_after_annotations(spv::Op op) {
            op == spv::OpLine || op == spv::OpNoLine;
 }
 
-/// min, max and clamp that are defined for not-a-number.
+/// The instruction's form that is defined for not-a-number, of min, max and clamp; else the instruction itself.
 std::uint32_t defined_form(std::uint32_t instruction) {
     switch (instruction) {
     case GLSLstd450FMin: return GLSLstd450NMin;

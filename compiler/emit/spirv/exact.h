@@ -1,4 +1,4 @@
-// Makes float arithmetic of a SPIR-V module come out the same on every device.
+// Makes float arithmetic of a SPIR-V module give the same results on every device.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,8 @@
 
 namespace gliftc::spirv {
 
-/// Decorates the result of every float operation NoContraction, so that no device fuses a multiplication with an
-/// addition, and makes FMin, FMax and FClamp their forms that are defined for not-a-number (NMin, NMax, NClamp).
+/// Decorates the results of all float arithmetic NoContraction, so that no device fuses a multiplication with an
+/// addition, and replaces FMin, FMax and FClamp by NMin, NMax and NClamp, which are defined for not-a-number.
 std::vector<std::uint32_t> made_exact(const std::vector<std::uint32_t>& words);
 
 }  // namespace gliftc::spirv
