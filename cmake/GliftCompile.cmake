@@ -6,20 +6,27 @@
 # include directories in which gliftc looks for the headers of `extern struct`: the folders of the files, and
 # IMPORT_DIRS.
 #
-# Outputs for each file: docs/language.md, "Modules". Code that several files use is in the sources of the first.
+# Outputs for each file: docs/language.md, "Names". Code that several files use is in the sources of the first.
 #
-# SHARDS (4): number of sources for a file's kernels, and of those for kernels of other modules that it uses. CMake has
-# to know the sources before gliftc runs; a kernel's name determines its source, so that editing one kernel recompiles
-# one source.
+# IMPORT_DIRS: folders in which `use` finds modules (gliftc -I). DEFINES: name=value, values for constants of the
+# files (gliftc -D). OPTIONS: further options of gliftc.
 #
-# CHECKED: kernels report accesses by address outside a structure (docs/language.md, "Checked builds").
+# SHARDS (4): the number of sources for the kernels of a file's module, and of those for kernels of other modules that
+# it uses. CMake has to know the sources before gliftc runs; a kernel's name determines its source, so that editing the
+# body of one kernel recompiles one source.
 #
-# GLIFT_SPIRV_FILES (detected once; set it to OFF for C++ that needs no files): the assembler embeds SPIR-V from files.
+# CHECKED: kernels report accesses by address outside a structure (gliftc --checked; docs/language.md,
+# "Checked builds").
 #
-# In builds of type Debug and RelWithDebInfo debuggers stop at lines of the .glift files on the host device.
+# GLIFT_SPIRV_FILES, a cache variable (detected once; set it to OFF for C++ that needs no files): SPIR-V is in files
+# beside the sources, which the assembler embeds.
+#
+# In builds of type Debug and RelWithDebInfo (gliftc -g) debuggers show kernels on the host device at the lines of the
+# .glift files.
 #
 # gliftc rewrites an output only if its bytes change. So the build rule's output is a stamp file, and gliftc's outputs
-# are byproducts: an import that was only touched compiles no C++ again, and a second build does nothing.
+# are byproducts: where an import was touched but not changed, no C++ is compiled again, and a second build does
+# nothing.
 
 include(CheckCXXSourceCompiles)
 
@@ -106,7 +113,7 @@ function(glift_compile)
         endforeach()
     endforeach()
     list(REMOVE_DUPLICATES include_dirs)
-    # In a build of the compiler itself: gliftc loads this library at run time to read C++ headers.
+    # In a build of the compiler itself: gliftc loads the library glift_clang at run time to read C++ headers.
     if(TARGET glift_clang)
         foreach(source IN LISTS sources)
             set(externs)
@@ -135,13 +142,15 @@ function(glift_compile)
         COMMENT "Compiling ${arg_SOURCES}"
         VERBATIM COMMAND_EXPAND_LISTS)
     target_sources(${arg_TARGET} PRIVATE ${stamp} ${headers} ${codes})
-    # No contraction of sums and products, so that the host device and the GPU agree bit for bit. The other two
-    # change no value: they let the compiler vectorise.
+    # No contraction of sums and products, so that the host device and the GPU agree bit for bit; signed integers wrap
+    # around, as in the language. The other two change no value: they let the compiler vectorise.
     set_source_files_properties(${codes} PROPERTIES COMPILE_OPTIONS
         "-ffp-contract=off;-fwrapv;-fno-math-errno;-fno-trapping-math;$<$<CONFIG:Release>:-O3>")
-    # Sources of one module define the same internal names, those for parameters of kernels.
+    # Sources of one module define the same internal names (the structs of kernels' parameters), so that they cannot be
+    # compiled as one.
     set_source_files_properties(${codes} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-    # ninja compiles in the build's root; a relative path lets compiler caches serve several builds.
+    # The folder from which sources embed SPIR-V files. ninja compiles in the build's root; a relative path lets
+    # compiler caches serve several builds.
     set(folder ${out})
     if(CMAKE_GENERATOR MATCHES Ninja)
         cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${CMAKE_BINARY_DIR})

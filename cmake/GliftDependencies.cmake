@@ -1,11 +1,12 @@
 # Everything Glift needs from the system, all of it in Debian 12 (tools/setup installs it).
-# The order matters: glslang's and SPIRV-Tools' packages name targets of the ones before them.
+# The order matters: the CMake packages of glslang and SPIRV-Tools use targets of packages found before them.
 
 # Dependencies of the runtime.
 find_package(Threads REQUIRED)
 find_package(Vulkan REQUIRED)
 find_package(TBB CONFIG REQUIRED)
-# Dependencies of the compiler, not needed if a gliftc is given that is built already.
+# Dependencies of the compiler, not needed if GLIFT_GLIFTC names a gliftc that is built already. The benches need some
+# of them, too.
 if(NOT GLIFT_GLIFTC)
     find_package(SPIRV-Tools-opt CONFIG REQUIRED)
     find_package(SPIRV-Tools-link CONFIG REQUIRED)

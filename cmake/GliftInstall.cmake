@@ -25,7 +25,7 @@ if(TARGET gliftc AND TARGET glift_runtime)
     install(FILES ${PROJECT_BINARY_DIR}/gliftConfig.cmake ${PROJECT_BINARY_DIR}/gliftConfigVersion.cmake
                   ${PROJECT_SOURCE_DIR}/cmake/GliftCompile.cmake ${PROJECT_SOURCE_DIR}/cmake/GliftDepfile.cmake
             DESTINATION ${config_dir})
-    # The path is relative to the file itself, since `cmake --install --prefix` may put it anywhere.
+    # The prefix in glift.pc is relative to that file, since `cmake --install --prefix` may put it anywhere.
     cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX BASE_DIRECTORY ${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/pkgconfig
                OUTPUT_VARIABLE GLIFT_PREFIX_FROM_PKGCONFIG)
     configure_file(${PROJECT_SOURCE_DIR}/cmake/glift.pc.in ${PROJECT_BINARY_DIR}/glift.pc @ONLY)

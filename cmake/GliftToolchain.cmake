@@ -5,8 +5,8 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
-# The flags of a test that has its own definitions may not match the shared precompiled header; it is then compiled
-# without it.
+# The flags of a test that has its own definitions may not match the shared precompiled header; the test is then
+# compiled without that header.
 set(CMAKE_PCH_WARN_INVALID OFF)
 
 if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -18,7 +18,8 @@ if(PROJECT_IS_TOP_LEVEL)
     set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
 endif()
 
-# A switch over an enum that misses a value is an error in every build: switches over kinds of nodes have no `default:`.
+# A switch over an enum that misses a value and has no `default:` is an error in every build: most switches over kinds
+# of nodes have none, so that a new kind cannot be forgotten.
 add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-Wall> $<$<COMPILE_LANGUAGE:CXX>:-Wextra> $<$<COMPILE_LANGUAGE:CXX>:-Wno-missing-field-initializers>
                     $<$<COMPILE_LANGUAGE:CXX>:-Werror=switch>)
 if(GLIFT_WERROR)
@@ -46,7 +47,7 @@ if(GLIFT_FUZZ)
     add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 if(GLIFT_SANITIZE OR GLIFT_FUZZ)
-    # Without vptr: it needs typeinfo, which glslang and SPIRV-Tools (built with -fno-rtti) lack.
+    # Without the check vptr: it needs typeinfo, which glslang and SPIRV-Tools (built with -fno-rtti) lack.
     set(GLIFT_SANITIZER_FLAGS -fsanitize=address,undefined -fno-sanitize=vptr -fno-sanitize-recover=all
         -fno-omit-frame-pointer)
     add_compile_options(${GLIFT_SANITIZER_FLAGS})
