@@ -1,5 +1,5 @@
-// GLIFT_API marks what the runtime library exports. All other symbols are hidden, so that its Vulkan function pointers
-// cannot clash with those of the program.
+// GLIFT_API marks what the runtime library exports. All other symbols are hidden, so that they cannot clash with those
+// of the program, which may itself load Vulkan's functions.
 #pragma once
 
 #if defined(_MSVC_LANG) ? _MSVC_LANG < 202002L : __cplusplus < 202002L

@@ -76,7 +76,7 @@ struct Box {
 [[noreturn]] GLIFT_API void throw_outside_mapped(const Box& box);
 [[noreturn]] GLIFT_API void throw_slice(const char* place, unsigned rank, const Extent& first, const Extent& last,
                                         const Extent& whole);
-/// The error for a number of values other than that of the elements of a box of `type`.
+/// The error where the number of values given is not the number of elements of the box.
 [[noreturn]] GLIFT_API void throw_count(const char* type, std::size_t given, const Extent& size, unsigned rank);
 /// The error for structures that were default-constructed or moved from.
 [[noreturn]] GLIFT_API void throw_empty_structure(const char* type, const char* operation);

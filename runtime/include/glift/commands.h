@@ -1,9 +1,10 @@
 // An ordered stream of passes and copies.
 //
 // What is put into a stream happens as if one after the other, in that order. The runtime knows what each pass and copy
-// reads and writes, so it places the barriers; independent passes get none and may overlap. Nothing waits for the
-// device but wait(), Download::get() and Timestamp. Work is submitted when it is waited for, by flush(), after a
-// download, and whenever much has been recorded.
+// reads and writes, so it places the barriers; independent passes get none and may overlap. Only wait(),
+// Download::get() and Timestamp::seconds() wait for results; other calls wait where the host is far ahead of the
+// device, or where memory that was freed is needed again. Work is submitted when it is waited for, by flush(), before a
+// recording, before the command that follows a download, and whenever much has been recorded.
 #pragma once
 
 #include <glift/device.h>
@@ -37,7 +38,7 @@ struct CopyRegion {
 };
 
 /// A box of texels of an image and its place in a buffer or in host bytes, where it is packed and row-major from byte
-/// `offset` on.
+/// `offset` on, a multiple of 4 and of a texel's bytes.
 struct ImageRegion {
     std::uint64_t offset = 0;
     std::array<std::uint32_t, 3> origin = {0, 0, 0};
@@ -100,8 +101,8 @@ public:
     bool is_recording() const;
 
     /// Whether a call needs the kernel's wide form (kernel.h): because its memories or its iteration are too large for
-    /// the other forms, because they are more buffers than the device has descriptors, or because bindings alias
-    /// (Sharing::one_place), which takes pointers on this device. The caller then packs the wide form's parameters.
+    /// the other forms, because they include more buffers than the device has descriptors, or because bindings alias
+    /// (Sharing::one_place), for which shaders need pointers. The caller then packs the wide form's parameters.
     bool needs_wide(const Kernel& kernel, std::span<const Memory> memories, const std::array<std::uint32_t, 4>& size,
                     Sharing sharing = Sharing::unknown) const;
 
@@ -131,7 +132,8 @@ public:
     Memory allocate(const MemoryDescription& description) const;
 
     /// Returns `memory`, to be used in place of `allocate(description)`. Throws wrong_argument unless it is of this
-    /// device, of the kind, format and extent described, and at least as large.
+    /// device and of the kind and format described: a buffer of at least as many bytes, an image of the same extent
+    /// with at least as many mips.
     Memory adopt(Memory memory, const MemoryDescription& description) const;
 
     /// Replaces a container's member by `made`, a structure of the same type with other memories. All copies of the
@@ -143,7 +145,7 @@ public:
     }
 
     void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes,
-              std::uint32_t value = 0) const;  ///< multiples of 4
+              std::uint32_t value = 0) const;  ///< offset and bytes: multiples of 4
 
     /// Copies between buffers. Source and target may be one memory if no region's source overlaps any region's target.
     void copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) const;

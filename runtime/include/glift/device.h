@@ -29,8 +29,8 @@ struct DeviceProperties {
     std::string driver;  ///< name and version of the driver
     DeviceKind kind = DeviceKind::host;
     std::uint32_t subgroup_size = 1;
-    std::uint64_t memory_bytes = 0;                  ///< of the heap that memories come from
-    std::uint64_t max_allocation_bytes = unlimited;  ///< of one memory
+    std::uint64_t memory_bytes = 0;                  ///< of the largest heap of device memory; host: of the machine
+    std::uint64_t max_allocation_bytes = unlimited;  ///< of one buffer; an image may be limited to less
     /// The largest buffer that a descriptor covers. Kernels reach larger ones by their wide form (kernel.h).
     std::uint64_t max_storage_buffer_range = unlimited;
     std::uint32_t shared_memory_bytes = 0;  ///< of a workgroup
@@ -57,10 +57,12 @@ struct DeviceProperties {
     bool push_descriptors = false;
 };
 
-/// Counted since the device was opened; memories and bytes are current values.
+/// Counted since the device was opened; memories and bytes are current values. The host device counts only passes,
+/// memories and bytes.
 struct Statistics {
     std::uint64_t submissions = 0;
-    std::uint64_t passes = 0;          ///< dispatches of kernels (a replayed pass counts at each replay)
+    /// Calls of kernels; recorded ones count at each replay, on Vulkan devices also when they are recorded.
+    std::uint64_t passes = 0;
     std::uint64_t barriers = 0;        ///< recorded between passes and copies (a replay counts none)
     std::uint64_t pipelines = 0;       ///< created
     std::uint64_t waits = 0;           ///< times the host waited for the device
@@ -69,12 +71,12 @@ struct Statistics {
     std::uint64_t bytes_reserved = 0;  ///< taken from the device, in blocks
 };
 
-/// A cheap handle: copies mean the same device. Safe to use from several threads, one call at a time each.
+/// A cheap handle: copies mean the same device. Several threads may use a device at the same time.
 class GLIFT_API Device {
 public:
-    /// `gpu`, `lavapipe`, `host`, or part of a device's name. Without an argument the environment variable GLIFT_DEVICE
-    /// decides, with the same values; without that, the best GPU, else a CPU that runs Vulkan, which is logged once
-    /// (log.h). Never the host unless asked.
+    /// `gpu`, `lavapipe`, `host`, or part of a device's name, in any case. Without an argument the environment variable
+    /// GLIFT_DEVICE decides, with the same values; without that, the best GPU, else a CPU that runs Vulkan, which is
+    /// logged once (log.h). Never the host unless asked.
     ///
     /// Other environment variables: GLIFT_VALIDATE=1 turns on the validation layer; GLIFT_CACHE_DIR says where
     /// compiled pipelines are kept (default: $XDG_CACHE_HOME/glift or ~/.cache/glift; empty: nowhere);
@@ -89,7 +91,8 @@ public:
     const DeviceProperties& properties() const;
     bool is_host() const { return properties().kind == DeviceKind::host; }
 
-    /// Throws out_of_memory or too_large, with the sizes.
+    /// Throws out_of_memory or too_large, with the sizes; missing_feature for an image of a kind or format that the
+    /// device does not have; wrong_argument for a description that contradicts itself.
     Memory allocate(const MemoryDescription& description) const;
 
     /// The device's own stream: everything put there happens in order. Within a body of `record` or
@@ -99,10 +102,10 @@ public:
     /// Captures what body(Commands&) does, to be submitted any number of times. See recording.h.
     template <class Body> Recording record(Body&& body) const;
 
-    /// The bytes of temporary memory that a recording of what body(const Commands&) does would take, as its own
-    /// Recording::workspace_bytes() then says. Nothing is allocated and nothing runs: in the body, structures made from
-    /// its Commands have no storage. So it throws wrong_argument where the body waits for a value of the device
-    /// (`await` in a pipeline). See recording.h.
+    /// The bytes of temporary memory that a recording of what body(const Commands&) does would take: what
+    /// Recording::workspace_bytes() of that recording returns. Nothing is allocated and nothing runs: in the body,
+    /// structures made from its Commands have no storage. So it throws wrong_argument where the body waits for a value
+    /// of the device (`await` in a pipeline). See recording.h.
     template <class Body> std::uint64_t workspace_bytes(Body&& body) const;
 
     void wait() const;  ///< submits what is recorded and waits for all of it

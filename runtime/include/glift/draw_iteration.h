@@ -65,10 +65,10 @@ public:
         return &targets_;
     }
 
-    /// Patches (pass.h) that write the numbers of corners and instances into the parameters at each of the offsets, if
-    /// the device computes them.
+    /// Adds patches (pass.h) that write the numbers of corners and instances into the parameters at each of the
+    /// offsets, if the device computes them. Returns all patches of the call.
     GLIFT_API std::span<const Patch> patches(std::initializer_list<std::size_t> offsets);
-    /// Adds such patches for the size of a range that is read or written at any address.
+    /// Adds patches for the size of a range that is read or written at any address.
     template <class S> void count(const Range<S>& range, std::size_t offset) {
         add_patches(range.device_counts(), offset, detail::extent_of(range.size()),
                     detail::Axes<typename S::Address>::count);

@@ -10,19 +10,24 @@
 namespace glift {
 
 enum class ErrorCode : std::uint8_t {
-    no_loader,            ///< no Vulkan loader on this machine
-    no_device,            ///< no device, or none of the kind or name asked for
-    unsupported_version,  ///< Vulkan older than 1.3
-    missing_feature,      ///< a feature or extension that Glift needs is absent
-    missing_layer,        ///< GLIFT_VALIDATE=1 and no validation layer installed
+    no_loader,            ///< the Vulkan loader, or the library that GLIFT_VULKAN_LOADER names, cannot be loaded
+    no_device,            ///< no Vulkan driver, no device, or none of the kind or name asked for
+    unsupported_version,  ///< the loader's or the device's Vulkan is older than 1.3
+    /// The device or its driver lacks what Glift, a kernel or the program asks for: a feature, an extension, a texel
+    /// format, a queue that computes, timestamps. Or an adopted image lacks a usage or creation flag.
+    missing_feature,
+    missing_layer,  ///< GLIFT_VALIDATE=1 and no validation layer installed
     out_of_memory,
-    too_large,       ///< beyond a limit of the device
-    aliased_memory,  ///< one memory passed twice in one call, and written
-    wrong_argument,  ///< a call that does not fit its kernel or memory
-    loop_limit,      ///< a kernel's loops run longer than the device allows
-    out_of_range,    ///< a checked build: an access outside a structure
+    /// Beyond a limit of the device (a memory, an image, workgroups, descriptors) or of Glift: a number of elements
+    /// past 2^32 - 1, a domain too large to search, a structure too large to read in a test, a viewport.
+    too_large,
+    aliased_memory,  ///< one memory passed twice in one call, where another access may meet what is written
+    wrong_argument,  ///< any other mistake: in a call, a handle, a recording, a file name, an environment variable
+    loop_limit,      ///< a kernel's loops run, or may run, for more rounds than the device allows
+    out_of_range,    ///< an access outside a structure, in a kernel compiled with `gliftc --checked`; else not reported
     device_lost,
-    missing_form,  ///< the kernel was not compiled for this device
+    missing_form,  ///< the kernel has no code for this kind of device, or not in the form that the call needs
+                   ///< (kernel.h)
     vulkan,        ///< any other failed Vulkan call
 };
 
@@ -34,9 +39,10 @@ public:
     const char* what() const noexcept override { return text_.c_str(); }
     ErrorCode code() const { return code_; }
     const std::string& problem() const { return problem_; }  ///< what went wrong
-    const std::string& where() const { return where_; }      ///< the call, kernel (with file and line) or memory
-    const std::string& why() const { return why_; }          ///< the cause, with the numbers
-    const std::string& remedy() const { return remedy_; }    ///< what to do
+    /// A call, a kernel or statement (with file and line), a memory, a device's name, or VARIABLE=value.
+    const std::string& where() const { return where_; }
+    const std::string& why() const { return why_; }        ///< the cause, with the numbers
+    const std::string& remedy() const { return remedy_; }  ///< what to do
 
 private:
     ErrorCode code_;

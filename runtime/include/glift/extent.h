@@ -19,7 +19,7 @@ constexpr std::uint64_t saturated_shift(std::uint64_t a, std::uint64_t amount) {
     return amount >= 64 || a > UINT64_MAX >> amount ? UINT64_MAX : a << amount;
 }
 
-// Component by component; one operand may be a scalar.
+// The same for vectors, component by component; one operand of a sum or a product may be a scalar.
 template <unsigned N> using exact_vec = vec<std::uint64_t, N>;
 #define GLIFT_SATURATED(operation)                                                                                     \
     template <unsigned N> constexpr exact_vec<N> operation(const exact_vec<N>& a, const exact_vec<N>& b) {             \
@@ -43,7 +43,7 @@ namespace detail {
 [[noreturn]] GLIFT_API void throw_unfitted(std::uint64_t value, const char* what);
 }
 
-/// Narrows to uint; throws where the value does not fit, naming `what`.
+/// Narrows to uint; throws too_large where the value does not fit, with `what` as the error's place.
 inline uint fitted(std::uint64_t value, const char* what = "") {
     if (value <= UINT32_MAX) return static_cast<uint>(value);
     detail::throw_unfitted(value, what);

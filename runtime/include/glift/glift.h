@@ -1,4 +1,5 @@
-// The whole runtime but for vulkan.h.
+// Devices, memories, commands, recordings, calls of kernels, errors and the log. What else a program may want is
+// included by generated code (structure.h) or by name: vulkan.h, inspect.h.
 #pragma once
 
 #include <glift/commands.h>

@@ -1,4 +1,4 @@
-// The 16-bit float as a storage type: arithmetic happens in float and is rounded to nearest even when stored.
+// The 16-bit float. Each operation is computed in float, and its result rounded to the nearest half, ties to even.
 #pragma once
 
 #include <bit>
@@ -19,7 +19,7 @@ constexpr std::uint16_t half_bits(float value) {
         const std::uint32_t odd = (magnitude >> 13) & 1u;
         return static_cast<std::uint16_t>(sign | ((magnitude - 0x38000000u + 0xfffu + odd) >> 13));
     }
-    if (magnitude < 0x33000000u) return static_cast<std::uint16_t>(sign);  // under half of the smallest
+    if (magnitude < 0x33000000u) return static_cast<std::uint16_t>(sign);  // below half of the smallest subnormal
     const std::uint32_t shift = 126u - (magnitude >> 23);
     const std::uint32_t mantissa = (magnitude & 0x7fffffu) | 0x800000u;
     const std::uint32_t rest = mantissa & ((1u << shift) - 1u), middle = 1u << (shift - 1u);

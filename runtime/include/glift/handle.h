@@ -1,4 +1,5 @@
-// What every public handle holds. A handle that was default-made or moved from holds nothing; using one throws.
+// The pointer inside every public handle (Device, Memory, Commands, ...). A handle that was default-constructed or
+// moved from is empty: calling it throws.
 #pragma once
 
 #include <glift/api.h>

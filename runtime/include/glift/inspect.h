@@ -3,8 +3,8 @@
 //
 //     glift::inspect(grid, "grid").save("grid.inspection");
 //
-// Not part of <glift/glift.h>. For structures of any size; it waits for the device, and reads all elements that are
-// there.
+// Not part of <glift/glift.h>. For structures of any size; it waits for the device, and reads the elements that are
+// there, where there are very many only those in some planes (InspectionOptions::most_elements).
 #pragma once
 
 #include <glift/inspected_values.h>
@@ -47,7 +47,7 @@ namespace detail {
 
 // ---------------------------------------------------------------------------------------------------------- pictures
 
-/// Numbers over a box of addresses, in cells of some addresses each.
+/// A box of addresses, divided into `count` cells of `cell` addresses each along each axis; `most` is the most cells.
 struct Cells {
     Extent first{}, size{1, 1, 1, 1}, cell{1, 1, 1, 1}, count{1, 1, 1, 1};
 
@@ -76,7 +76,7 @@ struct Cells {
     }
 };
 
-/// How many addresses of each cell there are.
+/// How many of these addresses lie in each cell of the domain.
 template <class A> std::string json_counts(const std::vector<A>& addresses, const Extent& domain, std::uint32_t most) {
     constexpr unsigned rank = Axes<A>::count;
     const Cells cells({}, domain, rank > 2 ? Extent{most / 4, most / 4, 64, 8} : Extent{most, most, 1, 1});
@@ -107,7 +107,7 @@ struct Bounds {
             middle[i] = high[i] / 2;
         }
     }
-    /// Along the axes on which the domain is longer than a picture, what of it is there.
+    /// Along the axes on which the domain is longer than a picture: from the first to the last of these addresses.
     template <class A> void narrow(const std::vector<A>& addresses, const Extent& domain, std::uint32_t most) {
         for (unsigned i = 0; i < 4; ++i) {
             if (domain[i] <= most) continue;
@@ -130,7 +130,8 @@ public:
     Planes(const S& structure, const Bounds& bounds, const Extent& places, std::uint32_t most)
         : structure_(structure), bounds_(bounds), places_(places), most_(most) {}
 
-    /// Through the middle; where the last of several axes is short, as levels are, all across it.
+    /// Planes along each two of the first three axes, through the middle. Where the last of three or four axes is
+    /// short, as levels are, instead one plane along the first two axes for each of its values.
     std::string json() {
         constexpr unsigned last = rank - 1;
         if (rank >= 3 && bounds_.high[last] < 16) {
@@ -145,10 +146,11 @@ public:
     }
 
 private:
-    /// As many addresses are read along an axis of a plane; of a line the square.
+    /// The most addresses that are read along an axis of a plane; along a line its square.
     static constexpr std::uint32_t most_read = 4096;
 
-    /// The value and the place of an element of each cell; not a number and no_place where there is none.
+    /// Adds the plane along axes x and y, with the value and place of one element of each cell: NaN and no_place where
+    /// none is there.
     void add(const Extent& through, unsigned x, unsigned y) {
         Extent first = through, size{1, 1, 1, 1}, cells_along{1, 1, 1, 1};
         for (unsigned axis : {x, y}) {
@@ -194,7 +196,8 @@ private:
 
 // ------------------------------------------------------------------------------------------------------------- parts
 
-/// The memories of a structure and of what it is made of, each once: those of its elements, and the others.
+/// The memories of a structure and of what it is made of, each once, with their bytes: those of its elements, and
+/// others.
 struct Memories : SeesNothing {
     std::map<const void*, std::uint64_t> elements, tables;
     bool is_table = false;
@@ -217,7 +220,7 @@ struct Memories : SeesNothing {
     }
 };
 
-/// The extent of the memory that places are in.
+/// The extent of the memory in which the elements' places (Resident::places) lie.
 template <class S> struct PlaceExtent : SeesNothing {
     Extent extent{1, 1, 1, 1};
     bool is_known = false;
@@ -320,7 +323,7 @@ private:
         return text;
     }
 
-    /// How many elements are there; nothing, where every address of too large a domain would have to be looked at.
+    /// How many elements are there; none where every address of too large a domain would have to be looked at.
     template <class S> static std::optional<std::uint64_t> count_of(const S& structure) {
         const std::uint64_t all = volume_of(extent_of(structure.domain()));
         if constexpr (HasList<S>) {

@@ -78,6 +78,7 @@ requires std::is_arithmetic_v<T>
 inline constexpr unsigned components_of<T> = 1;
 template <class T, unsigned N> inline constexpr unsigned components_of<vec<T, N>> = N;
 
+/// A visitor for `describe` of generated classes that ignores all parts: the base of those that look at some.
 struct SeesNothing {
     template <class... Parts> void value(const Parts&...) {}
     template <class... Parts> void memory(const Parts&...) {}

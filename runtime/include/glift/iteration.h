@@ -24,7 +24,7 @@ public:
     template <class S> void each(const char* name, const Range<S>& range) {
         add_visited(detail::box_of(name, range), range.is_whole(), range.device_counts());
     }
-    /// A range that is read in a window around the current element. The windows in a whole structure are at the
+    /// A range that is read in a window around the current element. In a whole structure the windows lie around the
     /// addresses of the first visited range; a box has an origin of its own, and must have that range's size.
     template <class S> void near(const char* name, const Range<S>& range) {
         add_near(detail::box_of(name, range), range.is_whole());
@@ -34,9 +34,9 @@ public:
         add_any(detail::box_of(name, range), range.is_whole());
     }
 
-    /// For a kernel over the blocks of a structure (docs/language.md, Blocks): it visits {elements of a block, blocks}
-    /// of the first range. `count` is the number of blocks, if the device computes it; `visited.y` is then an upper
-    /// bound.
+    /// For a kernel over the blocks of a structure (docs/language.md, Blocks): it visits {elements of a block, number
+    /// of blocks} of the first range. `count` is the number of blocks, if the device computes it; `visited.y` is then
+    /// an upper bound.
     void blocks(uint2 visited) {
         visited_ = visited;
         if (visited_.x == 0 || visited_.y == 0) visited_ = {0, 0};
@@ -55,7 +55,7 @@ public:
     /// computes it. Called before `patches`.
     GLIFT_API void count_blocks(std::size_t offset);
 
-    /// The address in the range at which the first invocation's `near` window is centred.
+    /// The address in the range's structure at which the first invocation's `near` window is centred.
     template <class S> typename S::Address centre(const Range<S>& range) const {
         if (!range.is_whole()) return range.origin();
         typename S::Address origin{};
@@ -77,9 +77,10 @@ public:
     const Extent& size() const { return first_.size; }
     /// Whether all ranges are whole structures.
     bool is_whole() const { return whole_; }
-    /// Patches that write the iteration's size into the parameters at each of the offsets, if the device computes it.
+    /// Adds patches that write the iteration's size into the parameters at each of the offsets, if the device computes
+    /// it. Returns all patches of the call.
     GLIFT_API std::span<const Patch> patches(std::initializer_list<std::size_t> offsets);
-    /// Adds such patches for the size of a range that is read or written at any address. Called before `patches`.
+    /// Adds patches for the size of a range that is read or written at any address. Called before `patches`.
     template <class S> void count(const Range<S>& range, std::size_t offset) {
         if (!range.device_counts().empty())
             patch(range.device_counts(), offset, detail::extent_of(range.size()),

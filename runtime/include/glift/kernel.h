@@ -1,8 +1,9 @@
 // A kernel as data, as generated code defines it. The header is kept small, since each kernel source includes it.
 //
 // A kernel has up to three compiled forms. They compute the same thing and differ in what they may assume:
-//   direct    every range is a whole structure, structures of one type share their state (extents, strides),
-//             all sizes are known to the host; parameters are push constants where they fit;
+//   direct    every range is a whole structure; structures of one type that are visited together, or declared by one
+//             type name, have equal state (extents, strides), which is passed once; the host knows all sizes, except
+//             for a number of blocks; parameters are push constants where they fit;
 //   general   ranges with origins, a state for each structure, sizes that may live on the device;
 //             parameters in a storage buffer at binding 0 (of draws a uniform buffer, where they fit);
 //   wide      like general, for larger sizes: physical addresses are computed in 64 bits, buffers are accessed by
@@ -11,9 +12,9 @@
 // Who chooses. Generated code asks Commands::needs_wide(kernel, memories, size) before it packs the parameters, and
 // packs the wide form's where the answer is true. On Vulkan devices it is true for a buffer larger than a descriptor
 // can cover, for more buffers than the device has descriptors, for an iteration in several axes of more workgroups than
-// one dispatch may have, and for elements that are reached by two bindings (Sharing::one_place); on every device for a
-// memory of 2^32 elements or more. Into the wide form's parameters the runtime writes the address of each buffer, at
-// Binding::address_offset (8-byte aligned).
+// one dispatch may have (not over blocks), and for elements that are reached by two bindings (Sharing::one_place),
+// unless the kernel has images alone; on every device for a buffer of 2^32 elements or more. Into the wide form's
+// parameters the runtime writes the address of each buffer, at Binding::address_offset (8-byte aligned).
 #pragma once
 
 #include <glift/host/memory.h>
@@ -84,13 +85,13 @@ struct SourceLine {
 };
 
 /// A kernel's report of an error. The first invocation to change code from 0 (atomicCompSwap) fills in the rest. The
-/// runtime supplies the record, and throws an Error that names the kernel, the line and the address when the host next
-/// waits for the device (Commands::wait, Download::get).
+/// runtime supplies the record, and throws an Error that names the kernel, the line and, if there is one, the address:
+/// on the host device at once, else when the host next waits (Commands::wait, Download::get, Timestamp::seconds).
 struct StatusRecord {
     enum Code : std::uint32_t { fine = 0, loop_limit = 1, out_of_range = 2 };
     std::uint32_t code = fine;
     std::uint32_t line = 0;                   ///< in the file that `file` names
-    std::uint32_t rank = 0;                   ///< out_of_range: axes of the virtual address
+    std::uint32_t rank = 0;                   ///< out_of_range: number of axes of the virtual address
     std::uint32_t binding = 0;                ///< out_of_range: index of the memory's binding
     std::uint32_t address[4] = {0, 0, 0, 0};  ///< out_of_range: the virtual address
     std::uint32_t file = 0;                   ///< 0: Kernel::file, k: Kernel::other_files[k - 1]

@@ -1,4 +1,4 @@
-// Boxes of a structure's elements, mapped into host memory.
+// Boxes of a structure's elements as copies on the host, which are written back.
 #pragma once
 
 #include <glift/api.h>
@@ -19,8 +19,8 @@ GLIFT_API void log_unwritten(const char* type, const std::exception& error) noex
 
 }  // namespace detail
 
-/// A box of elements on the host, written back to the structure when it is unmapped or goes out of scope. Shares the
-/// structure's memory, which lives as long. An error while it goes out of scope is logged (log.h): unmap() throws it.
+/// A copy of a box of elements on the host, written back to the structure when it is unmapped or goes out of scope.
+/// Keeps the structure's memory alive. An error while it goes out of scope is logged (log.h): unmap() throws it.
 template <class S> class Mapped {
 public:
     using Address = typename S::Address;

@@ -29,15 +29,15 @@ namespace detail {
 class MemoryObject;
 }
 
-/// A handle to one memory. Copies share it; the storage is freed when the last handle is gone and the device no
-/// longer uses it. Contents start as zeros. A buffer may have no bytes; shaders may read it up to the next multiple of
-/// sixteen, and at least sixteen bytes.
+/// A handle to one memory. Copies share it; the storage is freed when the last handle is gone and the device no longer
+/// uses it. Contents start as zeros, unless MemoryDescription::zeroed is false. A buffer may have no bytes; shaders may
+/// read it up to the next multiple of sixteen, and at least sixteen bytes.
 class GLIFT_API Memory {
 public:
     Memory() = default;  ///< an empty handle
     explicit Memory(std::shared_ptr<detail::MemoryObject> object) : object_(std::move(object)) {}
 
-    const MemoryDescription& description() const;  ///< images: bytes is filled in, all mips and faces together
+    const MemoryDescription& description() const;  ///< images: bytes is filled in, all mips, faces and layers
     std::array<std::uint32_t, 3> extent() const { return description().extent; }
 
     /// One level of an image, as an image of its own over the same texels: it may be read, written and drawn to while

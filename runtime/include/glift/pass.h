@@ -12,7 +12,7 @@
 
 namespace glift {
 
-/// A 4-byte value that lives on the device, such as a count that a kernel wrote.
+/// The place of a 4-byte value on the device, such as a count that a kernel wrote.
 struct DeviceValue {
     Memory memory;             ///< a buffer
     std::uint64_t offset = 0;  ///< in bytes, a multiple of 4

@@ -1,4 +1,4 @@
-// Boxes of a structure as values, and values that live on the device.
+// Boxes of a structure's elements, as objects that are passed to kernels, and single values that lie on the device.
 #pragma once
 
 #include <glift/box.h>
@@ -10,27 +10,27 @@
 
 namespace glift {
 
-/// A value that lives on the device.
+/// A value that lies on the device: at byte `offset` of a buffer.
 template <class T> struct DeviceScalar {
     Memory memory;
     std::uint64_t offset = 0;
 
-    /// Waits for what the value depends on.
+    /// Brings the value to the host. Waits for the commands that it depends on.
     T await(const Commands& commands) const {
         const Download download = commands.download(memory, offset, sizeof(T));
         T value;
         std::memcpy(&value, download.get().data(), sizeof(T));
         return value;
     }
-    /// Which element of its memory it is.
+    /// The value's index in its memory, counted in values of type T.
     uint index() const { return fitted(offset / sizeof(T), "index of a value on the device"); }
     operator DeviceValue() const { return {memory, offset}; }
 };
 
 namespace detail {
 
-/// A box's size that is computed on the device: `value` minus `before`, since the box begins `before` elements into the
-/// range that `value` is the size of.
+/// A box's size that is computed on the device. Along axis i it is the number at `value.offset + 4 * i` minus
+/// `before[i]`: `value` is the size of a range, in which the box begins at `before`.
 struct DeviceCount {
     DeviceValue value;
     Extent before{};
@@ -65,7 +65,7 @@ public:
     /// The device values whose minimum is the number of elements along each axis; none where the host knows it.
     const std::vector<detail::DeviceCount>& device_counts() const { return counts_; }
 
-    /// A box of this box.
+    /// A box within this one, whose `origin` counts from that of this one.
     Range range(Address origin, Address size) const {
         require_inside(origin, size);
         Range part(structure_, origin_ + origin, size);
@@ -82,7 +82,7 @@ public:
         part.counts_.push_back({std::move(count), {}});
         return part;
     }
-    /// An element of the box, left on the device.
+    /// An element of the box, left on the device: in place, and copied, as Structure says.
     auto element_in_place(const Commands& commands, Address address) const {
         require_inside(address, Address(1));
         return structure_.element_in_place(commands, origin_ + address);

@@ -16,14 +16,15 @@ class RecordingObject;
 /// A finished recording. Keeps the memories alive that its passes use. Memories that were made by its Commands, such as
 /// temporaries of pipelines, lie in its workspace: where the last handle of one is gone before another is made, the two
 /// may share storage (buffers only: images have storage of their own on Vulkan devices). Parameters are captured when
-/// recorded; device values (patches, indirect sizes) are read anew by each replay.
+/// recorded; values that lie on the device (sizes, arguments, conditions) are read anew by each replay.
 class GLIFT_API Recording {
 public:
     Recording() = default;
     explicit Recording(std::shared_ptr<detail::RecordingObject> object) : object_(std::move(object)) {}
     explicit operator bool() const { return bool(object_); }
 
-    /// One submission, in order with the device's own stream; may be called again at once.
+    /// One submission, in order with the device's own stream; may be called again at once. Throws wrong_argument where
+    /// a container has given up memory that the recording uses.
     void submit() const;
 
     /// The size of the workspace.

@@ -1,4 +1,4 @@
-// The elements of a structure that are there.
+// The elements of a structure that are there: whose addresses are mapped to memory, as those in resident pages are.
 #pragma once
 
 #include <glift/range.h>
@@ -28,10 +28,11 @@ namespace detail {
 
 [[noreturn]] GLIFT_API void throw_not_searched(const char* type, std::uint64_t elements);
 
-/// A domain in which every address is looked at has so many elements at most: a minute on a CPU.
+/// The most addresses that are looked at one by one, which takes a minute on a CPU. More throw too_large.
 inline constexpr std::uint64_t most_searched = std::uint64_t{1} << 36;
 
-/// What `S::list` says: of structures of which not all of the domain need be there.
+/// Structures of which not all of the domain need be there. Their member `list` runs a kernel that lists what is there;
+/// `Place` is the type of an address in their own memory.
 template <class S>
 concept HasList = requires {
     typename S::Place;
@@ -48,7 +49,7 @@ template <class A> bool comes_before(const A& a, const A& b) {
     return std::lexicographical_compare(first.rbegin(), first.rend(), second.rbegin(), second.rend());
 }
 
-/// A list that a kernel fills.
+/// A list in the device's memory, which a kernel fills.
 template <class T> class ListedValues {
 public:
     ListedValues(const Commands& commands, std::uint32_t entries) : entries_(entries) {
@@ -68,7 +69,8 @@ private:
     std::uint32_t entries_;
 };
 
-/// Lists entries with `most` places for them; gives how many there are, and moves the lists to `found`.
+/// Lists what is there, into lists that have room for `most` entries. Returns how many entries there are; if these are
+/// `most`, brings the lists to the host, to `found`.
 template <class S>
 std::uint32_t list(const Range<S>& range, const Commands& commands, std::uint32_t most, ResidentOf<S>& found) {
     const Memory counter = commands.allocate({.name = "counter", .bytes = 4});
@@ -96,7 +98,7 @@ template <class S> ResidentOf<S> resident(const Range<S>& range, const Commands&
     ResidentOf<S> found;
     if (searched == 0) return found;
     std::uint32_t entries = list(range, commands, 0, found);
-    // Another one where somebody else has changed the structure in between.
+    // Once more if the number has changed in between, since another thread wrote to the structure.
     for (std::uint32_t most = 0; most != entries;) {
         most = entries;
         entries = list(range, commands, most, found);

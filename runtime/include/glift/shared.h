@@ -1,4 +1,4 @@
-// What copies of a container have in common.
+// What copies of a container share. A container is a class that gliftc generates for an `adaptor`.
 #pragma once
 
 #include <memory>
@@ -6,7 +6,8 @@
 
 namespace glift {
 
-/// A value that copies of the handle share: a member of a container, which may get other memory, or its host state.
+/// A value that all copies of this object share: a member of a container, which may get other memory, or its host
+/// state.
 template <class T> class Shared {
 public:
     Shared() : value_(std::make_shared<T>()) {}

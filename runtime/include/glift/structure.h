@@ -23,7 +23,8 @@ namespace glift {
 
 namespace detail {
 
-/// Structures whose translator is an affine map into a buffer: `place(a)` is the index of element a there.
+/// Structures whose translator is an affine map into a buffer: `place(a)` is the index of element a there,
+/// `row_memory()` the buffer.
 template <class S>
 concept HasRows = requires(const S& s, typename S::Address a) {
     { s.place(a) } -> std::same_as<std::uint64_t>;
@@ -32,7 +33,7 @@ concept HasRows = requires(const S& s, typename S::Address a) {
 
 inline constexpr std::size_t most_rows = 1 << 16, most_regions = 1024;
 
-/// The box as copy regions from row-major host bytes; adjacent rows are merged. Empty where rows are not contiguous or
+/// The box as copy regions from row-major host bytes; adjacent rows are merged. None where rows are not contiguous or
 /// too many: a kernel moves such boxes.
 template <class S> std::optional<std::vector<CopyRegion>> rows_of(const S& structure, typename S::Address origin,
                                                                   typename S::Address size) {
@@ -67,8 +68,8 @@ template <class S> std::optional<std::vector<CopyRegion>> rows_of(const S& struc
     return regions;
 }
 
-/// Checks a structure passed in as a member of another one; `alike`: it was made with the arguments that the
-/// declaration gives that member.
+/// Checks a structure passed in as a member of another one. Throws if it is empty, or unless `alike`: whether it was
+/// made with the arguments that the declaration gives that member.
 template <class S> S&& part(S&& made, bool alike, const char* name) {
     if constexpr (requires { made.device(); }) (void)made.device();
     if (alike) return std::move(made);
@@ -78,24 +79,25 @@ template <class S> S&& part(S&& made, bool alike, const char* name) {
 
 }  // namespace detail
 
-/// The bytes of a buffer with this many elements; of at least one, so that an empty structure has a memory too.
+/// The bytes of a buffer with this many elements, a multiple of 4. Of at least one element, so that an empty structure
+/// has a memory too.
 template <class T> constexpr std::uint64_t buffer_bytes(std::uint64_t count) {
     return saturated_sum(saturated_product(std::max<std::uint64_t>(1, count), sizeof(T)), 3) / 4 * 4;
 }
 
-/// The extent of an image, at least one texel.
+/// The extent of an image, at least one texel along each axis.
 template <class A> constexpr std::array<std::uint32_t, 3> image_extent(const A& extent) {
     const Extent e = detail::extent_of(extent);
     return {std::max(e[0], 1u), std::max(e[1], 1u), std::max(e[2], 1u)};
 }
 
-/// The extent of a cube, whose faces are not counted in it.
+/// The extent of a cube's faces. An element address has the face as its third component, which is left out here.
 template <class A> constexpr std::array<std::uint32_t, 3> cube_extent(const A& extent) {
     const auto e = image_extent(extent);
     return {e[0], e[1], 1};
 }
 
-/// The base of a generated view `Self`: its elements are computed.
+/// The base of a generated view `Self`: its elements are computed where they are read.
 template <class Self, class A, class T> class View {
 public:
     using Address = A;
@@ -165,7 +167,8 @@ public:
     }
     auto read_resident() const { return read_resident({}, self().domain()); }
 
-    /// A reference to one element on the device, not a copy: its value is read when it is used.
+    /// One element, left on the device. If the translator is an affine map into a buffer this is a reference, whose
+    /// value is read when it is used; else a copy.
     DeviceScalar<T> element_in_place(const Commands& commands, A address) const {
         if constexpr (detail::HasRows<Self>) {
             check("element", address, A(1));
@@ -199,7 +202,7 @@ public:
         });
     }
 
-    /// Waits as `read` does.
+    /// A copy of a box on the host, which is written back (Mapped). Waits as `read` does.
     Mapped<Self> map(A origin, A size) { return {self(), origin, size}; }
     Mapped<Self> map() { return {self(), {}, self().domain()}; }
 
@@ -214,8 +217,8 @@ private:
         return static_cast<std::size_t>(detail::volume_of(detail::extent_of(size)));
     }
 
-    /// Boxes are moved in parts that fit the staging buffer: calls f(origin, size, elements before it) for each, split
-    /// along the last axis that is longer than one.
+    /// Boxes are moved in parts of about 1 GiB at most, so that staging memory stays bounded: calls f(origin, size,
+    /// elements before it) for each part, split along the last axis that is longer than one.
     template <class F> static void each_part(A origin, A size, F f, std::size_t before = 0) {
         constexpr std::uint64_t most = (std::uint64_t{1} << 30) / sizeof(T) + 1;
         const std::uint64_t elements = detail::volume_of(detail::extent_of(size));

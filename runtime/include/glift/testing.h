@@ -195,7 +195,7 @@ struct TestCase {
     bool exact;         ///< all passes are exact: devices agree bit for bit
     /// Null: a translator that other tests check as they make structures with it.
     void (*run)(Test& test, const Commands& commands);
-    const char* why_not_alone = "";  ///< if `run` is null: why
+    const char* why_not_alone = "";  ///< if `run` is null: why it cannot be checked by itself
 };
 
 /// `program [--filter TEXT] [--device NAME]`: runs all tests on the host device and on another one and compares what

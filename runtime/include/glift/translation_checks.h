@@ -74,7 +74,8 @@ struct Translated {
     Extent physical, address;
 };
 
-/// Whether no two map to the same physical address. Reports those that do to `test`, if it is not null.
+/// Whether no two addresses map to the same physical one. Reports the first that do to `test`, if it is not null. Sorts
+/// `all` by physical address.
 GLIFT_API bool is_one_to_one(Test* test, const std::string& name, std::vector<Translated>& all, unsigned rank,
                              unsigned physical_rank, const std::string& domain);
 GLIFT_API void fail_inverse(Test& test, const std::string& name, unsigned rank, const Extent& address,

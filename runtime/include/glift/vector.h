@@ -225,14 +225,14 @@ using double3 = vec<double, 3>;
 using double4 = vec<double, 4>;
 
 namespace detail {
-/// Out-of-range indices are clamped.
+/// Clamps an index to an array of N elements.
 template <unsigned N, class I> constexpr unsigned within(I i) {
     if constexpr (std::is_signed_v<I>) return i < 0 ? 0 : i < static_cast<I>(N) ? static_cast<unsigned>(i) : N - 1;
     else return i < N ? static_cast<unsigned>(i) : N - 1;
 }
 }  // namespace detail
 
-/// T[n].
+/// The language's array `T[n]`; indices out of range are clamped.
 template <class T, unsigned N> struct array {
     T values[N] = {};
 

@@ -19,7 +19,7 @@ namespace glift::vulkan {
 /// your own, and enable the extensions.
 class GLIFT_API DeviceFeatures {
 public:
-    /// Throws unsupported_version or missing_feature. get_instance_proc_addr: null for the system's loader.
+    /// Throws unsupported_version, missing_feature or no_loader. get_instance_proc_addr: null for the system's loader.
     DeviceFeatures(VkInstance instance, VkPhysicalDevice physical,
                    PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr);
     ~DeviceFeatures();
@@ -36,7 +36,8 @@ private:
 
 /// The user's objects, which must outlive the Device and everything made from it. The queue's family must support
 /// compute. Glift uses the queue only inside its calls, during which no other thread may use it. Needed on the device:
-/// Vulkan 1.3, scalarBlockLayout, timelineSemaphore, bufferDeviceAddress, synchronization2, hostQueryReset.
+/// Vulkan 1.3, scalarBlockLayout, timelineSemaphore, bufferDeviceAddress, synchronization2, hostQueryReset; for draws
+/// also dynamicRendering.
 struct Objects {
     VkInstance instance = VK_NULL_HANDLE;
     VkPhysicalDevice physical = VK_NULL_HANDLE;
@@ -49,7 +50,7 @@ struct Objects {
 
 /// A device over the user's own. Throws unsupported_version, missing_feature, no_loader, wrong_argument. Vulkan does
 /// not tell which features a VkDevice was made with: the physical device's are queried, and assumed to have been
-/// enabled (DeviceFeatures).
+/// enabled (DeviceFeatures), except for sparse binding, which is not used.
 GLIFT_API Device adopt(const Objects& objects);
 
 /// Extensions to enable beside those that Glift uses itself; the names are copied. A window wants those of its surface
@@ -60,26 +61,27 @@ struct Extensions {
 
 /// Opens a device as Device::open does, on an instance and a device with these extensions. For programs that use the
 /// queue of `objects(device)` themselves, between calls of Glift: what Glift submits is ordered after what they
-/// submitted before, and what they submit later after Glift's. Throws missing_feature where no driver, or not the
-/// device, has an extension, and wrong_argument for `host`, which has no Vulkan.
+/// submitted before, and what they submit later after Glift's. Throws missing_feature where no driver has an instance
+/// extension or the device lacks one of its own, and wrong_argument for `host`, which has no Vulkan.
 GLIFT_API Device open(const Extensions& extensions, std::string_view which = {});
 
 /// Records into the user's command buffer, which is in the recording state. A barrier against everything earlier on the
-/// queue comes first; `finish` records a barrier that makes the results visible to everything later. Glift's own
-/// pending commands are submitted first. The returned Commands holds memories and parameters: keep it until the command
-/// buffer has run. No download, timestamp, flush or wait there.
+/// queue comes first; `finish` records a barrier that makes the results visible to everything later. Both submit the
+/// device's own pending commands, among them those that zero new memories: submit the command buffer after `finish`.
+/// The returned Commands holds memories and parameters: keep it until the command buffer has run. No download,
+/// timestamp, flush or wait there.
 GLIFT_API Commands record_into(const Device& device, VkCommandBuffer commands);
 GLIFT_API void finish(const Commands& commands);
 
 struct BufferHandle {
     VkBuffer buffer;
-    VkDeviceSize offset, bytes;
+    VkDeviceSize offset, bytes;  ///< from 0; the memory's size, rounded up to a multiple of 16
     VkDeviceAddress address;
 };
 
 struct ImageHandle {
     VkImage image;
-    VkImageView view;  ///< all mips
+    VkImageView view;  ///< of all mips and layers, for sampling
     VkFormat format;
     VkImageLayout layout;  ///< always VK_IMAGE_LAYOUT_GENERAL
 };

@@ -1,4 +1,5 @@
-// Memory that several threads of a host kernel write: atomic read-modify-write, and ordered atomics.
+// Accesses of host kernels to memory that several threads write: combined writes of `scatter` parameters, and what
+// `coherent` parameters read, write and do by atomics.
 #pragma once
 
 #include <atomic>
@@ -11,7 +12,7 @@
 
 namespace glift::host {
 
-// Scatter: atomic read-modify-write.
+// Writes of `scatter` parameters. They are relaxed, since nothing in the pass depends on their order.
 
 template <class T> void atomic_replace(T& target, T value) {
     std::atomic_ref<T>(target).store(value, std::memory_order_relaxed);
@@ -34,12 +35,12 @@ template <class T> void atomic_max(T& target, T value) {
     while (old < value && !shared.compare_exchange_weak(old, value, std::memory_order_relaxed)) {}
 }
 
-/// Integers in the order of the floats that have these bits.
+/// The bits of a float, changed so that as integers they are in the order of the floats; -0 comes before 0.
 inline std::int32_t ordered_bits(float value) {
     const std::int32_t bits = std::bit_cast<std::int32_t>(value);
     return bits < 0 ? bits ^ 0x7fffffff : bits;
 }
-/// A NaN is not written, and gives way to any number. In order, -0 comes before 0.
+/// A value that is NaN is not written; a NaN that is there gives way to any number.
 template <class Before> void atomic_extremum(float& target, float value, const Before& before) {
     if (value != value) return;
     std::atomic_ref<float> shared(target);
@@ -88,7 +89,7 @@ template <class T> void write(T& place, const std::type_identity_t<T>& value) {
             .store(reinterpret_cast<const P*>(&value)[i], std::memory_order_relaxed);
 }
 
-// Atomics that order the accesses around them: acquire, release, or both.
+// Atomics that order the accesses around them: a load acquires, a store releases, the others do both.
 template <class T> T atomicLoad(T& target) { return std::atomic_ref<T>(target).load(std::memory_order_acquire); }
 template <class T> void atomicStore(T& target, T value) {
     std::atomic_ref<T>(target).store(value, std::memory_order_release);

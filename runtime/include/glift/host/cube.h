@@ -13,7 +13,8 @@ struct CubePoint {
     float u = 0.0f, v = 0.0f;
 };
 
-/// Faces are +x, -x, +y, -y, +z, -z; where two axes are equally long the later one counts.
+/// Where a direction meets the cube. Faces 0 to 5 are +x, -x, +y, -y, +z, -z; of components of equal magnitude the
+/// later one counts.
 inline CubePoint cube_point(const float3& d) {
     const float x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
     if (z >= x && z >= y) return d.z < 0.0f ? CubePoint{5, -d.x / z, -d.y / z} : CubePoint{4, d.x / z, -d.y / z};
@@ -33,7 +34,7 @@ inline float3 cube_direction(const CubePoint& p) {
     }
 }
 
-/// The texel of a point, from -1 on.
+/// The texel at a coordinate of a CubePoint, from -1 to 1, along an axis of `side` texels.
 inline std::int64_t cube_texel(float at, std::int64_t side) {
     return convert<std::int32_t>(floor((at + 1.0f) * 0.5f * static_cast<float>(side)));
 }
@@ -53,7 +54,8 @@ T cube_texel(const HostMemory& memory, std::array<std::int64_t, 3> at, std::uint
     return clamped_texel<F, T>(memory, at, level);
 }
 
-/// What a linear filter takes of a cube, each texel seen by `value`; where three faces meet the mean of theirs.
+/// A linear filter at a direction: interpolates `value({x, y, face})` of the four texels around it. Where three faces
+/// meet there are three texels, whose mean stands for the fourth.
 template <class V, class Value>
 V cube_mix(const HostMemory& memory, const float3& direction, std::uint32_t level, const Value& value) {
     const CubePoint point = cube_point(direction);
@@ -99,7 +101,7 @@ T sample_cube_linear(const HostMemory& memory, const float3& direction, float le
     });
 }
 
-/// The mean of four comparisons, weighted as a linear filter does.
+/// The results of comparisons with four texels (1 or 0), interpolated as a linear filter does.
 template <Format F, Compare C> float compare_cube(const HostMemory& memory, const float3& direction, float reference) {
     return detail::cube_mix<float>(memory, direction, 0, [&](const std::array<std::int64_t, 3>& at) {
         return detail::compares<C>(reference, detail::cube_texel<F, float>(memory, at, 0)) ? 1.0f : 0.0f;

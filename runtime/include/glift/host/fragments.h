@@ -14,7 +14,7 @@ namespace glift::host {
 
 inline constexpr std::uint32_t block_pixels = Fragments::side * Fragments::side;
 
-/// The first pixel of a set, which is not empty.
+/// The first pixel of a set (bit i for pixel i of a block), which is not empty.
 inline std::uint32_t first_of(std::uint64_t pixels) { return static_cast<std::uint32_t>(std::countr_zero(pixels)); }
 
 /// All pixels of the quads that have one of these.
@@ -24,7 +24,7 @@ inline std::uint64_t quads_of(std::uint64_t pixels) {
     return pixels | (pixels >> 8 & top) | (pixels & top) << 8;
 }
 
-/// Writes a varying to a vertex's floats; integers keep their bits. Returns the address behind it.
+/// Writes a varying to a vertex's floats; integers keep their bits. Returns the address after it.
 template <class T> float* put(float* to, const T& value) {
     static_assert(sizeof(T) == detail::components<T> * sizeof(float));
     std::memcpy(to, &value, sizeof(T));

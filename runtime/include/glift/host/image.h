@@ -89,7 +89,7 @@ inline Level level_of(const HostMemory& memory, std::uint32_t level) {
     return result;
 }
 
-/// Where a texel lies in its memory; null outside of the image.
+/// Where a texel lies in its memory; null outside of the image, and for a level that it does not have.
 template <Format F>
 std::byte* texel_address(const HostMemory& memory, const std::array<std::int64_t, 3>& at, std::uint32_t level = 0) {
     using Texel = decltype(texel_of<F>());
@@ -221,7 +221,7 @@ template <Format F, class T, class At> T sample_linear(const HostMemory& memory,
 
 namespace detail {
 
-/// Where linear filters begin, and how far the point is from there.
+/// The first of the four texels that a linear filter takes, and the weights of those after it along each axis.
 struct Corner {
     std::array<std::int64_t, 3> low{};
     std::array<float, 2> weight{};
@@ -252,7 +252,7 @@ template <Compare C> bool compares(float reference, float texel) {
 
 }  // namespace detail
 
-/// The four texels that a linear filter takes of a 2-D image, x first; of layers those of the nearest.
+/// The four texels that a linear filter takes of a 2-D image, x first; of an image with layers in the nearest layer.
 template <Format F, class T, class At> vec<T, 4> gather(const HostMemory& memory, const At& at) {
     const detail::Corner corner = detail::corner_of(memory, at);
     vec<T, 4> texels;
@@ -260,7 +260,7 @@ template <Format F, class T, class At> vec<T, 4> gather(const HostMemory& memory
     return texels;
 }
 
-/// The mean of four comparisons, weighted as a linear filter does.
+/// The results of comparisons with four texels (1 or 0), interpolated as a linear filter does.
 template <Format F, Compare C, class At> float compare_linear(const HostMemory& memory, const At& at, float reference) {
     const detail::Corner corner = detail::corner_of(memory, at);
     float passed[4];

@@ -40,10 +40,10 @@ enum class Format : std::uint8_t {
 struct HostMemory {
     std::byte* data;  ///< buffers: elements in scalar layout; images: texels, row-major, no padding
     std::uint64_t bytes;
-    std::array<std::uint32_t, 3> extent;  ///< images; the third is how many layers or faces there are
+    std::array<std::uint32_t, 3> extent;  ///< images: texels; of arrays and cubes the third is layers or faces
     Format format;
-    std::uint32_t mips;  ///< number of levels, which lie one after the other; cubes: six faces in each
-    bool has_layers = false;
+    std::uint32_t mips;       ///< number of levels, which lie one after the other; cubes: six faces in each
+    bool has_layers = false;  ///< the third axis counts layers or faces, which are as many in each level
 };
 
 }  // namespace glift

@@ -1,5 +1,5 @@
-// How host kernels run on several cores: parallel loops over blocks of rows. Kept small: every kernel source includes
-// it.
+// How host kernels run on several cores: parallel loops over parts of an iteration, and vectors within a row. Kept
+// small: every kernel source includes it.
 #pragma once
 
 #include <glift/api.h>
@@ -13,7 +13,8 @@
 #include <type_traits>
 #include <utility>
 
-// Function multiversioning: compiled for each vector width; the dynamic linker picks the widest that the CPU has.
+// Function multiversioning: GCC compiles the function for each vector width, and the dynamic linker picks the widest
+// that the CPU has. Where the condition below does not hold it is compiled once.
 #if !defined(GLIFT_HOST_KERNEL)
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__linux__) && defined(__OPTIMIZE__) &&  \
     !defined(__AVX2__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -32,7 +33,7 @@
 #define GLIFT_INDEPENDENT
 #endif
 
-// Before such a loop over the block_elements elements of a block: a few vectors, no remainder, no unrolling.
+// Before such a loop over `block_elements` elements: a few vectors, no remainder, no unrolling.
 #if defined(__clang__)
 #define GLIFT_BLOCK _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
@@ -125,7 +126,7 @@ template <class Body> void spread_in_order(std::size_t count, std::size_t grain,
 
 }  // namespace detail
 
-/// Calls `body(const Rows&)` for blocks of rows that partition `size`, in parallel.
+/// Calls `body(const Rows&)` in parallel for groups of rows, or parts of long rows, that partition `size`.
 template <class Body> void for_rows(const std::array<std::uint32_t, 4>& size, const Body& body) {
     const std::size_t rows = std::size_t{size[1]} * size[2] * size[3];
     if (rows == 0 || size[0] == 0) return;
@@ -225,7 +226,7 @@ struct Part {
 };
 
 /// The part of a row's [begin, end) that is at least `radius` away from every side of `domain`. `first` is the address
-/// of the range's first element; axes that the range does not have are 1 long in `domain` and not looked at.
+/// of the range's first element.
 template <unsigned N>
 Part interior_of(const Row& row, const vec<uint, N>& first, const vec<uint, N>& domain, uint radius) {
     const auto inside = [radius](uint a, uint n) { return a >= radius && n > radius && a < n - radius; };
@@ -262,7 +263,8 @@ private:
     std::int64_t from_ = 0, to_ = INT64_MAX;
 };
 
-/// An array for the values of one block of a structure. Not initialised; indices are not checked.
+/// An array for the values in and around one block of a structure (docs/language.md, Blocks). Not initialised; indices
+/// are not checked.
 template <class T, std::size_t N> struct Scratch {
     alignas(64) T values[N];
 
@@ -276,8 +278,8 @@ template <std::size_t N, class T> void copy_row(const T* from, T* to) {
     std::memcpy(static_cast<void*>(to), from, N * sizeof(T));
 }
 
-/// The number of elements of a block, which is computed with one vector of the widest kind or a few narrow ones. There
-/// is no scalar remainder: the last block of a part overlaps the one before it.
+/// Parts of rows are computed in blocks of this many elements: one vector of the widest kind, or a few narrow ones.
+/// There is no scalar remainder: the last block of a part overlaps the one before it.
 inline constexpr std::size_t block_elements = 16;
 
 /// Where block `block` (a multiple of block_elements) begins: the last one is moved back so that it ends with the part.
