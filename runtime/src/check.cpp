@@ -92,7 +92,7 @@ void check_description(const MemoryDescription& d) {
 
 namespace {
 
-/// Cubes are bound as the layers that their faces are, too.
+/// Whether a memory may be bound where a kernel takes this kind: a cube also as an array of layers, its faces.
 bool is_bound_as(const MemoryDescription& d, MemoryKind kind) {
     return d.kind == kind || (d.kind == MemoryKind::imagecube && kind == MemoryKind::image2darray);
 }

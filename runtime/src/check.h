@@ -1,4 +1,5 @@
-// Checks of arguments, the same for every device. Each throws wrong_argument (or aliased_memory).
+// Checks of arguments, the same for every device. Each throws wrong_argument; check_call throws aliased_memory, too,
+// and what check_draw throws.
 #pragma once
 
 #include <glift/commands.h>

@@ -11,7 +11,8 @@ namespace glift::detail {
 
 namespace {
 
-/// Supported by every device.
+/// The longest side of a viewport: as far as the host's rasteriser goes (host/raster.h). Vulkan devices are not asked
+/// for theirs, of which Vulkan requires 4096.
 constexpr std::uint32_t max_viewport = 16384;
 
 [[noreturn]] void wrong(const Kernel& kernel, std::string problem, std::string why = {}, std::string remedy = {}) {

@@ -15,7 +15,7 @@ namespace glift::detail {
 
 namespace {
 
-/// Boxes in more rows than this are compared by their first and last byte.
+/// Boxes with more contiguous rows than this are only compared by their first and last byte.
 constexpr std::uint64_t most_rows = 1 << 16;
 
 bool writes(const Binding& binding) { return binding.access != Access::read; }
@@ -39,7 +39,7 @@ struct Places {
     std::uint64_t first = 0;
     std::int64_t stride[4] = {};
     std::uint64_t count[4] = {1, 1, 1, 1};
-    std::uint64_t width = 0;  ///< of an element
+    std::uint64_t width = 0;  ///< bytes of an element; after merge_axes of a contiguous row of them
 
     Places(const Footprint& footprint, const Box& box) : width(footprint.table->element_bytes) {
         const auto place = [&](const Extent& at) { return footprint.table->place(footprint.structure, at) * width; };

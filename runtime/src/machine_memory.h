@@ -5,7 +5,7 @@
 
 namespace glift::detail {
 
-std::uint64_t machine_memory_bytes();
+std::uint64_t machine_memory_bytes();  ///< all of it, used or not
 
 /// Counts these bytes as held by this process. False, with nothing counted, if the machine does not have so many left:
 /// the operating system would grant them, and kill the process when it touches them.

@@ -76,7 +76,8 @@ public:
     virtual std::uint64_t workspace_bytes() const = 0;
 };
 
-/// Arguments are checked before they get here (check.h).
+/// Arguments are checked before they get here (check.h), except for those of `dispatch` and `needs_wide`, which the
+/// streams check themselves.
 class Stream {
 public:
     virtual ~Stream() = default;

@@ -1,4 +1,4 @@
-// Redirects the device's own stream into the recording, within the body of Device::record.
+// Redirects the device's own stream, within a body of Device::record or Device::workspace_bytes, to that of the body.
 #pragma once
 
 #include "objects.h"

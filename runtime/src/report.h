@@ -1,4 +1,5 @@
-// Errors that a kernel reported through its StatusRecord, and errors about calls in the wrong place.
+// Errors that a kernel reported through its StatusRecord, and errors of calls that cannot be recorded, come after the
+// end of a recording, or use memory that a container has given up.
 #pragma once
 
 #include <glift/commands.h>

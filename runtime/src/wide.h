@@ -1,11 +1,11 @@
-// Which memories are so large that kernels count their elements in 64 bits.
+// Whether buffers are so large that kernels have to count their elements in 64 bits.
 #pragma once
 
 #include <glift/pass.h>
 
 namespace glift::detail {
 
-/// Whether a memory has 2^32 elements or more. Tests set another number: GLIFT_WIDE_ELEMENTS.
+/// Whether one of these buffers has 2^32 elements or more. Tests set another number: GLIFT_WIDE_ELEMENTS.
 bool counts_in_64_bits(const Kernel& kernel, std::span<const Memory> memories);
 
 }  // namespace glift::detail

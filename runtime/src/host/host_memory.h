@@ -1,4 +1,4 @@
-// Plain zeroed bytes, aligned to cache lines.
+// Memory of the host device: plain bytes, which start as zeros and are aligned to cache lines.
 #pragma once
 
 #include "../environment.h"
@@ -11,7 +11,7 @@ namespace glift::detail {
 
 struct HostCounters {
     std::atomic<std::uint64_t> passes{0}, memories{0}, bytes{0};
-    const std::uint64_t limit = memory_limit();  ///< of bytes
+    const std::uint64_t limit = memory_limit();  ///< of `bytes`
 };
 
 /// The storage of one memory, or of the temporaries that share it.

@@ -38,7 +38,7 @@ public:
     void flush() override {}
     void wait() override {}
 
-    /// The lock that keeps other threads' commands from running in between.
+    /// Keeps other threads' commands from running as long as the result lives.
     std::unique_lock<std::recursive_mutex> lock() { return std::unique_lock(mutex_); }
 
 protected:

@@ -11,7 +11,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Words { uint
 
 struct PatchSource {
     Words value;
-    uint word;         // index in the parameter block
+    uint word;         // index in the parameter block; the other fields are those of Patch (pass.h)
     uint limit;
     uint before;
     uint joins;
@@ -39,8 +39,8 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Arg
     uint size_word;    // index of the size in the parameter block
     uint patch_count;
     uint condition_count;
-    uint draws;        // the command is a draw of size[0] corners and size[1] instances
-    uint limit_y;      // most workgroups along y of a kernel over blocks; all bits set: of others, which are not folded
+    uint draws;        // not 0: the command is a draw of size[0] corners and size[1] instances
+    uint limit_y;      // kernels over blocks: most workgroups along y; others, which are not folded along y: all bits set
 };
 
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer List {

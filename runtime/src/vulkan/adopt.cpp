@@ -5,7 +5,7 @@
 
 #include <glift/error.h>
 
-// The public header wants the prototypes' types only.
+// Includes vulkan.h, of which it needs types alone: here it is without prototypes (VK_NO_PROTOTYPES).
 #include <glift/vulkan.h>
 
 #include <cstdlib>

@@ -9,8 +9,9 @@
 
 namespace glift::detail {
 
-/// What the memory is for: the device alone; what the host writes a little of and passes read (parameters, and what
-/// passes prepare for others), which then need not read it over the bus; staging for uploads; readback.
+/// What memory is for. `device`: the device alone. `parameters`: little that the host or a pass writes and later passes
+/// read; device memory where the host can write it, so that passes need not read over the bus. `upload`: staging for
+/// uploads. `readback`: staging for downloads.
 enum class MemoryUse : std::uint8_t { device, parameters, upload, readback };
 
 struct Block;
@@ -18,7 +19,7 @@ struct Block;
 struct Allocation {
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkDeviceSize offset = 0, bytes = 0;
-    std::byte* mapped = nullptr;  ///< of all but `device`
+    std::byte* mapped = nullptr;  ///< null where the host cannot reach it
     Block* block = nullptr;
 };
 
@@ -28,7 +29,7 @@ public:
     explicit Allocator(Context& context);
     ~Allocator();
 
-    /// False if there is no memory left (or GLIFT_MEMORY_LIMIT is reached). Linear: buffers, else images.
+    /// False if there is no memory left (or GLIFT_MEMORY_LIMIT is reached). `linear`: for a buffer, else for an image.
     bool allocate(const VkMemoryRequirements& needs, MemoryUse use, bool linear, Allocation& result);
     void free(const Allocation& allocation);
 

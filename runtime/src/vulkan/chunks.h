@@ -11,7 +11,8 @@ namespace glift::detail {
 
 class ChunkPool;
 
-/// Returns to its pool when the last reference is gone, which must be after the device is done with it.
+/// A buffer from which slices are taken. It returns to its pool when the last reference is gone, which must be after
+/// the device is done with it.
 struct Chunk {
     ChunkPool* pool = nullptr;
     MemoryUse use = MemoryUse::upload;

@@ -49,21 +49,21 @@ public:
     VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t queue_family = 0;
     std::uint32_t timestamp_bits = 0;
-    bool owned = false;
+    bool owned = false;         ///< opened by Glift, else adopted: `device` is then the program's
     bool shares_queue = false;  ///< with the user's program
     DeviceTable vk;
     DeviceProperties properties;
     VkPhysicalDeviceProperties core = {};
     VkPhysicalDeviceMemoryProperties memory = {};
     std::uint32_t max_push_descriptors = 0;
-    std::uint64_t max_piece_bytes = 0;  ///< largest allocation of a buffer; larger buffers are bound from several
+    std::uint64_t max_piece_bytes = 0;  ///< largest allocation; larger buffers are bound from several
     FloatControls float_controls;
     std::vector<const char*> extensions;
     std::atomic<bool> lost{false};
 
 private:
     Context() = default;
-    Wanted wanted_;  ///< has the names that `extensions` points to
+    Wanted wanted_;  ///< holds the names that `extensions` points to
     void make_device(const FeatureChain& features);
     void read_limits(const FeatureChain& features);
 };

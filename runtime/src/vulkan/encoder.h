@@ -30,7 +30,8 @@ public:
     void fill_where(const VulkanMemory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value,
                     std::span<const Condition> conditions);
     void clear(const VulkanMemory& memory);
-    void clear_new(const VulkanMemory& memory);  ///< the first commands on a memory: layout, zeros
+    void clear_new(const VulkanMemory& memory);  ///< a new memory's first commands: an image gets its layout, zeros are
+                                                 ///< written if wanted
     void copy(const VulkanMemory& from, const VulkanMemory& to, std::span<const CopyRegion> regions);
     void copy_to_image(const VulkanMemory& buffer, const VulkanMemory& image, std::span<const ImageRegion> regions);
     void copy_from_image(const VulkanMemory& image, const VulkanMemory& buffer, std::span<const ImageRegion> regions);
@@ -44,7 +45,7 @@ public:
     /// A memory got storage that other memories of this stream used.
     void note_storage_reuse() { hazards_.note_storage_reuse(); }
 
-    /// Orders everything before, on the whole queue and the host, against everything after.
+    /// Orders everything before it on the queue against everything after it, on the queue and on the host.
     void full_barrier();
 
 private:

@@ -40,7 +40,7 @@ std::vector<const char*> usable_extensions(const Instance& instance, VkPhysicalD
     return result;
 }
 
-// Turns off features that cost speed or only serve capture tools.
+// Turns off features that cost speed, serve capture tools, or that Glift has no use for.
 void drop_unwanted(FeatureChain& chain) {
     chain.core.features.robustBufferAccess = VK_FALSE;
     chain.v11.protectedMemory = VK_FALSE;

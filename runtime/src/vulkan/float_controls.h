@@ -16,9 +16,10 @@ struct FloatMode {
 };
 
 struct FloatControls {
-    std::vector<FloatMode> modes;  ///< that the device has: keep subnormals, keep special values, round to even
-    bool hides_zeros = false;      ///< the driver simplifies constant zeros even so: see hidden_zeros.h
-    bool keeps_sums = false;       ///< the driver rounds differences of constants wrong: see kept_sums.h
+    /// Those that the device has: keep subnormals; keep signed zeros, infinities and NaN; round to nearest even.
+    std::vector<FloatMode> modes;
+    bool hides_zeros = false;  ///< the driver simplifies constant zeros even so: see hidden_zeros.h
+    bool keeps_sums = false;   ///< the driver rounds differences of constants wrong: see kept_sums.h
 
     static FloatControls of(const VkPhysicalDeviceVulkan12Properties& properties);
 };

@@ -99,7 +99,7 @@ private:
     struct Constant {
         Words words;
         bool has_zero = false;   ///< is or contains a zero of either sign
-        std::uint32_t bits = 0;  ///< the id of an integer constant of the same bits, for 32-bit values other than zero
+        std::uint32_t bits = 0;  ///< the id of an integer constant of the same bits, for 32-bit values other than +0
     };
 
     Words spirv_;

@@ -58,7 +58,7 @@ bool has_extension(PFN_vkGetInstanceProcAddr entry, const char* name) {
     return false;
 }
 
-/// The user's extensions, each of which has to be there, and the one that names objects, if it is there.
+/// The user's extensions, each of which has to be there, and VK_EXT_debug_utils (names, messages), if it is there.
 std::vector<const char*> usable_extensions(PFN_vkGetInstanceProcAddr entry, std::span<const std::string> wanted) {
     std::vector<const char*> names;
     for (const std::string& name : wanted) {

@@ -8,7 +8,7 @@
 
 namespace glift::detail {
 
-/// The layout that fill_words.comp reads.
+/// The push constants of fill_words.comp.
 struct FillArguments {
     VkDeviceAddress to;
     std::uint32_t words, value;

@@ -54,7 +54,7 @@ public:
     explicit Pipelines(Context& context);
     ~Pipelines();
 
-    /// Throws missing_form, loop_limit, too_large.
+    /// Throws missing_form, missing_feature, loop_limit, too_large.
     Pipeline& get(const Kernel& kernel, FormName form, std::span<const FixedWord> fixed) {
         const std::uint64_t digest = digest_of(kernel);
         const Entry& entry = table_[hash(digest, form) & (table_.size() - 1)];

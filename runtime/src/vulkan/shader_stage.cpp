@@ -14,7 +14,7 @@ namespace {
 /// The specialisation constants of generated shaders, by number.
 enum Constant : std::uint32_t {
     exact_division = 100,  ///< true where the device rounds / and sqrt of floats correctly: those of CPUs do
-    loop_rounds = 101,     ///< rounds of loops that an invocation may run; 0: any number
+    loop_rounds = 101,     ///< the device's loop_round_limit; 0: it has none
     fences_are_barriers = 102,
     is_cpu = 103,
     branches_are_skipped = 104,  ///< a branch that no lane takes costs nothing

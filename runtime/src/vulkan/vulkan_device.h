@@ -56,11 +56,14 @@ public:
     InternalPass& fill_pass() { return fill_; }
     std::uint64_t submit(VkCommandBuffer commands);
     void collect();  ///< destroys or recycles what the device is done with
+    /// Allocates storage for a memory. Where none is left it waits until what was freed can be used; throws
+    /// out_of_memory.
     void allocate_parts(const VkMemoryRequirements& needs, bool linear, const MemoryDescription& description,
                         Allocation& result);
     /// The same as several allocations, to which a buffer is bound in order.
     std::vector<Allocation> allocate_pieces(const VkMemoryRequirements& needs, const MemoryDescription& description);
     std::uint64_t max_piece_bytes() const { return context_->max_piece_bytes; }
+    /// What is retired from now on is destroyed when the timeline reaches this value.
     void set_retire_value(std::uint64_t value) { retire_value_ = value; }
     [[noreturn]] void throw_too_large(const MemoryDescription& description) const;
 

@@ -117,7 +117,8 @@ VkBufferCreateInfo buffer_info(const VulkanDevice& owner, const MemoryDescriptio
             .usage = buffer_usage};
 }
 
-/// The formats of views of an image of floats that are combined, so that devices may still compress it.
+/// The formats of all views of an image of 32-bit floats. They are listed so that devices may still compress it, though
+/// it has views of another format.
 constexpr std::array view_formats = {VK_FORMAT_R32_SFLOAT, bits_format};
 constexpr VkImageFormatListCreateInfo format_list = {.sType = VK_STRUCTURE_TYPE_IMAGE_FORMAT_LIST_CREATE_INFO,
                                                      .viewFormatCount = view_formats.size(),

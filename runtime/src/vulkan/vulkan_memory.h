@@ -31,7 +31,8 @@ struct MemoryParts {
         VkImageView sampled_view, storage_view;
     };
     std::vector<PartViews> part_views;
-    /// Of what was combined: its floats as the integers that have their bits.
+    /// Views of an image of floats, or of parts of it, as integers of the same bits: for kernels that combine its
+    /// texels by atomic operations of integers (Binding::as_bits).
     struct BitsView {
         Texels texels;
         MemoryKind kind;
@@ -59,7 +60,7 @@ public:
     void make();
     /// Takes the user's image, with its storage, instead.
     void adopt(VkImage image, VkImageUsageFlags usage, VkImageCreateFlags flags);
-    /// Throws missing_feature where the image was made without this usage: a user's.
+    /// Throws missing_feature where this is a user's image that was made without this usage.
     void require(VkImageUsageFlagBits usage) const;
     /// Binds storage: its own, or a part of another memory's, which is kept alive.
     void place(const Allocation& own);
@@ -69,12 +70,14 @@ public:
     /// The view of one level and face for draws; throws missing_feature. The device's lock is held.
     VkImageView attachment_view(std::uint32_t mip, std::uint32_t face);
 
-    /// As a kernel's binding of this kind sees the image: a cube also as its faces. The device's lock is held.
+    /// The views for a kernel's binding of this kind: a cube may be bound as an array of its faces, too. The device's
+    /// lock is held.
     struct Views {
         VkImageView sampled, storage;
     };
     Views views_as(MemoryKind kind);
-    /// Of the first level, an image of floats as ints; throws missing_feature. The device's lock is held.
+    /// The view of the first level of an image of floats as integers of the same bits; throws missing_feature. The
+    /// device's lock is held.
     VkImageView bits_view(MemoryKind kind);
 
     VulkanDevice& owner() const;
@@ -84,8 +87,8 @@ public:
 
     MemoryParts parts;
     MemoryId id;
-    VkDeviceSize range = 0;       ///< buffers: bytes that descriptors cover, a multiple of 16, at least 16
-    VkDeviceAddress address = 0;  ///< buffers
+    VkDeviceSize range = 0;       ///< buffers: bytes that shaders may read, a multiple of 16, at least 16
+    VkDeviceAddress address = 0;  ///< of a buffer
 
 private:
     void bind(VkDeviceMemory memory, VkDeviceSize offset);
@@ -94,7 +97,7 @@ private:
     VkImageView bits_view(MemoryKind kind, const Texels& texels);
     void read_address();
 
-    std::shared_ptr<VulkanMemory> block_;  ///< null: the storage is its own
+    std::shared_ptr<VulkanMemory> block_;  ///< the memory whose storage this one shares; null: it has its own
 };
 
 inline VulkanMemory& vulkan_memory(const Memory& memory) { return static_cast<VulkanMemory&>(*memory.object()); }

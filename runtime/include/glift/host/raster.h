@@ -68,7 +68,8 @@ struct Draw {
     DepthTarget depth;
 };
 
-/// Runs a draw, on all cores. The vertex shader runs once per vertex; needs memory for one batch of 2^15 triangles.
+/// Runs a draw, on all cores. The vertex shader runs once per vertex and instance; needs memory for one batch of 98,304
+/// vertices and their triangles.
 GLIFT_API void draw(const Draw& draw);
 
 }  // namespace glift::host

@@ -1,5 +1,5 @@
-// A batch of some thousand triangles of a draw: set up in parallel by chunks, binned into the tiles that they touch,
-// and drawn tile by tile.
+// A batch of up to 98,304 vertices of a draw: their triangles are set up in parallel by chunks, sorted into the tiles
+// of the viewport that they may touch, and drawn tile by tile.
 #pragma once
 
 #include "host/raster/clip.h"
@@ -20,11 +20,11 @@ Tiles tiles_of(uint2 size);
 /// The number of vertices of a primitive.
 std::uint32_t corners_of(Topology topology);
 
-/// Consecutive triangles of the draw, and for each tile those that touch it, in order.
+/// Consecutive triangles of the draw, and for each tile those that may touch it, in order.
 class Chunk {
 public:
-    /// Runs the vertex shader for `count` vertices from `first` on, and sets up the triangles that their primitives
-    /// are.
+    /// Runs the vertex shader for `count` vertices from `first` on, and sets up the triangles of their primitives: a
+    /// clipped triangle is none, one or several, a line or a point two.
     void make(const Draw& draw, const Window& window, const Clipper& clipper, const Tiles& tiles, std::uint64_t first,
               std::uint32_t count, std::uint32_t instance);
     const std::vector<Triangle>& triangles() const { return triangles_; }
@@ -43,7 +43,7 @@ private:
     void sort(const Tiles& tiles);
 
     std::vector<float> vertices_;
-    std::vector<Corner> corners_;  ///< of triangles
+    std::vector<Corner> corners_;  ///< the vertices of triangles before clipping, in the window
     MadeCorners made_;
     std::vector<Triangle> triangles_;
     std::vector<std::uint32_t> begins_, sorted_;

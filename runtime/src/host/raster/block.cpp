@@ -18,7 +18,7 @@ std::int32_t start_of(const Edge& edge, std::int32_t x, std::int32_t y) {
     return static_cast<std::int32_t>(std::clamp(value, -limit, limit));
 }
 
-/// The columns of a block from `left` to `right`, in every row from `top` to `bottom`.
+/// The pixels of a block in columns [left, right) and rows [top, bottom).
 std::uint64_t box(std::int32_t left, std::int32_t top, std::int32_t right, std::int32_t bottom) {
     const std::uint64_t row = ((1u << (right - left)) - 1u) << left;
     std::uint64_t all = 0;
@@ -26,8 +26,8 @@ std::uint64_t box(std::int32_t left, std::int32_t top, std::int32_t right, std::
     return all;
 }
 
-/// A bit for each pixel of a block, set where an edge value is negative: outside of the triangle. Only in the rows from
-/// `top` to `bottom`: most triangles of large meshes have few.
+/// A bit for each pixel of a block, set where an edge value is negative: outside of the triangle. Only in rows [top,
+/// bottom), which are few for most triangles of large meshes.
 GLIFT_HOST_KERNEL std::uint64_t outside(const std::int32_t (&start)[3], const std::int32_t (&a)[3],
                                         const std::int32_t (&b)[3], std::int32_t top, std::int32_t bottom) {
     std::uint64_t result = 0;

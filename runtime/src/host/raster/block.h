@@ -10,20 +10,21 @@ inline constexpr std::int32_t block_side = Fragments::side;
 /// The pixels of the block at (x, y) that a triangle covers, within its bounding box.
 std::uint64_t coverage(const Triangle& triangle, std::int32_t x, std::int32_t y);
 
-/// Rows of a block, whole quads: the first one is even, `end` too.
+/// Rows [first, end) of a block, which hold whole quads: both numbers are even.
 struct Rows {
     int first, end;
 };
 /// The rows of the quads that have one of these pixels, of which there must be one.
 Rows rows_of(std::uint64_t covered);
 
-/// Depth and linear weights in these rows of the block at (x, y).
+/// Computes depths and linear weights in these rows of the block at (x, y).
 void interpolate_depth(const Triangle& triangle, std::int32_t x, std::int32_t y, const Rows& rows,
                        Fragments& fragments);
-/// The perspective-correct weights, from the linear ones that interpolate_depth has set.
+/// Computes the perspective-correct weights, and 1 / w, from the linear weights that interpolate_depth has set.
 void interpolate_smooth(const Triangle& triangle, const Rows& rows, Fragments& fragments);
 
-/// Tests the depths of a block against the stored ones, and stores and returns those of the pixels that pass.
+/// Tests the depths of these pixels of a block against the stored ones. Returns the pixels that pass; stores their
+/// depths if the target is written.
 std::uint64_t test_depth(const DepthTarget& target, int2 first, const float* depth, std::uint64_t pixels);
 
 }  // namespace glift::host::raster

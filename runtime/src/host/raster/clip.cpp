@@ -6,7 +6,7 @@ namespace glift::host::raster {
 
 namespace {
 
-/// Pixels around the viewport's centre in which fixed-point coordinates are exact.
+/// How far the guard band reaches from the viewport's centre, in pixels: in it fixed-point coordinates are exact.
 constexpr float guard_band = 32000.0f;
 
 }  // namespace
@@ -15,7 +15,8 @@ Clipper::Clipper(const Window& window)
     : layout_(window.layout), band_x_(guard_band / std::max(1.0f, 0.5f * static_cast<float>(window.end.x))),
       band_y_(guard_band / std::max(1.0f, 0.5f * static_cast<float>(window.end.y))) {}
 
-/// Distance to a plane, not negative inside. Inside both depth planes w >= z >= 0, so only w = z = 0 cannot be divided.
+/// Distance to a plane, not negative inside. Inside both depth planes w >= z >= 0, so that of what is left only corners
+/// with w = 0 have no place in the window.
 float Clipper::distance(unsigned plane, const float* corner) const {
     const float x = corner[0], y = corner[1], z = corner[2], w = corner[3];
     switch (plane) {

@@ -1,4 +1,5 @@
-// Clipping, in clip coordinates, of triangles against the depth range, the guard band and the user's clip distances.
+// Clipping, in clip coordinates, of triangles and lines against the depth range, the guard band (a square around the
+// viewport in which fixed-point coordinates are exact) and the program's clip distances.
 #pragma once
 
 #include "host/raster/triangle.h"
@@ -8,7 +9,8 @@
 
 namespace glift::host::raster {
 
-/// Each plane that cuts a triangle adds one vertex: six planes, and eight clip distances. Rounding may add some.
+/// The most vertices of a polygon. Each plane that cuts a triangle adds one: six planes, and up to eight clip
+/// distances. Rounding may add some.
 inline constexpr unsigned max_polygon = 32;
 
 /// Vertices made by clipping. Their addresses are stable.

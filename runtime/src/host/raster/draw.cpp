@@ -9,7 +9,7 @@ namespace glift::host {
 
 namespace {
 
-constexpr std::uint32_t chunk_corners = 6 * 256;  // whole triangles, lines and points
+constexpr std::uint32_t chunk_corners = 6 * 256;  // a multiple of 3 and 2: no triangle or line is cut
 constexpr std::size_t batch_chunks = 64;
 
 }  // namespace

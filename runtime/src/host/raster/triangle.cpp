@@ -69,7 +69,8 @@ std::optional<Triangle> triangle_of(const Window& window, const Corner& corner0,
     triangle.top = std::max(first_from(top), static_cast<std::int32_t>(window.first.y));
     triangle.right = std::min(first_beyond(right), static_cast<std::int32_t>(window.end.x));
     triangle.bottom = std::min(first_beyond(bottom), static_cast<std::int32_t>(window.end.y));
-    if (triangle.left >= triangle.right || triangle.top >= triangle.bottom) return std::nullopt;  // most small ones
+    // Most small triangles contain no pixel's centre.
+    if (triangle.left >= triangle.right || triangle.top >= triangle.bottom) return std::nullopt;
     const auto minus = [](std::int32_t a, std::int32_t b) { return std::int64_t{a} - b; };
     const std::int64_t area = minus(points[1].x, points[0].x) * minus(points[2].y, points[0].y) -
                               minus(points[2].x, points[0].x) * minus(points[1].y, points[0].y);

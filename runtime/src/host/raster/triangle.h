@@ -17,7 +17,7 @@ struct CornerLayout {
     std::uint32_t varyings_at() const { return 4 + clip_distances; }
 };
 
-/// The inside of an edge is where `a * x + b * y + c >= 0`, with pixel centres at whole x and y.
+/// The inside of an edge is where `a * x + b * y + c >= 0`, x and y in 1/256 of a pixel as in Point.
 struct Edge {
     std::int32_t a, b;
     std::int64_t c;
@@ -25,10 +25,10 @@ struct Edge {
 
 struct Triangle {
     std::array<Edge, 3> edges;  ///< edge i is opposite vertex i
-    float inverse_area;         ///< weight i is edge function i times this, up to rounding of c
+    float inverse_area;         ///< weight i is edge function i plus offset[i], times this
     float offset[3];            ///< what the top-left rule subtracted from the edge functions
     float z[3], inverse_w[3];
-    const float* corner[3];                 ///< varyings
+    const float* corner[3];                 ///< varyings of each vertex
     const float* flat = nullptr;            ///< varyings of the primitive's first vertex, before clipping
     std::int32_t left, top, right, bottom;  ///< pixels that may be covered, the last ones exclusive
     bool is_front;
@@ -36,7 +36,8 @@ struct Triangle {
 
 /// The state of a draw that triangle setup needs.
 struct Window {
-    /// Its pixels. The first one is 0 or 1, even or odd as in the framebuffer, so that blocks begin at even pixels.
+    /// Pixels [first, end) of the viewport. `first` is 0 or 1 along each axis, even or odd as in the framebuffer, so
+    /// that blocks begin at even pixels.
     uint2 first, end;
     Cull cull;
     CornerLayout layout;
@@ -60,7 +61,7 @@ Point snapped(float2 place);
 inline Corner corner_of(const Window& window, const float* vertex) {
     return {snapped(place_of(window, vertex)), 1.0f / vertex[3], vertex};
 }
-/// The same for `count` consecutive vertices. The points of those outside the guard band mean nothing.
+/// `corner_of` of `count` consecutive vertices. The points of those outside the guard band mean nothing.
 void corners_of(const Window& window, const float* vertices, std::uint32_t count, Corner* corners);
 
 /// Sets up a triangle; none if it covers no pixel or is culled.
