@@ -91,7 +91,7 @@ inline double operator-(const Timestamp& later, const Timestamp& earlier) {
 /// ones throw.
 class GLIFT_API Commands {
 public:
-    Commands(const Device& device);  ///< what Device::commands says
+    Commands(const Device& device);  ///< the stream of Device::commands
     explicit Commands(std::shared_ptr<detail::Stream> stream) : stream_(std::move(stream)) {}
     explicit operator bool() const { return bool(stream_); }
 

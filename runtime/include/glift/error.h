@@ -27,7 +27,6 @@ enum class ErrorCode : std::uint8_t {
     out_of_range,    ///< an access outside a structure, in a kernel compiled with `gliftc --checked`; else not reported
     device_lost,
     missing_form,  ///< the kernel has no code for this kind of device, or not in the form that the call needs
-                   ///< (kernel.h)
     vulkan,        ///< any other failed Vulkan call
 };
 

@@ -1,5 +1,5 @@
 // The pointer inside every public handle (Device, Memory, Commands, ...). A handle that was default-constructed or
-// moved from is empty: calling it throws.
+// moved from is empty: using it throws.
 #pragma once
 
 #include <glift/api.h>

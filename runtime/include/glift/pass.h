@@ -55,7 +55,8 @@ inline const Form& form_of(const Kernel& kernel, FormName name) {
     return kernel.direct;
 }
 
-/// What is known of memories that a call binds several times and writes through at least one binding.
+/// What is known of memories that a call binds several times and writes through at least one binding. Bindings whose
+/// writes combine alike (Binding::combine) are left aside.
 enum class Sharing : std::uint8_t {
     unknown,    ///< nothing: refused (ErrorCode::aliased_memory), unless all these bindings are read_write
     apart,      ///< no invocation accesses what another one writes, and none accesses an element by two bindings

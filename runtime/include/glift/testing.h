@@ -18,7 +18,8 @@ namespace glift {
 /// The tolerance between two devices where a test uses functions that are not exact (docs/language.md, Accuracy),
 /// relative to the larger of 1 and the value.
 inline constexpr double inexact_tolerance = 1e-3;
-/// The same for colours of eight bits that are drawn: each device rounds them in its way, and again where it blends.
+/// The absolute tolerance of colours of eight bits that are drawn: each device rounds them in its way, and again where
+/// it blends.
 inline constexpr double drawn_tolerance = 2.01 / 255.0;
 
 /// All elements of one structure at the end of a test, and the layout of an element, `scalars`: one letter a scalar (f

@@ -63,7 +63,7 @@ private:
     using Outcome = std::map<const std::byte*, Bytes>;
 
     /// Runs the call on copies. `seen` is what the promising parameter reads, `initial` what the same memory holds
-    /// before for all others.
+    /// before the call for all other parameters.
     Outcome run(const Bytes& seen, const Bytes& initial) const {
         Outcome copies;
         for (std::size_t i = 0; i < memories_.size(); ++i) {

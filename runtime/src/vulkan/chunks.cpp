@@ -49,7 +49,7 @@ void ChunkPool::make_buffer(Chunk& chunk) {
     VkMemoryRequirements needs;
     context_.vk.vkGetBufferMemoryRequirements(context_.device, chunk.buffer, &needs);
     const bool is_made = allocator_.allocate(needs, chunk.use, true, chunk.allocation) ||
-                         (chunk.use == MemoryUse::parameters &&  // the host's memory does, when the device's is full
+                         (chunk.use == MemoryUse::parameters &&  // in the host's memory when the device's is full
                           allocator_.allocate(needs, MemoryUse::upload, true, chunk.allocation));
     if (!is_made) {
         throw Error(ErrorCode::out_of_memory, "no memory is left for staging buffers", context_.properties.name,

@@ -154,7 +154,7 @@ DeviceTable load_device_table(const InstanceTable& instance, VkDevice device);
 
 const char* result_text(VkResult result);
 
-/// Throws unless the call succeeded: no_device, out_of_memory or vulkan. For calls that have no device yet.
+/// Throws out_of_memory or vulkan if the call failed. For calls that have no device yet.
 void check_result(VkResult result, const char* call);
 
 /// All values of an enumeration `query(count, values)`, which may change between the two calls.
