@@ -307,7 +307,7 @@ ExprId Expander::neighbour(const Place& place, const std::vector<std::int64_t>& 
     physical.has = without_inside(place.root, physical.has, address, asks);
     ExprId guard;
     if (asks) note_near_guard(place.root);
-    if (asks && guards_ == Guards::checked) guard = near_guard(place.root, offset);
+    if (asks && guards_ != Guards::interior) guard = near_guard(place.root, offset);
     if (cx.kernel.grouped()) guard = make.both(make.local(cx.pass.in_range), guard);
     ExprId other = middle.has || cx.kernel.grouped() ? ExprId{} : middle.value;
     return guarded_load(place, physical, guard, other, otherwise_around(place), name);
