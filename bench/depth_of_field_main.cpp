@@ -4,6 +4,7 @@
 //     bench_depth_of_field [--device NAME] [--sizes 512x512,1920x1080] [--runs N] [--seconds S] [--json FILE]
 #include "figures.h"
 #include "median.h"
+#include "picture_size.h"
 #include "timing.h"
 
 #include "dof.glift.hpp"
@@ -30,14 +31,6 @@ struct Options {
     int runs = 11;
     double seconds = 0.02;
 };
-
-glift::uint2 size_of(const std::string& text) {
-    unsigned width = 0, height = 0;
-    char beyond = 0;
-    if (std::sscanf(text.c_str(), "%ux%u%c", &width, &height, &beyond) != 2 || width == 0 || height == 0)
-        throw std::runtime_error("a size is WIDTHxHEIGHT, not " + text);
-    return {width, height};
-}
 
 /// A lens of 50 mm at f/0.7 before 36 mm of film, focused at 4 m.
 dof::Lens lens_of(std::uint32_t width) { return {0.05f, 0.05f / 0.7f, 4.0f, static_cast<float>(width) / 0.036f}; }
@@ -91,7 +84,7 @@ void run(const Options& options) {
     const glift::Device device = glift::Device::open(options.device);
     bench::DeviceFigures figures{device.properties().name, {}};
     for (const std::string& text : options.sizes) {
-        const glift::uint2 size = size_of(text);
+        const glift::uint2 size = bench::picture_size(text);
         const Input input(device, size);
         const std::uint64_t pixels = std::uint64_t{size.x} * size.y, bytes = bytes_a_pixel * pixels;
         const glift::MemoryDescription half{.name = "copied", .bytes = bytes / 2};

@@ -3,6 +3,7 @@
 // where a fragment's colour comes from.
 //
 //     bench_paint [MODEL] [--strokes FILE | --load FILE] [--sizes 512x512,1920x1080] [--runs N] [--json FILE]
+#include "picture_size.h"
 #include "timing.h"
 
 #include "examples/paint/canvas.h"
@@ -40,14 +41,6 @@ struct Options {
     int runs = 11;
     double seconds = 0.02, turn = 0.35, upwards = 0.2, near = 8, far = 1;
 };
-
-glift::uint2 size_of(const std::string& text) {
-    unsigned width = 0, height = 0;
-    char beyond = 0;
-    if (std::sscanf(text.c_str(), "%ux%u%c", &width, &height, &beyond) != 2 || width == 0 || height == 0)
-        throw std::runtime_error("a size is WIDTHxHEIGHT, not " + text);
-    return {width, height};
-}
 
 camera::Camera looking_at(const float3& target, float right, float upwards, float closer) {
     camera::Camera camera;
@@ -162,7 +155,7 @@ Json rows_of(const Options& o, Canvas& canvas, const std::vector<View>& views) {
     Json rows = Json::array();
     for (const View& view : views)
         for (const std::string& size : o.sizes) {
-            const Draws draws(canvas, volume, view.camera, size_of(size));
+            const Draws draws(canvas, volume, view.camera, bench::picture_size(size));
             Json row{{"view", view.name}, {"size", size}};
             if (!o.pictures.empty())
                 for (std::size_t way = 0; way < ways.size(); ++way)
@@ -180,7 +173,7 @@ Json rows_of(const Options& o, Canvas& canvas, const std::vector<View>& views) {
 }
 
 void run(const Options& o) {
-    for (const std::string& size : o.sizes) size_of(size);
+    for (const std::string& size : o.sizes) bench::picture_size(size);
     const mesh::Mesh mesh = model_of(o.model);
     const std::vector<View> views = views_of(mesh, o);
     Canvas canvas(glift::Device::open(), mesh, o.octree);

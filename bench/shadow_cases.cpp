@@ -9,34 +9,6 @@ namespace bench {
 
 namespace {
 
-/// Sets the size of pages where the example has a choice; else says whether it is the one that it has.
-template <class S> bool set_cells(S& settings, unsigned cells) {
-    if constexpr (requires { settings.cells = cells; }) {
-        settings.cells = cells;
-        return true;
-    } else {
-        return cells == 32;
-    }
-}
-
-/// How texels are filtered: the nearest one, 2 x 2, 2 x 2 between levels.
-enum FilterMode : unsigned { nearest, bilinear, trilinear };
-
-/// The same for filters.
-template <class S> bool set_filter(S& settings, FilterMode mode) {
-    if constexpr (requires { settings.filter; }) {
-        settings.filter = static_cast<decltype(settings.filter)>(mode);
-        return true;
-    } else {
-        settings.trilinear = mode == trilinear;
-        return mode != nearest;
-    }
-}
-template <class S> bool is_trilinear(const S& settings) {
-    if constexpr (requires { settings.filter; }) return static_cast<unsigned>(settings.filter) == trilinear;
-    else return settings.trilinear;
-}
-
 /// Frame by frame along a path, with memory of its own.
 class Along {
 public:
@@ -77,7 +49,7 @@ std::uint32_t first_of_level(std::uint32_t levels, std::uint32_t level) {
 /// The texels of a frame's pages that its pixels look up, of each page's four around a pixel's place.
 class Touched {
 public:
-    Touched(const Frame& frame, const ShadowCase& one) : one_(one), side_(one.cells + 1) {
+    Touched(const Frame& frame, const ShadowCase& one) : one_(one), side_(one.settings.cells + 1) {
         const std::vector<std::uint32_t> owners = frame.owners();
         const std::uint32_t levels = one.settings.levels;
         frame_of_.resize(first_of_level(levels, 0) + (1u << 2 * (levels - 1)));
@@ -89,7 +61,7 @@ public:
             if (s.w < 0) continue;
             const auto level = std::max(static_cast<std::uint32_t>(s.w), one.settings.finest);
             look_up(s, level);
-            if (is_trilinear(one.settings)) look_up(s, level + 1);
+            if (one.settings.filter == Filter::trilinear) look_up(s, level + 1);
         }
     }
     double share() const {
@@ -103,15 +75,16 @@ private:
         const std::uint32_t levels = one_.settings.levels;
         const std::uint32_t wanted = std::min(level, levels - 1);
         for (std::uint32_t l = wanted; l < levels; ++l) {
-            const std::uint32_t pages = 1u << (levels - 1 - l), nodes = one_.cells * pages;
+            const std::uint32_t pages = 1u << (levels - 1 - l), nodes = one_.settings.cells * pages;
             if (l > wanted && nodes < one_.settings.standard) return;
             const auto x = static_cast<std::uint32_t>(s.x * static_cast<float>(nodes)),
                        y = static_cast<std::uint32_t>(s.y * static_cast<float>(nodes));
             if (x >= nodes || y >= nodes) return;
-            const std::uint32_t at = frame_of_[first_of_level(levels, l) + y / one_.cells * pages + x / one_.cells];
+            const std::uint32_t at =
+                frame_of_[first_of_level(levels, l) + y / one_.settings.cells * pages + x / one_.settings.cells];
             if (at == 0) continue;
-            const std::size_t first =
-                (std::size_t{at} - 1) * side_ * side_ + std::size_t{y % one_.cells} * side_ + x % one_.cells;
+            const std::size_t first = (std::size_t{at} - 1) * side_ * side_ +
+                                      std::size_t{y % one_.settings.cells} * side_ + x % one_.settings.cells;
             for (const std::size_t i : {first, first + 1, first + side_, first + side_ + 1}) texels_[i] = 1;
             return;
         }
@@ -128,7 +101,8 @@ void note_pages(Along& along, const ShadowCase& one, ShadowFrames& found) {
     std::ignore = along.frame().status();  // throws where triangles found no room
     const auto pool = along.frame().pool();
     found.pages.push_back(pool.resident), found.granted.push_back(pool.granted), found.refused.push_back(pool.refused);
-    found.capacity = pool.capacity, found.texels_a_page = std::uint64_t{one.cells + 1} * (one.cells + 1);
+    found.capacity = pool.capacity,
+    found.texels_a_page = std::uint64_t{one.settings.cells + 1} * (one.settings.cells + 1);
 }
 
 /// The means over the frames of each pass of a submission; all frames have the same passes.
@@ -162,7 +136,7 @@ std::vector<PassTime> passes_of(const glift::Device& device, const ShadowCase& o
 
 std::vector<ShadowCase> shadow_cases(const Settings& settings) {
     std::vector<ShadowCase> cases;
-    const auto add = [&](const char* name, Method method, const auto& change) -> ShadowCase& {
+    const auto add = [&](const std::string& name, Method method, const auto& change) -> ShadowCase& {
         ShadowCase& one = cases.emplace_back(ShadowCase{name, method, settings});
         change(one.settings);
         return one;
@@ -178,20 +152,21 @@ std::vector<ShadowCase> shadow_cases(const Settings& settings) {
     add("rmsm analysis 2", Method::matched, [](Settings& s) { s.step = 2; });
     add("rmsm analysis 4", Method::matched, [](Settings& s) { s.step = 4; });
     add("rmsm analysis 8", Method::matched, [](Settings& s) { s.step = 8; });
-    add("rmsm trilinear", Method::matched, [](Settings& s) { set_filter(s, trilinear); });
-    if (Settings s = settings; set_filter(s, nearest)) {
-        add("rmsm nearest", Method::matched, [](Settings& own) { set_filter(own, nearest); });
-        add("standard nearest", Method::standard, [](Settings& own) { set_filter(own, nearest); });
-    }
+    add("rmsm trilinear", Method::matched, [](Settings& s) { s.filter = Filter::trilinear; });
+    const auto nearest = [](Settings& s) { s.filter = Filter::nearest; };
+    add("rmsm nearest", Method::matched, nearest);
+    add("standard nearest", Method::standard, nearest);
     add("rmsm by kernel", Method::matched, [](Settings& s) { s.by_kernel = true; });
     add("rmsm by draws", Method::matched, [](Settings& s) { s.by_kernel = false; });
     for (const unsigned cells : {16u, 64u}) {
-        ShadowCase one{"rmsm pages of " + std::to_string(cells), Method::matched, settings, false, cells};
+        const std::string name = "rmsm pages of " + std::to_string(cells);
         // As many texels along the map, and about as many in the pool.
-        one.settings.levels = cells == 16 ? settings.levels + 1 : settings.levels - 1;
-        one.settings.seed = cells == 16 ? settings.seed + 1 : settings.seed - 1;
-        one.settings.pages = cells == 16 ? 4 * settings.pages : settings.pages / 4;
-        if (set_cells(one.settings, cells)) cases.push_back(one);
+        add(name, Method::matched, [&](Settings& s) {
+            s.cells = cells;
+            s.levels = cells == 16 ? settings.levels + 1 : settings.levels - 1;
+            s.seed = cells == 16 ? settings.seed + 1 : settings.seed - 1;
+            s.pages = cells == 16 ? 4 * settings.pages : settings.pages / 4;
+        });
     }
     return cases;
 }

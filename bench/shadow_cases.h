@@ -18,7 +18,6 @@ struct ShadowCase {
     Method method;
     Settings settings;
     bool is_static = false;  ///< scene and light stand still, and pages are kept
-    unsigned cells = 32;     ///< of a page along each axis
 };
 
 /// All of them that the example has, from its own settings.

@@ -35,7 +35,7 @@ nlohmann::ordered_json row_of(const std::string& scene, const bench::ShadowCase&
     nlohmann::ordered_json row = {{"scene", scene},
                                   {"case", one.name},
                                   {"is_static", one.is_static},
-                                  {"cells", one.cells},
+                                  {"cells", one.settings.cells},
                                   {"levels", one.settings.levels},
                                   {"seconds", found.seconds},
                                   {"median", bench::median(found.seconds)},

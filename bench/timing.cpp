@@ -10,8 +10,6 @@ namespace bench {
 
 namespace {
 
-using Work = std::function<void(const glift::Commands&)>;
-
 double seconds_of(const glift::Device& device, const glift::Recording& recording) {
     const glift::Commands commands = device.commands();
     const glift::Timestamp before = commands.timestamp();

@@ -1,6 +1,7 @@
 // Sparse arrays with bump allocators: random requests, writes, reads and releases of the whole, compared with a model
 // after each change: status, table, order of pages, and every element of every frame.
 #include "model.h"
+#include "places.h"
 #include "property.h"
 
 #include "bump.glift.hpp"
@@ -42,17 +43,7 @@ private:
     Number page_of(uint2 place) const { return place.y / page_y * along_.x + place.x / page_x; }
     bool is_inside(uint2 place) const { return place.x < extent_.x && place.y < extent_.y; }
 
-    /// Addresses near to each other, starting anywhere, and some far outside.
-    std::vector<uint2> places(Number most) {
-        std::vector<uint2> made(1 + round_.below(most));
-        const uint2 first{round_.below(extent_.x), round_.below(extent_.y)};
-        const Number spread = 1 + round_.below(30);
-        for (uint2& place : made) {
-            place = {first.x + round_.below(spread), first.y + round_.below(spread)};
-            if (round_.chance(50)) place = {0u - 1 - round_.below(9), round_.below(20)};
-        }
-        return made;
-    }
+    std::vector<uint2> places(Number most) { return property::places_near(round_, extent_, most, 30); }
 
     bump::Places on_device(const std::vector<uint2>& all) {
         bump::Places made(device_, static_cast<Number>(all.size()));

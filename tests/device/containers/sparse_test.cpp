@@ -2,6 +2,7 @@
 // refinements and reads, compared with a model after each change: status, table, frames, free list, and every element
 // of every page.
 #include "model.h"
+#include "places.h"
 #include "property.h"
 
 #include "sparse.glift.hpp"
@@ -53,17 +54,7 @@ private:
     bool is_inside(uint2 place) const { return place.x < extent_.x && place.y < extent_.y; }
     static Number element_of(uint2 place) { return place.y % page_y * page_x + place.x % page_x; }
 
-    /// Addresses near to each other, starting anywhere, and some far outside.
-    std::vector<uint2> places(Number most) {
-        std::vector<uint2> made(1 + round_.below(most));
-        const uint2 first{round_.below(extent_.x), round_.below(extent_.y)};
-        const Number spread = 1 + round_.below(64);
-        for (uint2& place : made) {
-            place = {first.x + round_.below(spread), first.y + round_.below(spread)};
-            if (round_.chance(50)) place = {0u - 1 - round_.below(9), round_.below(20)};
-        }
-        return made;
-    }
+    std::vector<uint2> places(Number most) { return property::places_near(round_, extent_, most, 64); }
 
     sparse::Places on_device(const std::vector<uint2>& all) {
         sparse::Places made(device_, static_cast<Number>(all.size()));
