@@ -82,7 +82,14 @@ private:
         if (node.op == Op::binary) return most_of_binary(node);
         if (node.op == Op::intrinsic && node.intrinsic == Intrinsic::min)
             return std::min(most(node.operands[0]), most(node.operands[1]));
-        const ExprId* definition = node.op == Op::local ? cx.definitions.find(node.local) : nullptr;
+        return node.op == Op::local ? most(node.local) : unknown;
+    }
+
+    /// A variable's bound that lowering knows, or that of its value: a loop may run to what is left of `x % n` where
+    /// the bound of x made the remainder x.
+    std::uint64_t most(LocalId local) {
+        if (const auto known = cx.make.limits.find(local); known != cx.make.limits.end()) return known->second;
+        const ExprId* definition = cx.definitions.find(local);
         return definition ? most(*definition) : unknown;
     }
 

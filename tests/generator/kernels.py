@@ -230,7 +230,8 @@ class Kernels:
             return Node(f"{name}.{function}(", self.expressions.of(UINT, scope, 3), ");")
 
         def counted(scope):
-            node = Node(f"let {result} = ({name}.enter(", self.expressions.of(UINT, scope, 3), ") ?? 0u) > 9u;")
+            # Which sum it gets depends on the order of the invocations; whether it gets one does not.
+            node = Node(f"let {result} = ({name}.enter(", self.expressions.of(UINT, scope, 3), ") ?? 4294967295u) != 4294967295u;")
             scope.variables.append((result, BOOL, False))
             return node
         kernel.writes.append(counted if function == "enter" else call)

@@ -189,6 +189,21 @@ Text print_convert(Printer& p, const Expr& expr) {
     return {type_text(p, expr.type) + "(" + print_any(p, operand) + ")"};
 }
 
+/// Whether the expression is an element of a buffer that is reached by its address, or a part of one.
+bool is_read_by_address(const Printer& p, ExprId id) {
+    const Expr* expr = &p.program.exprs[id];
+    while (expr->op == Op::field || expr->op == Op::index || expr->op == Op::value)
+        expr = &p.program.exprs[expr->operands[0]];
+    return expr->op == Op::load && p.pass.form == ir::Form::wide;
+}
+
+/// A vector of which one component is taken. NIR's copy propagation takes component 0 for any component that is read
+/// through an address, if it knows the whole vector from another read. So the vector is read whole there, too.
+std::string print_vector(Printer& p, ExprId id, std::string text) {
+    return is_read_by_address(p, id) ? need(p, Helper::whole_vector, p.program.exprs[id].type) + "(" + text + ")"
+                                     : text;
+}
+
 Text print_swizzle(Printer& p, const Expr& expr) {
     const ir::Types& types = p.program.types;
     std::uint32_t count = types.components(expr.type);
@@ -196,7 +211,9 @@ Text print_swizzle(Printer& p, const Expr& expr) {
         if (count == 1) return print(p, expr.operands[0]);
         return {type_text(p, expr.type) + "(" + print_any(p, expr.operands[0]) + ")"};
     }
-    std::string text = print(p, expr.operands[0], Level::postfix) + ".";
+    std::string text = print(p, expr.operands[0], Level::postfix);
+    if (count == 1) text = print_vector(p, expr.operands[0], std::move(text));
+    text += ".";
     for (std::uint32_t i = 0; i < count; ++i) text += "xyzw"[expr.lanes[i]];
     return {text};
 }
@@ -239,7 +256,9 @@ std::string print_whole(Printer& p, ExprId id);
 
 Text print_index(Printer& p, const Expr& expr) {
     const ir::Type& of = p.program.types[p.program.exprs[expr.operands[0]].type];
-    return {print_whole(p, expr.operands[0]) + "[" + guarded_index(p, expr.operands[1], of.count) + "]"};
+    std::string whole = print_whole(p, expr.operands[0]);
+    if (of.kind == TypeKind::vector) whole = print_vector(p, expr.operands[0], std::move(whole));
+    return {whole + "[" + guarded_index(p, expr.operands[1], of.count) + "]"};
 }
 
 /// One side of a select. glslang keeps structs in blocks and structs in variables apart, as they are laid out

@@ -39,6 +39,7 @@ const char* name_of(Helper helper) {
     case Helper::extract_bits: return "extract_bits";
     case Helper::insert_bits: return "insert_bits";
     case Helper::far_index: return "far_index";
+    case Helper::whole_vector: return "whole_vector";
     case Helper::split_float: return "split";
     case Helper::divide: return "divide";
     case Helper::square_root: return "square_root";
@@ -319,6 +320,10 @@ std::string definition(Printer& p, const HelperUse& use) {
     case Helper::insert_bits: return bits_definition(p, use);
     case Helper::far_index:
         return "// GLSL takes no constant from 2^31 on for an index.\nuint far_index(uint i) { return i; }\n";
+    case Helper::whole_vector:
+        return "// Mesa's drivers mistake one component, read through an address, for the first if they know the "
+               "vector.\n" +
+               one_line(type_text(p, use.a) + " whole_vector(" + type_text(p, use.a) + " v)", "v");
     case Helper::split_float: return division_definition(p, use);
     case Helper::divide:
     case Helper::square_root: {
@@ -396,6 +401,7 @@ void need_inner(Printer& p, const HelperUse& use) {
     case Helper::extract_bits:
     case Helper::insert_bits:
     case Helper::far_index:
+    case Helper::whole_vector:
     case Helper::skips_branches: break;
     }
 }

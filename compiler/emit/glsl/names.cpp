@@ -47,6 +47,7 @@ const std::unordered_set<std::string_view>& reserved_words() {
         "exact_division",
         "divide",
         "far_index",
+        "whole_vector",
         "square_root",
         "split",
         "scaled_quotient",

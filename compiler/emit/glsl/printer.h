@@ -61,6 +61,7 @@ enum class Helper : std::uint8_t {
     extract_bits,
     insert_bits,
     far_index,
+    whole_vector,
     split_float,
     divide,
     square_root,
