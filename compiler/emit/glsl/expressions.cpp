@@ -271,11 +271,11 @@ std::string print_side(Printer& p, ExprId id, Level least) {
     return print(p, id, least);
 }
 
-/// The arguments of a struct's, an array's or a vector's constructor. For a type with bools, structs that lie in blocks
+/// The arguments of a struct's, an array's, a vector's or an optional's constructor. For a type with bools, structs that lie in blocks
 /// are composed of their parts, since glslang passes them as they lie there.
 std::string parts_of_whole(Printer& p, const Expr& expr) {
     const TypeKind kind = p.program.types.kind(expr.type);
-    const bool has_parts = kind == TypeKind::struct_ || kind == TypeKind::array;
+    const bool has_parts = kind == TypeKind::struct_ || kind == TypeKind::array || kind == TypeKind::optional;
     if (!has_parts || !holds_bool(p.program, expr.type)) return join_arguments(p, expr.operands);
     std::string parts;
     for (ExprId operand : expr.operands)
@@ -320,7 +320,7 @@ Text print_node(Printer& p, ExprId id) {
     case Op::intrinsic: return print_intrinsic(p, expr);
     case Op::none: return {zero(p, expr.type)};
     case Op::some: {
-        std::string value = join_arguments(p, expr.operands);
+        std::string value = parts_of_whole(p, expr);
         return {type_text(p, expr.type) + "(true" + (value.empty() ? "" : ", " + value) + ")"};
     }
     case Op::has_value: return {print(p, expr.operands[0], Level::postfix) + ".has"};
