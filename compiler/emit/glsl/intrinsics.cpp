@@ -86,19 +86,23 @@ Text atomic(Printer& p, const char* name, const Expr& expr) {
     return call(p, name, expr);
 }
 
+/// NVIDIA's driver (580) fails to compile GLSL's sign of 64-bit integers beside other arithmetic, and sign(~x) ^ y of
+/// integers of 32 bits.
+Text sign(Printer& p, const Expr& expr) {
+    const ir::Types& types = p.program.types;
+    const TypeId scalar = types.scalar_of(expr.type);
+    if (types.is_floating(scalar) || scalar == types.int64) return shaped(p, Helper::sign_of, expr);
+    const std::string x = print_any(p, expr.operands[0]);
+    return {"clamp(" + x + ", -1, 1)"};
+}
+
 }  // namespace
 
 // long: a case for each built-in function
 Text print_intrinsic(Printer& p, const Expr& expr) {
     switch (expr.intrinsic) {
     case Intrinsic::abs: return call(p, "abs", expr);
-    case Intrinsic::sign: {
-        // NVIDIA's driver (580) fails to compile GLSL's sign of 64-bit integers beside other arithmetic.
-        const ir::Types& types = p.program.types;
-        const TypeId scalar = types.scalar_of(expr.type);
-        return types.is_floating(scalar) || scalar == types.int64 ? shaped(p, Helper::sign_of, expr)
-                                                                  : call(p, "sign", expr);
-    }
+    case Intrinsic::sign: return sign(p, expr);
     case Intrinsic::floor: return call(p, "floor", expr);
     case Intrinsic::ceil: return call(p, "ceil", expr);
     case Intrinsic::round: return call(p, "roundEven", expr);
@@ -141,7 +145,11 @@ Text print_intrinsic(Printer& p, const Expr& expr) {
     case Intrinsic::smoothstep: return shaped(p, Helper::smooth_step, expr);
     case Intrinsic::fma: return call(p, "fma", expr);
     case Intrinsic::transpose: return call(p, "transpose", expr);
-    case Intrinsic::packHalf2x16: return call(p, "packHalf2x16", expr);
+    case Intrinsic::packHalf2x16: {
+        // NVIDIA's driver (580) leaves out packHalf2x16 before unpackHalf2x16, and so the rounding.
+        const TypeId pair = p.program.exprs[expr.operands[0]].type;
+        return {"packFloat2x16(" + need(p, Helper::to_half, pair) + "(" + join_arguments(p, expr.operands) + "))"};
+    }
     case Intrinsic::unpackHalf2x16: return call(p, "unpackHalf2x16", expr);
     case Intrinsic::packUnorm4x8:
         return {need(p, Helper::pack_unorm, {}) + "(" + join_arguments(p, expr.operands) + ")"};
