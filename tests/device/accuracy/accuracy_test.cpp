@@ -1,4 +1,5 @@
-// Compares the exact functions of a device with the host's, bit for bit, and its other functions with double precision.
+// Compares the exact functions of a Vulkan device with the host's, bit for bit, and the other functions of both with
+// double precision.
 #include "functions.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,8 @@ std::vector<float> results(const glift::Device& device, accuracy::Kernel kernel,
     return r.read(0, size);
 }
 
-/// Pairs of operands: random bits (that is, uniformly distributed exponents), and all pairs of special values.
+/// Pairs of operands: all pairs of special values, random bits (with uniformly distributed exponents), and numbers in
+/// [1, 2).
 std::pair<std::vector<float>, std::vector<float>> any_numbers() {
     std::mt19937 bits(3);
     std::vector<float> x, y;
@@ -57,7 +59,7 @@ std::pair<std::vector<float>, std::vector<float>> any_numbers() {
         x.push_back(std::bit_cast<float>(static_cast<std::uint32_t>(bits())));
         y.push_back(std::bit_cast<float>(static_cast<std::uint32_t>(bits())));
     }
-    // And numbers of similar magnitude, whose results are often close to a rounding boundary.
+    // Numbers in [1, 2): of similar magnitude, so that sums and differences have to be rounded or cancel.
     for (std::size_t i = 0; i < count; ++i) {
         x.push_back(std::bit_cast<float>(0x3f800000u | static_cast<std::uint32_t>(bits() & 0xffffffu)));
         y.push_back(std::bit_cast<float>(0x3f800000u | static_cast<std::uint32_t>(bits() & 0xffffffu)));
@@ -65,7 +67,7 @@ std::pair<std::vector<float>, std::vector<float>> any_numbers() {
     return {x, y};
 }
 
-/// The bits of a value; all NaNs are equal.
+/// The bits of a value, where all NaNs are one, and with `Zero::either` both zeros.
 std::uint32_t word_of(float value, accuracy::Zero zero) {
     if (value != value) return 0x7fc00000u;
     return value == 0 && zero == accuracy::Zero::either ? 0 : std::bit_cast<std::uint32_t>(value);
@@ -88,14 +90,16 @@ TEST_P(Arithmetic, HasTheSameBitsOnBothDevices) {
     for (const std::string& message : vulkan().validation_messages()) ADD_FAILURE() << message;
 }
 
-/// The error in units in the last place of the larger of the value and `least`.
+/// The error of `got`, in units in the last place of the largest of |exact|, `least` and the smallest normal float;
+/// infinite for a NaN.
 double error_of(const Near& function, float got, double exact) {
     if (std::isnan(got)) return std::numeric_limits<double>::infinity();
     const double size = std::max(std::abs(exact), std::max(function.least, double(std::numeric_limits<float>::min())));
     return std::abs(got - exact) / std::ldexp(1.0, std::ilogb(size) - 23);
 }
 
-/// Arguments that are uniformly distributed, or logarithmically where the range spans many powers of ten.
+/// Both ends of the function's range and random arguments in it: uniformly distributed, or logarithmically where a
+/// positive range spans more than four powers of ten.
 std::vector<float> arguments(const Near& function, unsigned seed) {
     std::mt19937 engine(seed);
     std::uniform_real_distribution<double> place(0, 1);
@@ -130,10 +134,7 @@ TEST_P(Function, IsWithinItsBound) {
     }
 }
 
-/// Checks that docs/language.md has the row of the function: `| exp
-/// from to …
-/// 64
-/// …`.
+/// Checks that the table "Accuracy" of docs/language.md has the function's row, with its range, its bound and `least`.
 TEST_P(Function, HasItsBoundInTheDocs) {
     std::ifstream file(GLIFT_LANGUAGE_MD);
     const std::string text{std::istreambuf_iterator<char>(file), {}};

@@ -13,7 +13,7 @@ using Kernel = void (*)(const glift::Commands&, const glift::Range<Numbers>& x, 
 
 enum class Zero { signed_, either };  ///< how zeros are compared; either: the sign of a zero is unspecified
 
-/// A function whose bits are the same on every device.
+/// A function whose results have the same bits on every device (NaNs apart).
 struct Exact {
     const char* name;
     Kernel kernel;
@@ -25,7 +25,7 @@ struct Near {
     const char* name;
     Kernel kernel;
     double (*exact)(double x, double y);
-    double from, to;  ///< range of the arguments
+    double from, to;  ///< range of the arguments that are tested
     double least;
     double bound;
 };

@@ -11,8 +11,8 @@ struct Box {
     Taken taken = Taken::whole;
     unsigned along = 0;
     std::uint32_t length = 0, systems = 0;
-    glift::uint2 extent, origin, size,
-        capacity;  ///< capacity: the box's upper bound, where its size along x is on the device
+    glift::uint2 extent, origin, size, capacity;  ///< extent: of the structure; capacity: the size, or an upper bound
+                                                  ///< where the device knows the size along x
 
     Box(Round& round, unsigned along) : taken(round.taken()), along(along) {
         length = round.size();
@@ -21,7 +21,7 @@ struct Box {
         if (round.chance(4)) std::swap(length, systems);
         size = along == 0 ? glift::uint2(length, systems) : glift::uint2(systems, length);
         capacity = size;
-        // Small where columns are long, to bound the number of elements around the box.
+        // Less where columns are long, to bound the number of elements around the box.
         const std::uint32_t most = std::min(600u, limit() / std::max(size.y, 1u) + 3);
         if (taken == Taken::counted) capacity.x += round.below(round.chance(2) ? most : 3);
         if (taken != Taken::whole) origin = {round.below(20), round.below(20)};
@@ -41,7 +41,7 @@ struct Box {
     template <class Area> Area area() const {
         return {.taken = static_cast<glift::uint>(taken), .origin = origin, .size = capacity};
     }
-    /// The size in an element on the device, for boxes whose size the device knows.
+    /// A structure of one element, the size: where `taken` is `counted`, pipelines read it there.
     template <class Extents> Extents size_on(const glift::Device& device) const {
         Extents sizes(device, 1);
         sizes.write(std::vector<glift::uint2>{size});
@@ -49,7 +49,7 @@ struct Box {
     }
 
     std::size_t count() const { return std::size_t{extent.x} * extent.y; }
-    /// The row-major index of element i of a system.
+    /// The row-major index in the structure of element i of a system.
     std::size_t place(std::uint32_t system, std::uint32_t i) const {
         const std::size_t x = origin.x + (along == 0 ? i : system), y = origin.y + (along == 0 ? system : i);
         return y * extent.x + x;

@@ -1,4 +1,4 @@
-// Compares compactions, partitions and run lengths with std::copy_if, std::stable_partition and std::unique_copy.
+// Compares compaction, partition, unique and run lengths with the C++ library's algorithms and with plain loops.
 #include "chosen.h"
 #include "input.h"
 

@@ -1,4 +1,4 @@
-// For algorithms that write as many elements as they find to the start of a structure, and return their number.
+// For tests of algorithms that write the elements they select to the start of a structure, and return their number.
 #pragma once
 
 #include "property.h"
@@ -7,7 +7,7 @@
 
 namespace property {
 
-/// The structure after such an algorithm, including elements that must be unchanged; and the returned number.
+/// All elements of the structure after such an algorithm, also those that must be unchanged; and the returned number.
 template <class T> struct Found {
     std::vector<T> elements;
     std::uint32_t count = 0;
@@ -31,7 +31,7 @@ inline std::uint32_t room_for(Round& round, std::uint32_t count) {
     return std::max(round.chance(4) ? round.below(count + std::uint64_t{1}) : count + round.below(50), 1u);
 }
 
-/// A limit such that some, none or all of arbitrary numbers are below it.
+/// A limit such that some, none or (but for the largest number) all of arbitrary numbers are below it.
 inline std::uint32_t limit_of(Round& round) {
     return round.chance(4) ? 0 : round.chance(4) ? UINT32_MAX : static_cast<std::uint32_t>(round.engine()());
 }

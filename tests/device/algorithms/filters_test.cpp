@@ -2,10 +2,10 @@
 //
 // The bound. In each step the five products and four sums have a rounding error of at most 5 u M, where M is the
 // largest |b0 x| + |b1 x| + |b2 x| + |a1 y| + |a2 y| and u = 2^-24. The error of one result propagates as the impulse
-// response h of 1 / (1 + a1 z + a2 z^2), so that a serial filter's error is at most G 5 u M, where G is the sum of all
-// |h|. A parallel scan computes the initial state of each piece from the states of earlier pieces, which have this
-// error, and from powers of the matrix of a step, whose elements are at most G and are rounded a few times in each
-// doubling: another factor of G, and 2 for each of log2(n) doublings. In all 10 (4 + log2 n) u G^2 M.
+// response h of 1 / (1 + a1 z + a2 z^2), z a delay by one, so that a serial filter's error is at most G 5 u M, where G
+// is the sum of all |h|. A parallel scan computes the initial state of each piece from the states of earlier pieces,
+// which have this error, and from powers of the matrix of a step, whose elements are at most G and are rounded a few
+// times in each doubling: another factor of G, and 2 for each of log2(n) doublings. In all 10 (4 + log2 n) u G^2 M.
 #include "box.h"
 #include "input.h"
 
@@ -23,8 +23,8 @@ using Floats = Input<filters::Line, filters::Folded, filters::Folded, filters::N
 
 GLIFT_PROPERTY_SUITE(Filters);
 
-/// A filter of order one with a pole of at most 0.95, or of order two with poles of at most 0.8: with poles nearer to 1
-/// the bound would be too weak to find errors.
+/// A filter of order one with a pole of magnitude 0.95 at most, or of order two with poles of magnitude 0.8 at most:
+/// with larger ones the bound would be too weak to find errors.
 Recursion any_filter(Round& round) {
     Recursion f;
     f.b0 = float(round.real());
@@ -71,7 +71,7 @@ Filtered serial(const Recursion& f, const std::vector<float>& x, bool repeated) 
     const double rest = 1 + double(f.a1) + f.a2;
     double y1 = repeated ? x1 * (double(f.b0) + f.b1 + f.b2) / rest : 0, y2 = y1;
     const double g = growth(f), u = 0x1p-24;
-    // The rounding error of the initial result, the one that a constant input leads to: of sums that may cancel.
+    // The rounding error of y1 and y2 before the start, the results that a constant input leads to: sums may cancel.
     const double of_b = std::abs(f.b0) + std::abs(f.b1) + std::abs(f.b2), of_a = 1 + std::abs(f.a1) + std::abs(f.a2);
     const double at_rest = repeated ? 4 * u * (of_b * std::abs(x1) + of_a * std::abs(y1)) / std::abs(rest) : 0;
     for (double now : x) {

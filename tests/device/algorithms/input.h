@@ -8,7 +8,9 @@ namespace property {
 /// The part of a structure that an algorithm works on.
 struct Placed {
     Taken taken = Taken::whole;
-    std::uint32_t extent = 0, first = 0, capacity = 0, count = 0;  ///< capacity: of the part; count: elements taken
+    std::uint32_t extent = 0, first = 0, capacity = 0,
+                  count = 0;  ///< of the structure's extent elements, capacity from
+                              ///< first on are the part; count of these are taken
 
     Placed(Round& round, std::uint32_t size) : taken(round.taken()), count(size) {
         const bool whole = taken == Taken::whole;
@@ -23,7 +25,7 @@ struct Placed {
                         std::to_string(capacity));
     }
 
-    /// Puts `values` into the part of `others`.
+    /// `others`, the elements of a structure, with `values` in the part.
     template <class T> std::vector<T> among(std::vector<T> others, const std::vector<T>& values) const {
         std::copy(values.begin(), values.end(), others.begin() + first);
         return others;
@@ -38,7 +40,7 @@ template <class T> constexpr bool is_vector_of_floats = requires(T x) {
     requires std::is_floating_point_v<decltype(x.x)>;
 };
 
-/// A random value: a number, a vector of floats, or a struct of integers.
+/// A random value: floats and their vectors from -1 to 1; integers, vectors of them and structs of arbitrary bits.
 template <class T> T arbitrary(Round& round) {
     if constexpr (std::is_floating_point_v<T>) {
         return static_cast<T>(round.real());
@@ -65,7 +67,8 @@ template <class T> T mirrored(T x) {
     else return static_cast<T>(~x);
 }
 
-/// `values` as the part of an input in the form of the round.
+/// A structure that has `values` in its part, in the form of the round. Pipelines take a structure for each form; those
+/// that this form does not use have one element.
 template <class Dense, class Folded, class Tiled, class Line> struct Input {
     using T = typename Dense::Element;
 
@@ -135,7 +138,7 @@ template <class T> std::vector<T> arbitrary_values(Round& round, std::uint32_t c
     return values;
 }
 
-/// Either runs of equal values, of few different ones, so that neighbours are often equal; or arbitrary values.
+/// Values, either arbitrary or of few kinds; they change at each element, or after runs of random lengths.
 template <class T> std::vector<T> values_with_repeats(Round& round, std::uint32_t count) {
     const std::uint32_t kinds = round.chance(3) ? 0 : 1 + round.below(round.chance(2) ? 3 : 300);
     const std::uint32_t run = round.chance(3) ? 1 + round.below(500) : 1;

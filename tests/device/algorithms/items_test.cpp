@@ -1,4 +1,5 @@
-// Compares algorithms over a user-defined struct, with user-defined functions, with the C++ library's.
+// Compares algorithms, most of them over a user-defined struct and with user-defined functions, with the C++ library's
+// and with plain loops.
 #include "chosen.h"
 #include "input.h"
 
@@ -22,7 +23,7 @@ using In = Input<items::Items, items::Items, items::TiledItems, Line>;
 
 GLIFT_PROPERTY_SUITE(Items);
 
-/// Items with runs of few different keys and weights, or with arbitrary ones; tags count up.
+/// Items whose keys and weights are those of values_with_repeats; tags count up.
 Values items_of(Round& round, std::uint32_t count) {
     const auto keys = values_with_repeats<std::uint32_t>(round, count);
     const auto weights = values_with_repeats<std::int32_t>(round, count);
@@ -31,7 +32,7 @@ Values items_of(Round& round, std::uint32_t count) {
     return values;
 }
 
-/// A limit between the items' keys, now and then one that all or none are below.
+/// The key of one of the items, or now and then another limit, such as one that all or none are below.
 std::uint32_t limit_among(Round& round, const Values& values) {
     return values.empty() || round.chance(8) ? limit_of(round) : values[round.below(values.size())].key;
 }
@@ -254,7 +255,7 @@ TEST_P(Items, Scatter) {
         const Placed placed(round, round.size());
         const Values values = items_of(round, placed.count);
         const In in(device(), round, placed, values);
-        // Each index occurs once; some are out of range.
+        // Each index occurs at most once; some are out of range.
         const std::uint32_t room = std::max(placed.count + round.below(100), 1u);
         Numbers places(std::max(placed.extent, room + 5));
         std::iota(places.begin(), places.end(), 0u);

@@ -1,4 +1,4 @@
-// Compares transforms, fills, gathers, scatters and histograms with std::transform, std::fill and plain loops.
+// Compares transforms, fills, gathers, scatters, reversals and histograms with the C++ library's and with plain loops.
 #include "input.h"
 
 #include "moves.glift.hpp"
@@ -60,7 +60,7 @@ TEST_P(Moves, Gather) {
         const Values values = arbitrary_values<std::uint32_t>(round, placed.count);
         const Uints in(device(), round, placed, values);
         Values places(std::max(round.size(), 1u)), expected;
-        // Views may be read beyond the given part, where their values are unspecified.
+        // Beyond the part a view still computes elements, so that the indices into views stay inside.
         const bool view = round.form() == Form::strided || round.form() == Form::mapped;
         if (view && placed.count == 0) return;
         for (std::uint32_t& place : places) {
@@ -84,7 +84,7 @@ TEST_P(Moves, Scatter) {
         const Placed placed(round, round.size());
         const Values values = arbitrary_values<std::uint32_t>(round, placed.count);
         const Uints in(device(), round, placed, values);
-        // Each index occurs once; some are out of range.
+        // Each index occurs at most once; some are out of range.
         const std::uint32_t room = std::max(placed.count + round.below(100), 1u);
         Values places(std::max(placed.extent, room + 5));
         std::iota(places.begin(), places.end(), 0u);
@@ -136,7 +136,7 @@ TEST_P(Moves, Reverse) {
 TEST_P(Moves, Histogram) {
     for_all("histogram", [&](Round& round) {
         const Placed placed(round, round.size());
-        // Now and then about as many bins as fit into workgroup memory.
+        // Now and then about 1024 bins, the most that histogram counts in workgroup memory.
         const std::uint32_t bins =
             round.chance(3) ? 1023 + round.below(3) : 1 + round.below(round.chance(2) ? 20 : 5000);
         Values values(placed.count);

@@ -86,7 +86,8 @@ std::uint32_t Round::below(std::uint64_t bound) {
 }
 
 std::uint32_t Round::size(std::uint32_t most) {
-    // Tile sizes of the algorithms on different devices, and lengths at which they switch variants.
+    // How many elements a workgroup of an algorithm takes on some device, and lengths at which algorithms choose other
+    // kernels.
     static constexpr std::uint32_t tiles[] = {768, 1024, 2048, 3840, 4096, 8192, 16384, 20000, 65536};
     std::uint64_t size = most;
     switch (below(4)) {

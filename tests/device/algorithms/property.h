@@ -1,5 +1,6 @@
-// Property tests: compare an algorithm on a device with the C++ library's, over random sizes, values and forms of
-// input. The form is how the input is stored or computed (Form); algorithms take all of it or a part (Taken).
+// Property tests: compare an algorithm on a device with one of the C++ library or a plain loop, over random sizes,
+// values and forms of input. The form is how the input is stored or computed (Form); algorithms take all of it or a
+// part (Taken). A round is one such comparison.
 //
 // Environment: GLIFT_PROPERTY_ROUNDS, rounds for each property (15); GLIFT_PROPERTY_LIMIT, the largest number of
 // elements (20000); GLIFT_PROPERTY_SEED, the seed of the first round (1), incremented for each round. Seed and limit
@@ -27,8 +28,8 @@ std::uint64_t rounds();
 std::uint32_t limit();
 std::uint64_t first_seed();
 
-/// Opens a device, once for all tests of a process. Empty where `which` is another device than the host, but
-/// GLIFT_DEVICE names the host.
+/// The device "host", or for another `which` the one that GLIFT_DEVICE names (lavapipe). Opened once for all tests of a
+/// process. Empty where `which` is not "host" but GLIFT_DEVICE is.
 std::optional<glift::Device> device_of(const std::string& which);
 
 /// How the input is stored: dense in a buffer, folded into an image, or in tiles; or what view computes it from a dense
@@ -46,7 +47,7 @@ public:
     bool chance(std::uint32_t one_in) { return below(one_in) == 0; }
     /// A size up to `most`: logarithmically distributed, or close to a tile size.
     std::uint32_t size(std::uint32_t most = limit());
-    double real();  ///< -1 to 1
+    double real();  ///< from -1 to less than 1
     std::mt19937_64& engine() { return engine_; }
 
     std::uint64_t seed() const { return seed_; }
@@ -86,7 +87,7 @@ private:
     INSTANTIATE_TEST_SUITE_P(, Suite, testing::Values("host", "vulkan"),                                               \
                              [](const testing::TestParamInfo<const char*>& which) { return which.param; })
 
-/// Whether values have the same bits; structs are compared member by member.
+/// Whether floats have the same bits; values of other types are compared by ==.
 template <class T> bool same(const T& a, const T& b) {
     if constexpr (std::is_floating_point_v<T>) return std::memcmp(&a, &b, sizeof(T)) == 0;
     else return a == b;
@@ -106,7 +107,7 @@ template <class T> std::string text_of(const T& value) {
     return text.str();
 }
 
-/// Compares bit for bit; a failure names the first difference.
+/// Compares each element by `same`; a failure names the first difference.
 template <class T> testing::AssertionResult equal(const Round& round, const std::vector<T>& expected,
                                                   const std::vector<T>& found, const char* which = "") {
     if (expected.size() != found.size())
@@ -119,7 +120,8 @@ template <class T> testing::AssertionResult equal(const Round& round, const std:
     return testing::AssertionSuccess();
 }
 
-/// Compares each value with the exact one; it must be within its bound. A bound of NaN accepts everything.
+/// Compares each value with the exact one; it must be within its bound. A bound of infinity accepts all finite values,
+/// one of NaN none.
 template <class T> testing::AssertionResult near(const Round& round, const std::vector<double>& exact,
                                                  const std::vector<double>& bounds, const std::vector<T>& found,
                                                  const char* which = "") {
@@ -131,7 +133,7 @@ template <class T> testing::AssertionResult near(const Round& round, const std::
     return testing::AssertionSuccess();
 }
 
-/// The result of `run`; expects that two runs give the same bits.
+/// The result of `run`; runs it twice and expects equal results.
 template <class Run> auto twice(const Round& round, Run run) {
     auto first = run();
     const testing::AssertionResult again = equal(round, first, run(), "run to run:");

@@ -17,9 +17,9 @@ using Floats = Input<reductions::Reals, reductions::TiledReals, reductions::Tile
 
 GLIFT_PROPERTY_SUITE(Reductions);
 
-/// The error of a sum of n floats, grouped in any way, is at most (n - 1) u / (1 - (n - 1) u) times the sum of the
-/// absolute values, u = 2^-24 (Higham, Accuracy and Stability of Numerical Algorithms, 4.2). Rounded products take one
-/// more step: n for n - 1.
+/// A bound on the error of a sum of n floats, grouped in any way, given the sum of their absolute values. It is at most
+/// (n - 1) u / (1 - (n - 1) u) times that sum, u = 2^-24 (Higham, Accuracy and Stability of Numerical Algorithms, 4.2);
+/// n in place of n - 1 holds for sums of rounded products, too.
 double bound_of(double sum_of_sizes, double n) {
     const double nu = n * 0x1p-24;
     return nu < 0.5 ? sum_of_sizes * nu / (1 - nu) : std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// Compares scans with std::inclusive_scan and std::exclusive_scan.
+// Compares scans with std::inclusive_scan, std::exclusive_scan and plain loops.
 #include "input.h"
 
 #include "scans.glift.hpp"
@@ -58,8 +58,9 @@ TEST_P(Scans, ExclusiveSumsToAnImage) {
     });
 }
 
-/// However it is grouped, each sum is within (n - 1) u / (1 - (n - 1) u) times the sum of absolute values up to it
-/// (Higham, 4.2), and has the same bits in each run; sums of whole numbers are exact.
+/// However its n elements are grouped, each sum is within n u / (1 - n u) times the sum of their absolute values,
+/// u = 2^-24 (Higham, Accuracy and Stability of Numerical Algorithms, 4.2), and has the same bits in each run; sums of
+/// whole numbers are exact.
 TEST_P(Scans, SumsOfFloats) {
     for_all("exclusive_scan, sums of floats", [&](Round& round) {
         round.only(Form::dense);
@@ -129,7 +130,7 @@ TEST_P(Scans, AnOperatorThatDoesNotCommute) {
     });
 }
 
-/// Flags that start segments: at random distances, or at nearly every element.
+/// Flags, of which those that are not zero start segments: at random distances, or at nearly every element.
 std::vector<std::uint32_t> starts_of_segments(Round& round, std::uint32_t count) {
     std::vector<std::uint32_t> starts(count);
     const std::uint32_t mean = round.chance(4) ? 1 : 1 + round.below(round.chance(2) ? 10 : 5000);

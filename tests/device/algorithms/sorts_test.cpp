@@ -16,8 +16,8 @@ using sorts::Line;
 
 GLIFT_PROPERTY_SUITE(Sorts);
 
-/// The order of floats in std.radix_sort: zeros of both signs are equal, NaN comes after infinity and is equal to
-/// itself.
+/// The order of keys in std.radix_sort. Of floats, zeros of both signs are equal; NaN is equal to itself and comes
+/// after infinity, in descending order before all others.
 struct Precedes {
     bool descending = false;
 
@@ -49,8 +49,7 @@ template <class T> std::vector<T> keys_of(Round& round, std::uint32_t count) {
         for (T& x : keys) {
             if (kind == 1) {
                 x = std::bit_cast<T>(arbitrary<Bits>(round));
-                // A device may flush subnormal numbers to zero and change the bits of a NaN, so all NaNs get the same
-                // bits.
+                // A device may change the bits of a NaN, so all NaNs get the same bits.
                 if (x != x) x = NAN;
             }
             if (kind == 2 && round.chance(2)) x = special[round.below(std::size(special))];
@@ -88,7 +87,7 @@ TEST_P(Sorts, UintsFromAnImage) {
     });
 }
 
-/// Sorts keys without values by `sort(keys, part, length, descending)`, in place, and checks the result.
+/// Sorts keys without values in place, by a call of `sort(keys, part, length, descending)`, and checks the result.
 template <class S, class Sort> void in_place(const glift::Device& device, Round& round, Sort sort) {
     using T = typename S::Element;
     round.only(Form::dense);

@@ -1,4 +1,5 @@
-// Compares reductions and scans of types other than 32-bit scalars with std::accumulate and std::inclusive_scan.
+// Compares reductions and scans, most of them of types other than 32-bit scalars, with the C++ library's and with
+// plain loops.
 #include "input.h"
 
 #include "types.glift.hpp"
@@ -28,8 +29,8 @@ std::int64_t wrapping_sum(std::int64_t a, std::int64_t b) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
 }
 
-/// The error of a sum of n floats, grouped in any way, is at most this times the sum of the absolute values (Higham,
-/// Accuracy and Stability of Numerical Algorithms, 4.2).
+/// n u / (1 - n u), u = 2^-24: the error of a sum of n floats, grouped in any way, is at most this times the sum of the
+/// absolute values (Higham, Accuracy and Stability of Numerical Algorithms, 4.2).
 double relative_bound(double n) {
     const double nu = n * 0x1p-24;
     return nu < 0.5 ? nu / (1 - nu) : INFINITY;

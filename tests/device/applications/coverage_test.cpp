@@ -51,7 +51,7 @@ protected:
         return drawn(
             device, [](auto&&... all) { coverage::overdraw(all...); }, list, size);
     }
-    /// The pixels whose counts differ between the two devices; some pixels must be covered and equal.
+    /// The pixels whose counts differ between the two devices. Expects fewer than one for each 500 fragments.
     template <class Draw>
     std::vector<uint2> differing(const Draw& draw, const std::vector<float4>& list, uint2 size) const {
         const auto a = drawn(host, draw, list, size), b = drawn(vulkan, draw, list, size);
@@ -81,7 +81,8 @@ protected:
     }
 
     /// Expects equal counts of triangles in all pixels, except where clipping explains the difference, and on GPUs also
-    /// where the rounding of vertices explains it (edges.h).
+    /// where the rounding of vertices explains it (edges.h). At most one pixel for each 10,000 fragments, and one more,
+    /// may differ.
     void compare(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b,
                  const std::vector<float4>& places, uint2 size) const {
         std::uint64_t fragments = 0;
@@ -155,8 +156,8 @@ void draw_points(const glift::Device& device, const coverage::Places& places, co
     coverage::points_over(device, places, counts);
 }
 
-/// Lines of any direction and length, in perspective; and lines that are horizontal, vertical or diagonal, between
-/// centres of pixels.
+/// Lines of any direction and several lengths, in perspective; lines that are horizontal, vertical or diagonal, between
+/// centres of pixels; and lines that leave the view.
 TEST_F(Coverage, OfLines) {
     constexpr uint2 size(301, 203);
     Numbers number(11);
@@ -215,7 +216,7 @@ TEST_F(Coverage, OfScenes) {
     }
 }
 
-/// Draws a large mesh, if its file exists: beside the project, or in the folder that GLIFT_DATA names.
+/// Draws a large mesh, if its file exists: in the folder that GLIFT_DATA names, else in shared/data beside the project.
 TEST_F(Coverage, OfTheDragon) {
     const char* named = std::getenv("GLIFT_DATA");
     const std::filesystem::path file = std::filesystem::path(named ? named : GLIFT_DATA_BESIDE) / "dragon_vrip.ply.gz";
@@ -294,7 +295,7 @@ TEST_F(Coverage, OfHugeAndClippedTriangles) {
     }
 }
 
-/// Draws all kinds of harmless triangles at once, then normal ones: what came before must not disturb them.
+/// Draws 20,000 triangles of all these kinds at once: none may disturb those that come after it.
 TEST_F(Coverage, OfASoup) {
     Numbers number(99);
     std::vector<float4> places;

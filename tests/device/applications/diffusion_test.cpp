@@ -21,10 +21,10 @@ using direct::Plane;
 using glift::float4;
 using glift::uint2;
 
-/// A lens whose largest circle of confusion is `largest` pixels; objects at distance 1 are in focus.
+/// A lens that is focused at distance 1; the circle of confusion of infinitely distant points is `largest` pixels.
 dof::Lens lens_with(float largest) { return {0.5f, 1.0f, 1.0f, largest}; }
 
-/// The distance, behind the focus, at which the circle of confusion has this size.
+/// The distance, beyond the focus of that lens, at which the circle of confusion is `circle` pixels.
 float distance_of(float circle, float largest) { return 1 / (1 - circle / largest); }
 
 struct Input {
@@ -39,7 +39,7 @@ struct Input {
     }
     std::size_t place(std::uint32_t x, std::uint32_t y) const { return std::size_t{y} * size.x + x; }
 
-    /// The circles of confusion, computed as the device does, in double precision.
+    /// The circles of confusion by the formula of dof.glift, in double precision.
     Plane circles() const {
         Plane made{size.x, size.y, {}};
         const double largest = static_cast<double>(lens.pixels) * lens.aperture * lens.focal /
@@ -129,8 +129,8 @@ protected:
         }
         return worst;
     }
-    /// The same for two layers. Circles of the background are raised to at least half the largest one, as dof.glift
-    /// does.
+    /// The same for two layers. Circles of the background are raised to half the largest one at least, and one pixel,
+    /// as dof.glift does.
     double error_of_two(const Input& input) const {
         const std::vector<float4> result = blurred(input, Layers::two);
         const Plane circles = input.circles();
@@ -273,7 +273,7 @@ TEST_P(Diffusion, SpreadsAPointAsWideAsItsCircle) {
     }
 }
 
-/// Times both alternately until the shortest times agree, since other programs use this machine, too.
+/// Times both alternately, 8 to 60 times, until the shortest times agree, since other programs use this machine, too.
 TEST_P(Diffusion, TakesAsLongForEveryBlur) {
     const Images narrow(device, random_input({256, 256}, 2, 1)), wide(device, random_input({256, 256}, 200, 1));
     const auto seconds = [&](const Images& images) {

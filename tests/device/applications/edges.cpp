@@ -68,7 +68,7 @@ double distance_to_segment(const Place& a, const Place& b, uint2 size, std::uint
     return std::hypot(px - t * dx, py - t * dy);
 }
 
-/// The same for a triangle that is not clipped.
+/// Whether an edge of a triangle that is not clipped is within 1/256 of a pixel of the pixel's centre.
 bool has_whole_edge_at(const Place (&corners)[3], uint2 size, std::uint32_t x, std::uint32_t y) {
     for (int k = 0; k < 3; ++k)
         if (distance_to_segment(corners[k], corners[(k + 1) % 3], size, x, y) <= 1.0 / 256) return true;
@@ -89,7 +89,8 @@ std::uint32_t edges_at(const std::vector<float4>& places, uint2 size, std::uint3
     return found;
 }
 
-/// The ends in the window of a line, cut at the near and the far plane; none where nothing is between the planes.
+/// The ends in the window of a line, cut at the near and the far plane; fewer than two where nothing is between the
+/// planes, or an end is behind the eye.
 std::vector<std::array<double, 2>> ends_of(const Place& a, const Place& b, uint2 size) {
     double from = 0, to = 1;
     const auto cut = [&](double first, double second) {

@@ -12,7 +12,7 @@ using glift::uint2;
 
 constexpr uint2 size(8, 8);
 
-/// A triangle from row 1 to 7 whose left edge is vertical, `beside` pixels left of the centres of column 3.
+/// A triangle from y = 1 to 7 whose left edge is vertical, `beside` pixels left of the centres of column 3.
 std::vector<float4> triangle(double beside) {
     const auto at = [](double x, double y, float w) {
         return float4(static_cast<float>(x / 4 - 1) * w, static_cast<float>(y / 4 - 1) * w, 0.5f * w, w);

@@ -49,7 +49,7 @@ struct Range {
     double low = 2, high = -1;
 };
 
-/// Of a component of what was painted, in all pages.
+/// The smallest and the largest value of a component of colours, of all painted texels.
 Range range_of(const State& state, unsigned component) {
     Range range;
     const Field field(state, 4);
@@ -63,7 +63,7 @@ Range range_of(const State& state, unsigned component) {
     return range;
 }
 
-/// There and back and there again, by a brush that gets smaller and paints finer pages over what it has painted.
+/// The stroke goes there, back and there again. Its brush gets smaller and paints finer pages over coarser ones.
 TEST_P(PaintBrush, StopsAtItsOpacity) {
     OctreeSize size = small();
     size.ground = {0.6f, 0.8f, 0.2f};
@@ -116,7 +116,8 @@ TEST_P(PaintBrush, IsAPicture) {
     canvas.paint(stroke);
     const State state = state_of(canvas);
     const Field field(state, 4);
-    // A pixel is 2 * 1.5 * tan(0.4) / 200 wide: the brush's half is 0.19 of the square, at the left and below.
+    // A pixel is 2 * 1.5 * tan(0.4) / 200 wide, so that the brush's radius is 0.19 of the square's side. The brush's
+    // picture is filled at the left and below: that quarter is painted.
     const double half = 30 * 3 * std::tan(0.4) / 200;
     unsigned inside = 0, corner = 0;
     for (const auto& [page, texels] : field.pages()) {
@@ -126,7 +127,7 @@ TEST_P(PaintBrush, IsAPicture) {
             const Field::Colour c = field.texel(page, at);
             if (c[3] == 0) continue;
             const double x = (16 * page.at[0] + at[0]) / 128.0 - 0.5, y = (16 * page.at[1] + at[1]) / 128.0 - 0.5;
-            const double soft = 1.2 * half / 8;  // half a cell of the picture, with its depth
+            const double soft = 1.2 * half / 8;  // half a pixel of the picture, which is filtered, and a margin
             EXPECT_TRUE(x > -half * 1.05 && x < soft && y > -half * 1.05 && y < soft) << x << ", " << y;
             inside += x < -soft && y < -soft && std::abs(c[0] - 1) < 0.01;
             corner += x < -0.9 * half && y < -0.9 * half;
@@ -161,14 +162,14 @@ float decoded(double shown) {
     return static_cast<float>(shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4));
 }
 
-/// Which page a frame has.
+/// The texels of the page that has a frame of the pool; null if none has it.
 const Words* page_in(const State& state, Word frame) {
     for (std::size_t k = 0; k < state.pages.size(); ++k)
         if (state.table[state.pages[k]] - 1 == frame) return &state.texels[k];
     return nullptr;
 }
 
-/// Eight frames along each axis and 136 texels: a pixel for each.
+/// The pool is 8 frames of 17 texels along each axis: 136 texels, of which the picture has a pixel for each.
 TEST_P(PaintBrush, ShowsAllFramesAndTheTable) {
     Canvas canvas(device, model(), small(64));
     for (const Stroke& stroke : random_strokes(2, 21)) canvas.paint(stroke);
@@ -189,7 +190,7 @@ TEST_P(PaintBrush, ShowsAllFramesAndTheTable) {
             }
             ASSERT_NEAR(pixel(x, y).x, wanted, 1e-3) << x << ", " << y;
         }
-    // 16 columns in 136 pixels: 8, 4, 2 and 1 pages of four levels.
+    // 136 pixels for 16 columns of pages: 8, 4, 2 and 1 of the four levels, and an empty one.
     const Field field(state, 4);
     for (Word level = 0, first = 0; level < 4; first += field.along(level++))
         for (Word y = 0; y < field.along(level); ++y)
@@ -213,7 +214,7 @@ TEST(PaintProgram, ExportsSamples) {
                                   "--pages", "300", "--strokes", file("one.strokes"), "--npy", file("out.npy"),
                                   "--npy-side", "9", "--size", "32", "24", "--out", file("out.png")});
     ASSERT_EQ(done.exit_code, 0) << done.err;
-    // What NumPy would see, by hand.
+    // The header is that of NumPy's format, version 1.
     const std::string bytes = glift::test::read_file(file("out.npy"));
     EXPECT_EQ(bytes.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
     EXPECT_THAT(bytes.substr(0, 128), HasSubstr("'descr': '<f4'"));
@@ -226,7 +227,7 @@ TEST(PaintProgram, ExportsSamples) {
     EXPECT_GT(*std::ranges::max_element(array.values), 0.85f) << "painted red, of 0.75";
 }
 
-/// A generated model; what is named and not there is refused.
+/// Models that are made by name; an unknown name is refused.
 TEST(PaintProgram, PaintsOnAGeneratedModel) {
     const mesh::Box box = mesh::bounds_of(model_of("knot"));
     EXPECT_NEAR(box.high.x - box.low.x, 1, 0.2);

@@ -29,7 +29,7 @@ struct PaintFile : testing::Test {
 
     std::string file(const char* name) const { return folder.path() / name; }
 
-    /// What is said of a file that is not to be read; empty where it was.
+    /// Loads a file of these bytes. The text of the error that this throws; empty if it throws none.
     std::string refused(Canvas& canvas, const std::string& bytes) const {
         write_file(file("altered.paint"), bytes);
         try {
@@ -49,7 +49,7 @@ TEST_F(PaintFile, IsTheSameWhenItIsSavedAgain) {
     const char* name = std::getenv("GLIFT_TEST_DEVICE");
     for (const std::string& other : {std::string("host"), std::string(name ? name : "lavapipe")}) {
         Canvas loaded(glift::Device::open(other), model(), small(900));
-        loaded.paint(random_strokes(1, 12)[0]);  // it goes
+        loaded.paint(random_strokes(1, 12)[0]);  // loading removes it
         loaded.load(file("first.paint"));
         EXPECT_FALSE(loaded.undo());
         const State found = state_of(loaded);
@@ -69,7 +69,7 @@ struct Held {
         std::memcpy(words.data(), bytes.data(), 4 * words.size());
     }
     std::size_t bytes() const { return 4 * words.size(); }
-    /// What is said of the first so many bytes; empty where nothing is wrong.
+    /// Checks the first `size` bytes. The text of the error that this throws; empty if it throws none.
     std::string refused(std::size_t size) const {
         try {
             paint_file::check("held.paint", {words.data(), size / 4}, size);
@@ -87,7 +87,7 @@ struct Held {
     }
 };
 
-/// Every byte of the header and every 1000th of the rest altered; truncated at every 4096 bytes.
+/// Alters every byte of the header and every 1000th of the rest, and cuts the file at every multiple of 4096 bytes.
 void expect_damage_is_refused(Held& file) {
     ASSERT_EQ(file.refused(file.bytes()), "");
     for (std::size_t at = 0; at < 64; ++at)
@@ -102,7 +102,7 @@ void expect_damage_is_refused(Held& file) {
     EXPECT_EQ(file.refused(file.bytes()), "");
 }
 
-/// Of a small file, and of a large one that GLIFT_PAINT_FILE names.
+/// Damages a small file, and a large one if GLIFT_PAINT_FILE names it.
 TEST_F(PaintFile, IsRefusedWhereItIsDamaged) {
     Canvas canvas(device, model(), small());
     canvas.paint(random_strokes(1, 13)[0]);
@@ -151,7 +151,7 @@ TEST_F(PaintFile, SaysWhatDoesNotFit) {
     EXPECT_THROW(canvas.save("/dev/null/no.paint"), std::runtime_error);
 }
 
-/// Kills a program that saves while the new file is there; whether that came to pass.
+/// Runs a program that saves, and kills it when the new file is there. Whether it was killed and the new file is left.
 bool killed_while_saving(const std::vector<std::string>& words, const std::string& new_file) {
     const pid_t process = fork();
     if (process == 0) {
@@ -189,7 +189,7 @@ TEST_F(PaintFile, IsTheOldOneWhereSavingIsKilled) {
     }
     EXPECT_TRUE(was_killed) << "no attempt met the moment";
     canvas.load(file("old.paint"));
-    canvas.save(file("old.paint"));  // over what was left behind
+    canvas.save(file("old.paint"));  // over old.paint.new, which was left behind
     EXPECT_TRUE(read_file(file("old.paint")) == old);
     EXPECT_FALSE(std::filesystem::exists(file("old.paint.new")));
 }

@@ -1,4 +1,4 @@
-// A model to paint on, random strokes, and what an octree of paint holds, as ordinary containers.
+// A model to paint on, random strokes, and the contents of an octree of paint (examples/paint) in ordinary containers.
 #pragma once
 
 #include "examples/paint/canvas.h"
@@ -17,21 +17,22 @@ using Words = std::vector<Word>;
 /// A sphere before a sheet that it touches, within [0, 1]^3.
 mesh::Mesh model();
 
-/// From random sides; the first one coarse, the next ones over and beside it.
+/// Strokes on that model from random directions: the first by a large brush, the others by smaller ones.
 std::vector<strokes::Stroke> random_strokes(unsigned count, unsigned seed);
 
-/// 128^3, with so many pages.
+/// The settings of an octree of 128^3 cells with a pool of so many pages.
 OctreeSize small(Word pages = 1500);
 
 struct State {
-    Words table, pages;         ///< the entries of all pages; the numbers of those that are there, ascending
-    std::vector<Words> texels;  ///< of each of these, four bytes a texel
+    Words table, pages;         ///< the page table; the numbers of the resident pages, ascending
+    std::vector<Words> texels;  ///< the texels of each resident page, four bytes each
     bool operator==(const State&) const = default;
 };
 
 State state_of(Canvas& canvas);
 
-/// The octree of a state, in double precision; `levels` of it, pages of 16 cells.
+/// Reads the octree of a state, of so many levels, in double precision. Level 0 is the finest. A page has 16 cells, and
+/// so 17 nodes with a texel each, along each axis.
 class Field {
 public:
     using Place = std::array<Word, 3>;
@@ -50,16 +51,17 @@ public:
     bool has(const Page& page) const { return pages_.contains(page); }
     Colour texel(const Page& page, const Place& inside) const;
 
-    /// Between levels and nodes, linearly; x in nodes of level 0, from node 0 on.
+    /// Filtered linearly between nodes and between levels; x is counted in nodes of level 0, from node 0 on.
     Colour sample(const std::array<double, 3>& x, double level) const;
 
-    /// Pages of a level that share a node.
+    /// The pages of a level that share a node, resident or not; some several times.
     std::vector<Page> around(const Place& node, Word level) const;
     bool all_around(const Place& node, Word level) const;
-    /// Whether a page beside a node of a level is not there: its value follows from a coarser one.
+    /// Whether a page that shares a node of a level is not resident: then a coarser page decides the node's value.
     bool hangs(const Place& node, Word level) const { return !all_around(node, level); }
 
-    /// The mean of the 27 nodes of the level below that lie about a node; none where it is not to be formed.
+    /// The weighted mean of the up to 27 nodes of the next finer level about a node; none where one of the pages that
+    /// share the node there is not resident, or none of these nodes is painted.
     std::optional<Colour> mean(const Place& node, Word level) const;
 
 private:

@@ -1,5 +1,5 @@
-// Octree 3-D paint: the same bits on every device and run, undone and done again, beside sums of doubles; pools that
-// are too small.
+// Octree 3-D paint: strokes give the same bits on every device and in every run, and after undo and redo; samples are
+// near those in double precision; pools that are too small.
 #include "paint_model.h"
 #include "tests/device/guards/on_every_device.h"
 
@@ -19,7 +19,7 @@ using strokes::Stroke;
 
 constexpr Word levels = 4;  // 128^3
 
-/// More by GLIFT_PAINT_STROKES.
+/// The number of strokes: GLIFT_PAINT_STROKES, or 4.
 unsigned stroke_count() {
     const char* text = std::getenv("GLIFT_PAINT_STROKES");
     return text ? static_cast<unsigned>(std::stoul(text)) : 4;
@@ -48,7 +48,7 @@ TEST(PaintOfStrokes, IsTheSameOnEveryDeviceAndRun) {
 
 TEST_P(Paint, IsUndoneAndDoneAgainBitByBit) {
     OctreeSize size = small();
-    size.history.device = 3 << 20;  // a part of it is on the host
+    size.history.device = 3 << 20;  // bytes: too few for all strokes, so that some are kept on the host
     Canvas canvas(device, model(), size);
     std::vector<State> states{state_of(canvas)};
     for (const Stroke& stroke : random_strokes(stroke_count(), 2)) {
@@ -90,7 +90,7 @@ TEST_P(Paint, ForgetsTheOldestStrokesBeyondItsBudget) {
     EXPECT_TRUE(state_of(canvas) == last);
 }
 
-/// Anywhere, on nodes, and on both sides of the edges of pages.
+/// Random points, and a level in the last component. Some coordinates are those of nodes, some those of faces of pages.
 std::vector<float4> places_of(unsigned count, unsigned seed) {
     std::mt19937 random(seed);
     const auto number = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
@@ -119,7 +119,7 @@ TEST_P(Paint, IsFilteredAsDoublesAre) {
     at.write(places);
     paint_samples::sample(device, at, canvas.octree(), samples);
     const std::vector<float4> found = samples.read();
-    // Of texels of eight bits, the filter's weights have eight bits an axis; lavapipe's, too.
+    // Samplers filter texels of eight bits with weights of eight bits an axis, lavapipe's, too.
     const double bound = device.properties().kind == glift::DeviceKind::host ? 1e-4 : 3.0 / 256;
     double worst = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -131,7 +131,7 @@ TEST_P(Paint, IsFilteredAsDoublesAre) {
     EXPECT_LT(worst, bound);
 }
 
-/// The octree is the same on every device.
+/// On the host device alone, since the octree is the same on every device.
 TEST(PaintOfStrokes, HasNoStepWherePagesMeet) {
     const glift::Device device = glift::Device::open("host");
     Canvas canvas(device, model(), small());

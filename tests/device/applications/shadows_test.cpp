@@ -45,10 +45,10 @@ Settings small() {
     return settings;
 }
 
-/// Level, and numbers along both axes.
+/// A page: its level, and its numbers along both axes.
 using Page = std::array<std::uint32_t, 3>;
 
-/// The page that a pixel asks for, if any.
+/// The page that a pixel asks for, if any. `s`: the place in the shadow map, from 0 to 1, in x and y, the level in w.
 std::optional<Page> page_of(const glift::float4& s, const Settings& settings) {
     if (s.w < 0 || std::min(s.x, s.y) < 0 || std::max(s.x, s.y) >= 1) return {};
     const auto level = std::min(std::max(static_cast<std::uint32_t>(s.w), settings.finest), settings.levels - 1);
@@ -58,7 +58,7 @@ std::optional<Page> page_of(const glift::float4& s, const Settings& settings) {
     return Page{level, number(s.x), number(s.y)};
 }
 
-/// The pages that all pixels ask for, with none finer than a level.
+/// The pages that all pixels ask for where no level is finer than `finest`.
 std::set<Page> pages_of(const Lighting& lighting, Settings settings, std::uint32_t finest) {
     settings.finest = finest;
     std::set<Page> wanted;
@@ -107,7 +107,7 @@ TEST_P(Shadows, AreOneSubmissionAFrame) {
 }
 
 TEST_P(Shadows, HaveTheSameDepthsByDrawsAndByAKernel) {
-    // The passes say that these are two ways: draws have other ones.
+    // The numbers of passes differ, which shows that two ways were taken.
     const auto passes_of = [&](Frame& some) {
         some.prepare(Method::matched);
         device.wait();
@@ -132,7 +132,7 @@ TEST_P(Shadows, HaveTheSameDepthsByDrawsAndByAKernel) {
     }
 }
 
-/// Sizes of pages and filters change what is between texels, and nothing else.
+/// Other sizes of pages give the same light. Other filters change the pixels near the borders of shadows.
 TEST_P(Shadows, AgreeByAllPagesAndFilters) {
     Settings settings = small();
     Frame first = frame(settings);
@@ -143,7 +143,7 @@ TEST_P(Shadows, AgreeByAllPagesAndFilters) {
                                         {32u, Filter::nearest},
                                         {32u, Filter::trilinear}}) {
         settings.cells = cells, settings.filter = filter;
-        settings.levels = cells == 16 ? 9 : cells == 64 ? 7 : 8;  // of as many cells in all
+        settings.levels = cells == 16 ? 9 : cells == 64 ? 7 : 8;  // 4096 cells a side, whatever a page has
         Frame some = frame(settings);
         some.draw(Method::matched);
         const Lighting lighting = some.lighting();
@@ -188,12 +188,12 @@ TEST_P(Shadows, DegradeWithTheirPool) {
         Frame some = frame(settings);
         const Compared compared = compare(some, settings.bias);
         EXPECT_LE(some.pool().resident, settings.pages) << part;
-        // What is coarser than the standard map is looked up there.
+        // Where a page is coarser than the standard shadow map, that one is looked up.
         EXPECT_GE(compared.rmsm().share(), compared.standard().share() - 0.005) << part;
     }
 }
 
-/// A pool for a part of what is asked for has the pages of a frame whose finest level is coarser, and nothing else
+/// A pool that is too small for the pages asked for gets those of a frame whose finest level is coarser; nothing else
 /// changes.
 TEST_P(Shadows, DegradeByCoarserLevelsAlone) {
     Settings settings = small();
@@ -258,8 +258,8 @@ TEST_P(Shadows, StayWhereSceneAndLightDo) {
         if (i > 0) {
             EXPECT_LT(cached.pool().granted, anew.pool().resident / 2);
         }
-        // Each pixel finds the page that it needs in both, with the same depths,
-        // but for where in the pool they lie, by which coordinates are rounded.
+        // In both each pixel finds the page that it needs, with the same depths. The page may have another frame of the
+        // pool, where coordinates are rounded otherwise.
         const std::vector<float> a = cached.lighting().lit, b = anew.lighting().lit;
         for (std::size_t k = 0; k < a.size(); ++k) ASSERT_NEAR(a[k], b[k], 1e-3) << i << ' ' << k;
     }
@@ -282,7 +282,7 @@ TEST_P(Shadows, SayWhatFoundNoRoom) {
 
 GLIFT_ON_EVERY_DEVICE(Shadows);
 
-/// The same pages in the same frames, and the same light: all that is not drawn is exact.
+/// The same pages in the same frames, the same depths and the same light, bit for bit.
 TEST(ShadowsOnDevices, AreTheSame) {
     const char* vulkan = std::getenv("GLIFT_TEST_DEVICE");
     Frame host(glift::Device::open("host"), small(), {96, 64});

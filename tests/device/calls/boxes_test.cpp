@@ -1,5 +1,5 @@
-// Moves boxes of elements between host and device, over every kind of translator: each element must be moved once, and
-// no others changed.
+// Moves boxes of elements between host and device: rows along each axis, with and without gaps, Morton order, an image.
+// Each element of a box must be moved once, and no others changed.
 #include "calls.glift.hpp"
 
 #include <gtest/gtest.h>

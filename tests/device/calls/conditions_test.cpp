@@ -20,7 +20,7 @@ Values counted(std::size_t n) {
     return values;
 }
 
-/// `settle` on the host; returns the number of rounds.
+/// Does what `settle` does, on the host; returns the number of rounds.
 std::uint32_t settled(Values& a, const Values& counts) {
     std::uint32_t rounds = 0;
     while (std::ranges::any_of(a, [&](std::uint32_t x) { return x > counts[0]; })) {

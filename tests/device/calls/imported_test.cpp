@@ -1,4 +1,4 @@
-// A program fills an argument of a pipeline whose type is declared only in another module.
+// A program makes, writes and fills a structure for a pipeline. Another module than the pipeline's declares its type.
 #include "imported.glift.hpp"
 
 #include <gtest/gtest.h>

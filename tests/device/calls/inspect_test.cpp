@@ -29,7 +29,7 @@ protected:
         return made;
     }
 
-    /// tools/inspect of what is saved; the page.
+    /// Saves the inspection and runs tools/inspect on it. Expects a picture; returns the HTML page.
     std::string drawn(const glift::Inspection& inspection) const {
         const glift::test::TemporaryFolder folder;
         const std::string file = (folder.path() / "some.inspection").string();

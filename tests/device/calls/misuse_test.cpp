@@ -1,4 +1,5 @@
-// Wrong uses of generated structures: each throws a glift::Error that names the structure and says what to do.
+// Wrong uses of generated classes: each throws a glift::Error that says where it was and what to do. Also what
+// recordings hold, and that a measurement of workspace runs nothing.
 #include "misuse.glift.hpp"
 
 #include <gtest/gtest.h>
@@ -43,7 +44,8 @@ void expect_error(const char* words, const std::function<void()>& action) {
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
 }
 
-/// Calls every method of a structure that is empty: default-constructed or moved from.
+/// Calls the methods of a structure that is empty (default-constructed or moved from). Those that need memory must
+/// throw.
 template <class S> void use_empty(S& s, const S& other, const glift::Commands& commands) {
     using Address = typename S::Address;
     using Element = typename S::Element;

@@ -30,7 +30,7 @@ resident::Grid grid_with(const glift::Device& device, const std::vector<uint3>& 
     return grid;
 }
 
-/// Every element of the field its own value, where it is there.
+/// Writes to each resident element of the field its row-major index.
 void number(resident::Grid& grid) {
     std::vector<float> values(18 * 9 * 7);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i);
@@ -41,7 +41,7 @@ TEST_P(Resident, PagesOfAField) {
     resident::Grid grid = grid_with(device(), {{1, 0, 2}, {4, 4, 3}, {0, 0, 0}});
     number(grid);
     const auto found = grid.field().read_resident();
-    // A whole page, one of which 2 x 1 x 1 elements lie in the domain, another whole one.
+    // Of the second page only 2 x 1 x 1 elements lie in the domain.
     ASSERT_EQ(found.size(), 16u + 2u + 16u);
     ASSERT_EQ(found.values.size(), found.size());
     const std::vector<float> all = grid.field().read();
@@ -167,7 +167,7 @@ TEST_P(Resident, BoxesAcrossPages) {
               static_cast<std::ptrdiff_t>(found.size()));
     once([&] { grid.field().fill(3.0f, grid.field().range({3, 2, 2}, {3, 2, 1})); });
     EXPECT_EQ(grid.field().read({3, 2, 2}, {3, 2, 1}), (std::vector<float>{-1, 3, 3, -1, 3, 3}));
-    // A page of its own, and a box over several: what is not there stays the background.
+    // A box of one page, and one over all pages: what is not resident stays the background.
     grid.field().map({4, 2, 2}, {4, 2, 2})[{1, 1, 1}] = 11.0f;
     EXPECT_EQ(grid.field().read({5, 3, 3}, {1, 1, 1}), std::vector<float>{11.0f});
     {

@@ -219,7 +219,8 @@ private:
                                          : model::Overflow::drop;
     }
 
-    /// A capacity for all pages that may be requested, or for 1/2 to 1/16 of all pages; for `coarsen` a few.
+    /// The pool's capacity: enough for all pages that may be requested, or 1/2 to 1/16 of all pages; for `coarsen` 1 to
+    /// 60.
     Number capacity_of(Policy policy) {
         if (policy == Policy::enough) return N == 2 ? 400 : 1200;
         return policy == Policy::coarsen ? 1 + round_.below(60) : std::max(1U, field_.count() >> 1 >> round_.below(4));
@@ -230,7 +231,7 @@ private:
         else pages_.request(field_.number_of(page));
     }
 
-    /// Requests the coarsest page and the pages of some nodes.
+    /// Requests the coarsest page and the pages of some nodes, of the tree and of the model.
     void change() {
         field_.clear();
         std::vector<uint4> asked{{0, 0, 0, levels_ - 1}};
@@ -273,7 +274,7 @@ private:
         return points;
     }
 
-    /// Points on faces, edges or corners of pages, and others very near to them.
+    /// Random points; most coordinates are those of a page's side, or 1e-3 beside it.
     std::vector<Point<N>> on_edges() {
         std::vector<Point<N>> points = anywhere();
         for (Point<N>& point : points)

@@ -1,4 +1,4 @@
-// Sparse arrays with bump allocators: random requests, writes, reads and releases of the whole, compared with a model
+// Sparse arrays with bump allocators: random requests, writes, reads and releases of all pages, compared with a model
 // after each change: status, table, order of pages, and every element of every frame.
 #include "model.h"
 #include "places.h"
@@ -67,7 +67,7 @@ private:
             std::fill_n(contents_.begin() + pages_.frames().at(page) * page_volume, page_volume, background);
     }
 
-    /// Pages go, frames keep what they have until they are granted again.
+    /// Releases all pages. Frames keep their contents until they are granted again.
     void release() {
         grid_.release(device_);
         pages_ = model::Pages(policy_, along_.x * along_.y, pages_.status().capacity);
@@ -87,7 +87,7 @@ private:
             if (Number* place = element(at[i])) *place = values[i];
     }
 
-    /// An element in the model; null if its page is not there.
+    /// An element in the model; null outside, or if its page is not resident.
     Number* element(uint2 place) {
         if (!is_inside(place)) return nullptr;
         const auto at = pages_.frames().find(page_of(place));
@@ -134,7 +134,7 @@ private:
     Number capacity_;
     model::Pages pages_;
     Grid grid_;
-    std::vector<Number> order_, granted_;  ///< all pages that are there, in the order of their frames; the last ones
+    std::vector<Number> order_, granted_;  ///< resident pages in the order of their frames; those just granted
     std::vector<Number> contents_ = std::vector<Number>(capacity_ * page_volume);  ///< of all frames
 };
 

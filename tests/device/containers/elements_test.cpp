@@ -1,5 +1,5 @@
-// The library's algorithms over the elements of listed pages, against the C++ library's over what these elements are:
-// pages with a frame, without one, with one that the pool does not have, and pages that stick out of the field.
+// Algorithms over the elements of listed pages, compared with the C++ library's over the same values. Pages have a
+// frame, none, or one that the pool does not have; some reach beyond the field.
 #include "property.h"
 
 #include "elements.glift.hpp"
@@ -18,7 +18,7 @@ GLIFT_PROPERTY_SUITE(Elements);
 
 constexpr Number background = 5, page_volume = 8, page_x = 4, page_y = 2;
 
-/// A field whose pages have frames in random order, and a list of some of its pages, each once.
+/// A field most of whose pages have a frame, in random order, and a list of some of its pages, each once.
 class Sheet {
 public:
     Sheet(const glift::Device& device, Round& round)
@@ -61,9 +61,9 @@ private:
 
 public:
     elements::Listed all;
-    elements::Values n;          ///< how many of them a test takes
-    Numbers all_values, values;  ///< of all elements of the list; of the first n
-    std::vector<bool> is_there;  ///< of all
+    elements::Values n;          ///< one element: how many elements of `all` a test takes
+    Numbers all_values, values;  ///< the values of all elements of `all`; of the first n
+    std::vector<bool> is_there;  ///< whether each element of `all` is resident and in the domain
 
     elements::Values made(const glift::Device& device) const {
         return {device, static_cast<Number>(all_values.size())};
@@ -138,7 +138,7 @@ TEST_P(Elements, Moved) {
         elements::turned(device(), sheet.all, to);
         expected.assign(sheet.all_values.rbegin(), sheet.all_values.rend());
         ASSERT_TRUE(property::equal(round, expected, to.read(), "reverse"));
-        // Written through the table: what is not there stays the background.
+        // Elements that are not there stay the background.
         elements::numbered(device(), sheet.all, places);
         for (std::size_t i = 0; i < from.size(); ++i) expected[i] = sheet.is_there[i] ? from[i] : background;
         ASSERT_TRUE(property::equal(round, expected, sheet.all.read(), "written"));

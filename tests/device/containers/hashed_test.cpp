@@ -124,7 +124,7 @@ public:
     const std::vector<uint2>& order() const { return order_; }
 
 private:
-    /// Evicts as many pages as frames are missing: those that were requested longest ago.
+    /// Evicts as many pages as frames are missing: those that were requested longest ago, but none requested just now.
     void evict() {
         std::vector<uint2> all;
         for (const auto& [page, content] : contents_) all.push_back(page);
@@ -170,7 +170,7 @@ public:
     }
 
 private:
-    /// Addresses near to each other, in one of a few regions far apart.
+    /// Addresses in four small regions far apart.
     std::vector<uint2> places(Number most) {
         static constexpr uint2 middles[] = {{0, 0}, {4000000000u, 12}, {0u - 40, 0x80000000u}, {1u << 31, 0u - 3}};
         std::vector<uint2> made(1 + round_.below(most));
@@ -281,7 +281,7 @@ TEST_P(SparseHashed, KeepsWhatAMapKeeps) {
     });
 }
 
-/// A change is one submission, and nothing is read back. Each replay takes the requests since the last one.
+/// A change is one submission, and nothing is read back. Each replay dismisses and requests the pages of that moment.
 TEST_P(SparseHashed, RecordedOnce) {
     for_all("sparse array over a hash, recorded", [&](Round& round) {
         const Number capacity = 1 + round.below(200), most = 2 * capacity;

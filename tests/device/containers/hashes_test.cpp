@@ -18,7 +18,7 @@ std::vector<Number> numbers(Round& round, std::size_t n) {
     return all;
 }
 
-/// A float of a kind. Kinds are different keys, but some have both zeros, or NaNs.
+/// A float for the number `kind`: a zero of either sign, a NaN, a subnormal, infinity or -1e30, or an ordinary number.
 float some_float(Round& round, Number kind) {
     switch (kind % 8) {
     case 0: return round.chance(2) ? -0.0f : 0.0f;
@@ -29,7 +29,8 @@ float some_float(Round& round, Number kind) {
     }
 }
 
-/// What is inserted, and how: keys of integers; of floats, with values of several fields; of several fields.
+/// These structs name the types of a map or set and its kernels, and make keys and values. Keys are pairs of integers
+/// (Pairs), floats (OfFloats), structs (OfSpots), or integers of a set (OfNumbers).
 struct Pairs {
     using Key = uint2;
     using Value = Number;
@@ -83,7 +84,7 @@ struct OfNumbers {
     static Key key(Round&, Number kind) { return hash(kind); }
 };
 
-/// Random keys out of `kinds` different ones, so that many are equal.
+/// Random keys out of `kinds` ones at most, so that many are equal.
 template <class Kind> std::vector<typename Kind::Key> keys(Round& round, Number kinds) {
     std::vector<typename Kind::Key> all(1 + round.below(round.chance(3) ? 600 : 60));
     for (auto& key : all) key = Kind::key(round, round.below(kinds));
@@ -176,8 +177,8 @@ TEST_P(Hashes, MapsOfStructsInBatches) {
     for_all("hash map of structs", [&](Round& round) { Maps<OfSpots>(device(), round).run(); });
 }
 
-/// Entries of a kernel have no order, so each key has one value in a pass. Invocations that insert a key at the same
-/// moment may each take an entry; `tidy` removes the surplus ones.
+/// A kernel inserts in no particular order, so equal keys have the same value in a pass. Invocations that insert a key
+/// at the same moment may each take an entry; `tidy` removes the surplus ones.
 template <class Kind> void maps_from_kernels(const glift::Device& device, Round& round) {
     using Key = typename Kind::Key;
     using Value = typename Kind::Value;

@@ -33,7 +33,7 @@ std::vector<Number> first(std::vector<Number> all, std::size_t n) {
     return all;
 }
 
-/// The model of linked lists: nodes are taken in order.
+/// The model of linked lists: nodes are taken in the order of the pushes.
 struct Linked {
     std::vector<Number> heads, links, items;
     Number capacity, refused = 0;
@@ -88,7 +88,7 @@ TEST_P(Lists, LinkedInBatches) {
     });
 }
 
-/// Kernels push in any order, so each list is compared as a set.
+/// Kernels push in any order, so each list is compared as a multiset.
 TEST_P(Lists, LinkedFromKernels) {
     for_all("linked lists, kernels", [&](Round& round) {
         const Number cells = 1 + round.below(100);
@@ -135,7 +135,8 @@ TEST_P(Lists, Grids) {
     });
 }
 
-/// How each container pops in the model. Which invocation gets which element is unspecified.
+/// How each container is pushed to, and which elements of the model n pops take. Which invocation gets which of them is
+/// unspecified.
 template <class Container> struct Ends;
 
 template <> struct Ends<lists::Stack> {

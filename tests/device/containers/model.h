@@ -1,4 +1,4 @@
-// A model on the host of the sparse arrays of std.sparse: pages, frames and contents in ordinary containers.
+// A model on the host of the page pools of sparse arrays and adaptive trees: which page has which frame.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct Status {
     bool operator==(const Status&) const = default;
 };
 
-/// The pages of a pool by number: requested, granted, released.
+/// The pages of a pool, by their numbers below `bound`: requests, grants and releases under a policy for full pools.
 class Pages {
 public:
     Pages(Overflow policy, Number bound, Number capacity) : policy_(policy), bound_(bound) {
@@ -33,7 +33,8 @@ public:
         if (page < bound_) unwanted_.insert(page);
     }
 
-    /// Makes the change that was requested. Returns the numbers of the pages that were granted, ascending.
+    /// Makes the change that was requested; if `releases_others`, pages that were not requested are released. Returns
+    /// the numbers of the pages that were granted, ascending.
     std::vector<Number> change(bool releases_others) {
         ++round_;
         std::vector<Number> missing, gone;

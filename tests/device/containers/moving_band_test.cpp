@@ -22,7 +22,7 @@ struct Dense {
     std::vector<float> now = std::vector<float>(side * side * side, background), next = now;
     std::set<std::uint32_t> there;
     std::size_t came = 0, went = 0;  ///< pages that were allocated and released, in all changes
-    std::uint32_t granted = 0;       ///< in the last change
+    std::uint32_t granted = 0;       ///< pages that were allocated in the last change
 
     static std::size_t index(std::uint32_t x, std::uint32_t y, std::uint32_t z) { return (z * side + y) * side + x; }
     static std::uint32_t page_of(std::uint32_t x, std::uint32_t y, std::uint32_t z) {

@@ -30,7 +30,7 @@ std::vector<neighbours::Numbered> particles(Round& round, uint3 cells, Number n)
     return made;
 }
 
-/// The neighbours' numbers by comparing all pairs, ascending, of any number.
+/// For each particle the numbers of its neighbours, itself included, ascending: by comparing all pairs.
 std::vector<std::vector<Number>> by_comparison(const std::vector<neighbours::Numbered>& all, float radius) {
     std::vector<std::vector<Number>> found(all.size());
     for (const auto& own : all)
@@ -69,7 +69,8 @@ TEST_P(Neighbours, AreThoseOfAComparisonOfAllWithAll) {
     });
 }
 
-/// A step of a simulation is one submission, and nothing is read back; replays find the same neighbours.
+/// A step of a simulation is one submission, and nothing is read back; replays find as many neighbours as a comparison
+/// of all pairs.
 TEST_P(Neighbours, ComeWithOneSubmission) {
     for_all("neighbours, recorded", [&](Round& round) {
         const uint3 cells{6, 5, 4};

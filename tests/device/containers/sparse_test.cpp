@@ -44,7 +44,8 @@ public:
     }
 
 private:
-    /// The model of the pages of a two-level table's lower level: as many as pages may need, but no more than exist.
+    /// The model of the pages of a two-level table's lower level: its pool has one for each frame of the field, but no
+    /// more than there are.
     model::Pages leaves_of(model::Overflow policy) const {
         const Number all = (along_.x * along_.y + leaf_entries - 1) / leaf_entries;
         return {model::Overflow::drop, all, policy == model::Overflow::grow ? all : std::min(all, capacity_)};

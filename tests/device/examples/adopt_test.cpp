@@ -15,9 +15,9 @@ TEST(Adopt, ThePictureIsWhatTheProgramComputesItself) {
         run_example(GLIFT_ADOPT, {path}, {"VK_ICD_FILENAMES=/usr/share/vulkan/icd.d/lvp_icd.x86_64.json"});
     ASSERT_EQ(result.exit_code, 0) << result.out << result.err;
     EXPECT_THAT(result.out, HasSubstr("as expected, to the bit"));
-    // The program clears to a colour that makes a margin of 12. Squares of 20 pixels: their middles are far from every
-    // edge and keep their colours, except black squares, which are not drawn; edges are grey, and the dark side of an
-    // edge may or may not be drawn.
+    // The program clears the picture to a colour, which stays as a margin of 12 pixels. Squares have 20 pixels: their
+    // middles are far from every edge and keep their colours, except black squares, which are not drawn; edges are
+    // grey, and the dark side of an edge may or may not be drawn.
     const png::Picture picture = png::read(path);
     ASSERT_EQ(picture.width, 227u);
     const auto at = [&](std::uint32_t x, std::uint32_t y) { return picture.values[(y + 12) * 227 + x + 12]; };

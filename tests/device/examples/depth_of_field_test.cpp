@@ -1,4 +1,5 @@
-// Runs the depth-of-field example as a user does and compares its pictures with a direct solution in double precision.
+// Runs the depth-of-field example as a user does: compares pictures with a direct solution in double precision and
+// between devices, and checks what is said where something is wrong.
 #include "run_example.h"
 
 #include "examples/common/picture.h"
@@ -23,7 +24,8 @@ struct DepthOfField : testing::Test {
     }
 };
 
-/// The diameter of the circle of confusion at distance z, by the example's default lens with another focus.
+/// The diameter in pixels of the circle of confusion at distance z, by the example's default lens with this focus, in a
+/// picture of this width.
 double circle(double z, double focus, double width) {
     const double focal = 0.05, aperture = 0.025, film = 0.036;
     return width / film * aperture * focal / (focus - focal) * std::abs(focus / z - 1);

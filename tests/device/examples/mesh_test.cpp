@@ -1,5 +1,5 @@
-// Runs the mesh example as a user does: it draws by a raster of the language, and the picture is the same on both
-// devices.
+// Runs the mesh example as a user does: it draws by a raster of the language, and the pictures of both devices differ
+// in few pixels.
 #include "run_example.h"
 
 #include "examples/common/picture.h"

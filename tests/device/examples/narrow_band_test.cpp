@@ -1,5 +1,5 @@
-// Runs the narrow-band example as a user does: pages follow a front, the result is the same on both devices, and the
-// front is at its expected position.
+// Runs the narrow-band example as a user does: a step is one submission, the pictures of both devices differ in few
+// pixels, and the front expands.
 #include "run_example.h"
 
 #include "examples/common/picture.h"

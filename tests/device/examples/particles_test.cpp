@@ -1,5 +1,5 @@
-// Runs the particles example as a user does: a step is one submission, both devices draw the same, and the fluid falls
-// and flows.
+// Runs the particles example as a user does: a step is one submission, the pictures of both devices differ in few
+// pixels, and the fluid falls and flows.
 #include "run_example.h"
 
 #include "examples/common/picture.h"
@@ -30,7 +30,7 @@ struct Particles : testing::Test {
 /// Tells the fluid by its blue: the sky and the floor are dark, the ball is red.
 bool is_fluid(const glift::float4& pixel) { return pixel.z > 0.1f; }
 
-/// The centre of the fluid's pixels, to the right and up; both from 0 to 1.
+/// The centre of the fluid's pixels: x to the right and y up, both from 0 to 1.
 glift::float2 middle_of(const Picture& picture) {
     glift::float2 sum{0, 0};
     float n = 0;

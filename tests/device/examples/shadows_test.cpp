@@ -21,7 +21,7 @@ struct ShadowsExample : testing::Test {
         options.insert(options.end(), all.begin(), all.end());
         return run_example(GLIFT_SHADOWS, options, {"GLIFT_DEVICE=host"});
     }
-    /// Over recorded paths: the JSON lines that it writes.
+    /// Runs the measurement that the option `what` names, over recorded paths. Returns the JSON lines that it writes.
     std::vector<nlohmann::json> measure(const std::string& what, std::vector<std::string> options) {
         const std::vector<std::string> all = {what,         file("lines"), "--paths",    GLIFT_SHADOW_PATHS,
                                               "--scenes",   "robot,city",  "--pictures", file("pictures"),
@@ -48,7 +48,7 @@ TEST_F(ShadowsExample, RepeatsAPath) {
 
 TEST_F(ShadowsExample, MeasuresItsAgreementWithRays) {
     const auto lines = measure("--agreement", {"--frames", "2"});
-    ASSERT_EQ(lines.size(), 6u);  // two frames and a scene, twice
+    ASSERT_EQ(lines.size(), 6u);  // for each of two scenes: two frames, then the scene
     for (const std::size_t i : {2u, 5u}) {
         EXPECT_EQ(lines[i]["kind"], "scene");
         EXPECT_EQ(lines[i]["frames"], 2);
@@ -68,7 +68,7 @@ TEST_F(ShadowsExample, MeasuresItsAgreementWithRays) {
 
 TEST_F(ShadowsExample, MeasuresWhatPops) {
     const auto lines = measure("--popping", {"--frames", "3"});
-    ASSERT_EQ(lines.size(), 6u);  // two pairs and a scene, twice
+    ASSERT_EQ(lines.size(), 6u);  // for each of two scenes: two pairs of frames, then the scene
     for (const std::size_t i : {2u, 5u}) {
         EXPECT_EQ(lines[i]["pairs"], 2);
         for (const char* method : {"rmsm", "asm", "standard"}) {

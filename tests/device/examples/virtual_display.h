@@ -25,14 +25,14 @@ public:
 
     const std::string& name() const { return name_; }  ///< for DISPLAY
 
-    /// Whether there is a window of this title. The other calls are about the last one that was found.
+    /// Whether there is a window of this title. The other calls are about the last window that was found.
     bool has_window(const std::string& title);
     Seen seen() const;
     void move_to(int x, int y) const;
-    /// A button, as X numbers them: 1 is the left one, 3 the right one.
+    /// Presses a button of the pointer, as X numbers them: 1 is the left one, 3 the right one.
     void press(unsigned button = 1) const;
     void release(unsigned button = 1) const;
-    void type(const std::string& key) const;  ///< as X names it: `Tab`
+    void type(const std::string& key) const;  ///< key: its name in X, such as `Tab`
     void resize(unsigned width, unsigned height) const;
     void minimise() const;
     void restore() const;

@@ -1,5 +1,5 @@
-// Runs the voxelise example as a user does: the voxels that triangles touch are counted exactly, in integers, and the
-// pictures are the same on both devices.
+// Runs the voxelise example as a user does: it finds as many voxels and pages as exact arithmetic in integers, and the
+// pictures of both devices differ in few pixels.
 #include "run_example.h"
 
 #include "examples/common/picture.h"
@@ -52,7 +52,8 @@ bool touches(const Triangle& t, const Vector& centre) {
     return true;
 }
 
-/// Adds the voxels that a triangle touches. A point on the upper side of a voxel belongs to the next voxel alone.
+/// Adds the voxels that a triangle touches. A triangle whose bounding box begins on the upper side of a voxel is not
+/// taken to touch that voxel.
 void add_touched(const Triangle& t, std::set<Vector>& voxels) {
     Vector low, high;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -65,8 +66,8 @@ void add_touched(const Triangle& t, std::set<Vector>& voxels) {
                 if (touches(t, {2 * x + 1, 2 * y + 1, 2 * z + 1})) voxels.insert({x, y, z});
 }
 
-/// Small and large triangles, from 8 to 56 voxels along each axis. The first one spans all of this, so that the
-/// example, which fits a mesh to this range, leaves it as it is.
+/// Small and large triangles with coordinates of 8 to 56 voxels. The first one spans this range along each axis, so
+/// that the example, which fits a mesh to it, leaves all as they are.
 std::vector<Triangle> random_triangles(std::mt19937& random) {
     std::vector<Triangle> triangles = {{{{16, 16, 16}, {112, 20, 30}, {40, 112, 112}}}};
     while (triangles.size() < 60) {

@@ -1,5 +1,5 @@
-// Examples in windows, as a person uses them, under a display without a screen. Validation is on, and ends the example
-// where it finds something.
+// Runs examples in windows, as a person uses them, on lavapipe and a virtual display. Validation is on, and ends the
+// example where it finds something.
 #pragma once
 
 #include "run_example.h"
@@ -24,7 +24,7 @@ namespace windows {
 
 using picture::Picture;
 
-/// Until it holds; false after half a minute.
+/// Waits until the condition holds; false if it does not within half a minute.
 template <class Condition> inline bool waited_for(const Condition& condition) {
     const auto start = std::chrono::steady_clock::now();
     while (std::chrono::steady_clock::now() - start < std::chrono::seconds(30)) {
@@ -55,7 +55,7 @@ public:
     }
     Running(const Running&) = delete;
 
-    /// Waits for its end; -1 where that does not come, or a signal ended it.
+    /// Waits for the program's end. -1 if that does not come within half a minute, or if a signal ended it.
     int exit_code() {
         int status = 0;
         const bool has_ended = waited_for([&] { return waitpid(process_, &status, WNOHANG) == process_; });
@@ -87,7 +87,7 @@ inline double farthest(const Seen& seen, const Picture& picture) {
     return most;
 }
 
-/// The bound of the formats: both are rounded to eight bits.
+/// How far a window and a picture of the same contents may differ (`farthest`): both are rounded to eight bits.
 inline constexpr double rounding = 1.01;
 
 /// An example in a window with a title.
@@ -122,7 +122,7 @@ struct Windows : testing::Test {
         EXPECT_EQ(result.exit_code, 0) << result.err;
         return picture::read(file("headless.png"));
     }
-    /// What the program said that makes the same picture.
+    /// Runs the command that the program printed as making the same picture; returns its picture.
     Picture said(const Running& running) {
         const std::string out = running.out();
         const std::size_t at = out.find(said_);
@@ -137,7 +137,8 @@ struct Windows : testing::Test {
     bool shows(const Picture& picture) {
         return waited_for([&] { return farthest(display.seen(), picture) <= rounding; });
     }
-    /// A picture that stays the same for some frames, other than one that was seen before.
+    /// Waits until the window has stayed the same for a while, is not black and differs from `other`; returns its
+    /// pixels.
     Seen settled(const Seen& other) {
         Seen last;
         unsigned same = 0;

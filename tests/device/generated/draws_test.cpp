@@ -136,7 +136,7 @@ TEST(Draws, GoIntoTheProgramsImages) {
     for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
 }
 
-/// Views of integers: of an image that may have them.
+/// Floats in images are combined through a view of integers, which only an image of mutable format may have.
 TEST(Draws, FloatsOfTheProgramsImagesAreCombined) {
     const PlainVulkan mine;
     const auto device = glift::vulkan::adopt(mine.objects());

@@ -7,7 +7,7 @@
 
 class UserImage {
 public:
-    /// Makes the image that `wanted` describes; its handle is filled in.
+    /// Makes the image that `wanted` describes. description() is `wanted` with the image's handle.
     UserImage(const PlainVulkan& vulkan, const glift::vulkan::UserImage& wanted);
     ~UserImage();
     UserImage(const UserImage&) = delete;

@@ -1,4 +1,5 @@
-// Structures larger than a descriptor can cover: kernels access them by 64-bit addresses, in their wide form.
+// Structures larger than lavapipe's descriptors can cover: there kernels access them by 64-bit addresses, in their wide
+// form.
 #include "on_every_device.h"
 
 #include "large.glift.hpp"

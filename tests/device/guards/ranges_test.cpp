@@ -1,4 +1,6 @@
-// Checked builds: accesses by address that are out of bounds are reported; accesses that may be out of bounds are not.
+// Modules compiled with bounds checks (gliftc --checked): accesses by address that are out of bounds are reported.
+// Accesses that are allowed to be, such as `find`, samples, windows and structures that define what lies outside, are
+// not.
 #include "on_every_device.h"
 
 #include "ranges.glift.hpp"

@@ -20,7 +20,7 @@ TEST(Adopt, TheSameCallsWork) {
     expect_no_messages(device);
 }
 
-// A device made without VK_KHR_push_descriptor: descriptor sets come from pools, and more than one pool is needed.
+// A device that is said to be made without VK_KHR_push_descriptor: descriptor sets come from pools, more than one here.
 TEST(Adopt, WithoutPushDescriptors) {
     const PlainVulkan mine;
     auto objects = mine.objects();
@@ -181,7 +181,7 @@ TEST(Validation, ReportsAMistake) {
     EXPECT_TRUE(device.validation_messages().empty());  // cleared
 }
 
-// Synchronization validation also works between submissions: the program copies what a pass writes without a barrier.
+// Synchronization validation also works between submissions: the program fills a buffer in two, without a barrier.
 TEST(Validation, ReportsAMissingBarrierBetweenSubmissions) {
     if (!std::getenv("GLIFT_VALIDATE")) GTEST_SKIP() << "GLIFT_VALIDATE is not set";
     const auto device = glift::Device::open(vulkan_name());

@@ -1,4 +1,4 @@
-// Passes: forms of kernels, grids that are folded or split, and parameters from the device.
+// Passes: forms of kernels, grids that are folded or split, parameters from the device or fixed, and images.
 #include "test_device.h"
 
 #include <numeric>
@@ -113,7 +113,7 @@ TEST_P(Dispatch, DeviceSizesFoldToo) {
     for (std::uint32_t i = 0; i < n; ++i) ASSERT_EQ(result[i], i < n - 7 ? static_cast<float>(i) : 0.0f) << i;
 }
 
-// Finds missing barriers between passes that write the same memory, which validation does not report.
+// Each pass sees what the one before it wrote to the same memory. On a GPU the result would show a missing barrier.
 TEST_P(Dispatch, PassesOverOneMemoryHappenInOrder) {
     constexpr std::uint32_t n = 4096;
     const auto g = buffer(device, "g.data", 4 * n);
@@ -125,7 +125,7 @@ TEST_P(Dispatch, PassesOverOneMemoryHappenInOrder) {
     for (const std::uint32_t value : read<std::uint32_t>(device, g, n)) ASSERT_EQ(value, expected);
 }
 
-// Each set of fixed values makes one pipeline, and a fixed value is not read from the parameter block.
+// On Vulkan each set of fixed values makes one pipeline, and a fixed value is not read from the parameter block.
 TEST_P(Dispatch, FixedParametersAreConstantsOfThePipeline) {
     const auto g = buffer(device, "g.data", 64);
     for (const std::uint32_t value : {1u, 2u, 1u}) {

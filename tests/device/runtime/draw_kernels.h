@@ -12,11 +12,12 @@ struct Corner {
 
 struct DrawParameters {
     std::uint32_t corners, instances;
-    float shift;  ///< shift of instance 1, in half widths of the window
+    float shift;  ///< how far each instance is shifted to the right of the one before, in half widths of the viewport
 };
 
-/// All have the general form only; bindings: corners, counts; they write colour to an rgba32f image. draw_replacing and
-/// draw_culled test depth (less) and write it; draw_culled culls back faces; draw_over blends and has no depth.
+/// All have the general form only. Bindings: the corners, and a count of fragments; they write colour to an rgba32f
+/// image. draw_replacing and draw_culled test depth (less) and write it; draw_culled culls back faces; draw_over blends
+/// and has no depth.
 extern const glift::Kernel draw_replacing, draw_over, draw_culled;
 
 }  // namespace kernels

@@ -233,8 +233,8 @@ std::vector<Corner> random_triangles(std::size_t count) {
     return corners;
 }
 
-/// The largest change of depth between neighbouring pixels, which is steep for thin triangles. It bounds how far
-/// devices' depths may differ, since they interpolate depth in floats over the viewport.
+/// The largest change of depth of a triangle from a pixel to one beside or diagonal to it, which is large for thin
+/// triangles. Devices round vertices, so how far their depths may differ grows with it.
 float depth_slope(uint2 extent, const Corner* corners) {
     double x[3], y[3], z[3];
     for (int i = 0; i < 3; ++i) {
@@ -280,7 +280,7 @@ TEST(DrawBeside, HostAndVulkanShowTheSame) {
     for (const std::string& message : vulkan.validation_messages()) ADD_FAILURE() << message;
 }
 
-/// Each triangle drawn separately covers exactly the same pixels.
+/// Each triangle drawn separately covers as many pixels on the host device as on Vulkan.
 TEST(DrawBeside, EveryTriangleHasTheSamePixels) {
     const glift::Device host = glift::Device::open("host"), vulkan = glift::Device::open(vulkan_name());
     const uint2 extent(160, 100);

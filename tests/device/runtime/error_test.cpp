@@ -1,4 +1,4 @@
-// Every error says what failed, where, why, and what to do.
+// Errors of the runtime: each says what failed, where, and what to do.
 #include "test_device.h"
 
 #include <filesystem>

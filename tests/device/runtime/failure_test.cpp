@@ -1,12 +1,12 @@
-// Fault injection: each Vulkan call that can fail is made to fail once. The result must be an Error or the right data,
-// never a crash or wrong data.
+// Fault injection: of the Vulkan calls that the work below makes and that can fail, each is made to fail once. The
+// result must be an Error or the right data, never a crash or wrong data.
 #include "plain_vulkan.h"
 
 namespace {
 
 using namespace kernels;
 
-/// Exercises every Vulkan function that the runtime uses.
+/// Uses buffers, images, passes, timestamps and a recording, but no draws.
 void use_everything(const glift::vulkan::Objects& objects) {
     const auto device = glift::vulkan::adopt(objects);
     constexpr std::uint32_t n = 256;
@@ -62,7 +62,7 @@ private:
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
 };
 
-/// Fails the first call, then the second, and so on, until there are no more. Returns the number of calls.
+/// Makes the first call fail, then the second, and so on, until there are no more. Returns the number of calls.
 std::uint64_t fail_each(const PlainVulkan& mine, const glift::vulkan::Objects& objects, VkResult failure) {
     for (std::uint64_t call = 1;; ++call) {
         pretence.calls = 0;

@@ -1,5 +1,5 @@
-// Calls every method of every handle that is empty, that is, default-constructed or moved from. Each must throw an
-// Error that says what to do.
+// Calls the methods of handles that are empty, that is, default-constructed or moved from, and passes such handles to
+// calls. What cannot work must throw an Error that says what to do.
 #include "test_device.h"
 
 #include <functional>
@@ -105,7 +105,7 @@ void use_commands(const glift::Commands& commands, const glift::Memory& f, const
 }
 
 // long: a line for each call that takes a memory
-/// Passes the memory, which is empty, to every call that takes one.
+/// Passes the memory, which is empty, to the calls that take one.
 void use_memory(const glift::Memory& memory, const glift::Commands& commands, const glift::Memory& other) {
     EXPECT_FALSE(memory);
     EXPECT_EQ(memory, glift::Memory());

@@ -1,5 +1,5 @@
-// Barriers must be recorded exactly where they are needed. The tests count them, since validation does not detect a
-// missing one between two writes, and lavapipe works without any.
+// Barriers must be recorded exactly where they are needed. The tests count them, since validation does not detect every
+// missing one, nor one too many, and lavapipe works without any.
 #include "test_device.h"
 
 namespace {

@@ -11,9 +11,10 @@ namespace kernels {
 extern const glift::Kernel scale;         ///< g = factor * f, in all three forms; {size, factor}
 extern const glift::Kernel add_in_place;  ///< g = 2 g + amount; {size, amount}
 extern const glift::Kernel store_value;   ///< g = value; {size, value}
-extern const glift::Kernel mark_grid;     ///< counts visits of a 3-D grid; general form; {size[3], base[3]}
+extern const glift::Kernel mark_grid;     ///< adds 1 + y at (x, y, z) of a 3-D grid; on Vulkan in the wide form only;
+                                          ///< {size[3], base[3]}
 extern const glift::Kernel image_step;    ///< samples one image and stores to another; {size[2]}
-extern const glift::Kernel report;        ///< reports an error for elements from 10 on; {size}
+extern const glift::Kernel report;        ///< g[i] = i for i < 10; reports an error if there is an element 10; {size}
 
 struct ScaleParameters {
     std::uint32_t size;

@@ -48,7 +48,7 @@ VKAPI_ATTR VkResult VKAPI_CALL allocate(VkDevice device, const VkMemoryAllocateI
     return pretence.no_memory ? VK_ERROR_OUT_OF_DEVICE_MEMORY : vkAllocateMemory(device, info, callbacks, memory);
 }
 
-// The runtime must use vkQueueSubmit2 only: calls of vkQueueSubmit are not counted.
+// The runtime must use vkQueueSubmit2 only, since calls of vkQueueSubmit are not counted: one fails the test.
 VKAPI_ATTR VkResult VKAPI_CALL submit_in_the_old_way(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos,
                                                      VkFence fence) {
     ADD_FAILURE() << "vkQueueSubmit";
@@ -69,7 +69,7 @@ template <int number, class... Parameters> struct Failing<number, VkResult(VKAPI
     static VKAPI_ATTR VkResult VKAPI_CALL call(Parameters... parameters) {
         if (++pretence.calls != pretence.failing_call) return real(parameters...);
         pretence.failed = name;
-        // Fake device loss must look real: no work is left running on a lost device.
+        // As on a device that is really lost, no work is left running.
         if (pretence.failure == VK_ERROR_DEVICE_LOST) vkDeviceWaitIdle(device);
         return pretence.failure;
     }

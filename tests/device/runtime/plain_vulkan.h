@@ -9,14 +9,14 @@
 #include <memory>
 #include <vector>
 
-/// Faults that the loader injects, and calls that it counts. Reset at the start of each test.
+/// Faults that the loader injects, and calls that it counts. The constructor of PlainVulkan resets it.
 struct Pretence {
     bool vulkan_1_2 = false;
     bool no_timeline = false;
-    bool lost = false;  ///< the next submission and every wait fail
+    bool lost = false;  ///< every submission and every wait fails
     bool no_memory = false;
     bool no_shuffles = false;          ///< subgroups support no shuffles and no 64-bit reductions
-    bool no_push_descriptors = false;  ///< the device was made without the extension
+    bool no_push_descriptors = false;  ///< the device has no functions of VK_KHR_push_descriptor
 
     std::uint64_t calls = 0;         ///< calls of the device's functions that can fail
     std::uint64_t failing_call = 0;  ///< number, from 1, of the call that fails with `failure`; 0: none

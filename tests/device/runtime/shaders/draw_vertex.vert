@@ -1,4 +1,4 @@
-// Reads vertices from a buffer and shifts them by `shift` times the instance's index.
+// Reads vertices from a buffer and shifts them right by `shift` half widths of the viewport times the instance's index.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 struct Corner { vec4 place; vec4 colour; };

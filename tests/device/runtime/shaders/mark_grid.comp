@@ -1,4 +1,4 @@
-// Counts visits of each element of a 3-D grid; `base` is the first element of this dispatch, where a grid is split.
+// Adds 1 + y to each visited element of a 3-D grid; `base` is the first element of this dispatch where a grid is split.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_buffer_reference : require

@@ -1,4 +1,4 @@
-// Reports an access out of range for every element beyond the first ten.
+// Writes the first ten elements; reports an access out of range if there is an element 10.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;
