@@ -22,7 +22,8 @@ const std::map<std::string, std::string> texts = {
     {"three.glift", "module three;\nuse one;\npub kernel clear(x: out each<Line>) { x = 0u; }\n"},
 };
 
-/// The outputs of a compilation by their names, without SPIR-V. The standard library is that of the sources.
+/// The outputs of a compilation by their names, without SPIR-V. Files are those of `texts`, else of the disk; the
+/// standard library is that of the sources.
 std::map<std::string, std::string> outputs_of(std::vector<std::string> files) {
     Options options;
     options.files = std::move(files);
@@ -61,7 +62,7 @@ TEST(Aliases, OfWhatIsImportedAreTakenOver) {
     EXPECT_THAT(outputs["three.glift.hpp"], HasSubstr("const glift::Range<::one::Line>& x);"));
 }
 
-/// The outputs of a compilation that a user includes: headers, and functions for shaders.
+/// The outputs of a compilation that are included elsewhere: headers, and functions for shaders.
 std::map<std::string, std::string> seen_of(std::vector<std::string> files) {
     auto outputs = outputs_of(std::move(files));
     std::erase_if(outputs, [](const auto& output) {
@@ -70,7 +71,7 @@ std::map<std::string, std::string> seen_of(std::vector<std::string> files) {
     return outputs;
 }
 
-/// The declarations of functions in a header, without its includes and other declarations.
+/// The lines of a header that declare the function `first`, or one that returns void.
 std::string functions_of(const std::string& header) {
     std::string functions;
     std::istringstream lines(header);

@@ -76,7 +76,8 @@ struct Builder {
     }
 };
 
-/// A 3-D diffusion step over dense buffers: g = f + k * (sum of the six neighbours - 6 f), outside reads as zero.
+/// A 3-D diffusion step over dense buffers: g = f + k * (sum of the six neighbours - 6 f); reads outside give zero. Its
+/// second variant is for the interior, without bounds checks.
 inline ir::Pass heat_pass(Builder& b) {
     using ir::BinaryOp;
     b.program.kernels.push_back(

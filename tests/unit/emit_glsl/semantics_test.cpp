@@ -69,7 +69,7 @@ TEST(Division, OfIntsGoesThroughAFunction) {
     EXPECT_THAT(stored(vectors), HasSubstr("ivec3(quotient(a.x, b.x), quotient(a.y, b.y), quotient(a.z, b.z))"));
 }
 
-/// The same for a device whose division and square root are inexact and get corrected.
+/// As `stored`, for a device whose division and square root are inexact and get corrected.
 template <class Make> std::string corrected(Make make) {
     Builder b;
     ExprId address = b.one_axis();
@@ -217,7 +217,7 @@ TEST(Atomics, OfFloatsAreThoseOfTheirBitsOrLoopsOfCompareAndSwap) {
     EXPECT_THAT(text, HasSubstr("sums[0u] = floatBitsToUint(intBitsToFloat(g_data[1u]));"));
 }
 
-/// Compiles an expression for each line of intrinsics.def, with operands that its signature accepts.
+/// Compiles calls of most built-in functions of floats, and of vectors of three.
 TEST(Intrinsics, AllCompile) {
     const std::vector<Intrinsic> floats = {
         Intrinsic::abs,   Intrinsic::sign, Intrinsic::floor, Intrinsic::ceil,       Intrinsic::round, Intrinsic::trunc,

@@ -1,4 +1,4 @@
-// Every reflection conforms to docs/reflection.schema.json.
+// Reflections (what gliftc writes of a module as JSON) conform to docs/reflection.schema.json.
 #include "driver/compile.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Validates JSON by the part of JSON Schema that our schema uses. Returns the first violation, or nothing.
+/// Validates JSON by the part of JSON Schema that our schema uses. Gives the first violation, else an empty string.
 struct Validator {
     const Json& root;
 
@@ -86,7 +86,7 @@ std::string reflection_of_file(const std::string& path) {
     return "";
 }
 
-/// Modules that together have everything that a reflection may contain.
+/// The modules whose reflections are checked: those of structures, of adaptors and of a few examples, one with draws.
 std::vector<std::string> modules() {
     std::vector<std::string> found;
     for (const char* folder :

@@ -119,7 +119,7 @@ TEST_F(Npy, SaysWhatIsWrong) {
     EXPECT_THROW(npy::read(path), std::runtime_error);
 }
 
-// A file that is cut anywhere is refused, never a crash.
+// A file that is cut off anywhere is refused with an error.
 TEST_F(Npy, EveryPrefixIsRefused) {
     const std::string whole = with_header(header_of("<f4", "(1, 1)"), "1234");
     for (std::size_t length = 0; length < whole.size(); ++length)

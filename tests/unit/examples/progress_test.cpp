@@ -34,7 +34,7 @@ TEST(Progress, SaysNothingWhereThereIsNoTerminal) {
     std::fclose(file);
 }
 
-/// A terminal of 30 columns, and what was written to it.
+/// Writes to a pseudo-terminal of 30 columns, and reads what was written from its other end.
 TEST(Progress, KeepsOneLineOfATerminal) {
     const int other_end = posix_openpt(O_RDWR | O_NOCTTY);
     if (other_end < 0 || grantpt(other_end) != 0 || unlockpt(other_end) != 0)

@@ -34,7 +34,7 @@ TEST(Symbols, EndsOfWhatVaries) {
     EXPECT_EQ(symbols.highest(y * m + (m - number(1) - x)), m * n - number(1));
     EXPECT_EQ(symbols.lowest(m - x), number(1));
     EXPECT_EQ(symbols.highest(symbols.varying({number(0), {}})), std::nullopt);
-    // The address of an element in a triangular array: y (y + 1) + x.
+    // A sum with products of varying numbers: y (y + 1) + x.
     EXPECT_EQ(symbols.highest(y * y + y + x), n * n - n + m - number(1));
 }
 

@@ -22,7 +22,7 @@ struct Corner {
     float x, y, z, w;
 };
 
-/// Draws vertices given in clip coordinates. Varyings: the vertex's index in `corners` (flat), and a value (smooth).
+/// Draws vertices given in clip coordinates. Varyings: the number of the triangle (flat), and a value (smooth).
 struct Scene {
     std::vector<Corner> corners;
     std::vector<float> values;  ///< each vertex's smooth varying; empty: zeros
@@ -153,7 +153,7 @@ TEST(Raster, TrianglesOfAMeshCoverEachPixelOnce) {
         ++count[static_cast<std::size_t>(p.y * 640 + p.x)];
     };
     draw(scene.draw(viewport));
-    // Rounding of vertices may make cells overlap, so that some pixels belong to three triangles; but each pixel
+    // Vertices are moved so far that some triangles overlap, so that some pixels belong to several; but each pixel
     // belongs to one at least.
     const auto once = std::count_if(count.begin(), count.end(), [](const auto& n) { return n == 1; });
     EXPECT_EQ(std::count_if(count.begin(), count.end(), [](const auto& n) { return n == 0; }), 0);
@@ -276,7 +276,8 @@ TEST(Raster, ClipDistancesCut) {
 TEST(Raster, FacesAreCulled) {
     const uint2 viewport(32, 32);
     Scene scene;
-    scene.corners = {at_window(viewport, 0, 0), at_window(viewport, 0, 32), at_window(viewport, 32, 0)};  // to the left
+    // Counter-clockwise in the window, whose y points down: a front face.
+    scene.corners = {at_window(viewport, 0, 0), at_window(viewport, 0, 32), at_window(viewport, 32, 0)};
     int fragments = 0, fronts = 0;
     scene.fragment = [&](const Fragments& f, int) { ++fragments, fronts += f.is_front; };
     Draw one = scene.draw(viewport);

@@ -1,4 +1,4 @@
-// Operations that are defined in the language but not in C++, and the memory layout of its types.
+// Operations that the language defines for all operands and C++ does not, and the memory layout of its types in C++.
 #include <glift/host/math.h>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Parallel loops over rows visit each element of a range exactly once, for any shape of range.
+// Parallel loops over rows visit each element of a range exactly once, for any shape of range. Also moves of rows, the
+// middle of a row where clamps change nothing, and atomics of floats.
 #include <glift/host/atomics.h>
 #include <glift/host/parallel.h>
 
