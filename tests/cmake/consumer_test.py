@@ -36,7 +36,7 @@ class Consumer:
         run("cmake", "-G", "Ninja", "-S", self.source, "-B", self.build_dir, "-DCMAKE_BUILD_TYPE=Release", *settings)
 
     def build(self):
-        # Longer than the granularity of file time stamps, so that the build sees every change.
+        # Waits for longer than the granularity of file time stamps, so that the build sees every change.
         time.sleep(0.05)
         return run("cmake", "--build", self.build_dir, "--target", "consumer")
 
@@ -112,7 +112,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="glift-consumer-") as name:
         folder = pathlib.Path(name)
         if mode == "subdirectory":
-            # This builds the compiler again, without optimisation: its speed does not matter here.
+            # This builds the compiler again, too, without optimisation: its speed does not matter here.
             settings = [f"-DGLIFT_SOURCE={source}", "-DCMAKE_CXX_FLAGS_RELEASE=-O0"]
         elif mode == "prebuilt":
             settings = [f"-DGLIFT_SOURCE={source}", f"-DGLIFT_GLIFTC={sys.argv[3]}", "-DCMAKE_CXX_FLAGS_RELEASE=-O0"]

@@ -50,7 +50,8 @@ def called(line, call, head):
 
 
 CPP, ALL = ["--target", "cpp", "--target", "host", "--host-only"], []
-# Position: (options of gliftc, cost of a word, maker of a module from numbered words). Samples are smaller where words cost more.
+# Position: (options of gliftc, cost of a word, maker of a module from numbered words). Samples and modules have fewer words where
+# these cost more.
 POSITIONS = {
     "fields": (ALL, 1, in_body(lambda i, w: (
         f"pub struct Z{i} {{ {w}: float; zb: uint; }}\n", f"    {{ let zv = Z{i}(zs, 2u); zs = zv.{w}; }}\n"))),
@@ -136,7 +137,7 @@ def run(command):
 
 
 def module_of(position, chunk, folder, gliftc):
-    """Writes the C++ of a module; returns the paths of its sources."""
+    """Writes a module for words of a position and compiles it by gliftc; returns the paths of its C++ sources."""
     targets, _, make = POSITIONS[position]
     name = "z" + re.sub(r"\W", "_", position) + f"_{chunk[0][0]}"
     path = folder / f"{name}.glift"

@@ -2,7 +2,7 @@
 import random
 import re
 
-# Words that cannot be identifiers: Glift's keywords, types and literals.
+# Words that are never tried, since they cannot be identifiers: Glift's keywords and literals.
 LANGUAGE = set("""module use pub extern fn struct enum interface let var const if else for in while break continue return
 true false none await then""".split())
 

@@ -1,5 +1,5 @@
-// Compiles files of the library, the examples and the golden tests that are cut at many places: the compiler must
-// report an error where something is unclosed, and must never crash.
+// Compiles files of the library, the examples and the golden tests that are cut off at many places: the compiler must
+// report an error where a brace, parenthesis or bracket is left open, and must never crash.
 
 #include "driver/compile.h"
 #include "support/process.h"
@@ -13,10 +13,10 @@
 namespace glift::test {
 namespace {
 
-/// The most places where a file is cut: a short file at every byte, a long one at every few bytes.
+/// A file is cut at every (size / most_cuts)th byte, a short one at every byte: at fewer than 2 * most_cuts places.
 constexpr std::size_t most_cuts = 150;
 
-/// The file that is being compiled, printed after a crash.
+/// Which part of which file is being compiled: a message that is printed if the compiler crashes.
 char now_compiling[512];
 
 void print_cut(int signal) {

@@ -16,7 +16,7 @@ extern char** environ;
 namespace glift::test {
 namespace {
 
-/// Starts the program with its three streams redirected to files. Pipes could fill up and block the program.
+/// Starts the program with its three standard streams redirected to files in `folder`. Pipes could fill up and block.
 pid_t start(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
     std::vector<char*> argv;
     for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));

@@ -1,4 +1,4 @@
-// Runs a program and captures its output.
+// For tests: runs a program and captures its output; temporary folders; reads, writes and finds files.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 namespace glift::test {
 
 struct ProcessResult {
-    int exit_code = 0;  ///< 128 + the signal's number when a signal ended it
+    int exit_code = 0;  ///< 128 + the signal's number if a signal ended the program
     std::string out;
     std::string err;
 };
