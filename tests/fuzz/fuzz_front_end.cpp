@@ -1,4 +1,5 @@
-// Compiles arbitrary text, which can import the standard library: there must be no crash, hang or sanitizer report.
+// Compiles arbitrary text, which can import the standard library, but prints no outputs: there must be no crash, hang
+// or sanitizer report.
 
 #include "diag/render.h"
 #include "driver/compile.h"

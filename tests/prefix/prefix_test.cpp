@@ -1,5 +1,5 @@
-// Compiles files of the library, the examples and the golden tests that are cut off at many places: the compiler must
-// report an error where a brace, parenthesis or bracket is left open, and must never crash.
+// Compiles files of the library, the examples and the golden tests that are cut off at many places, without outputs:
+// the compiler must report an error where a brace, parenthesis or bracket is left open, and must never crash.
 
 #include "driver/compile.h"
 #include "support/process.h"

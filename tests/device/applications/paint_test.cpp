@@ -17,7 +17,7 @@ using namespace paint_model;
 using glift::float4;
 using strokes::Stroke;
 
-constexpr Word levels = 4;  // 128^3
+constexpr Word levels = 4;  // of 128^3 cells: 8, 4, 2 and 1 pages of 16 cells along each axis
 
 /// The number of strokes: GLIFT_PAINT_STROKES, or 4.
 unsigned stroke_count() {

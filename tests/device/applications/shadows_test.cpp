@@ -102,7 +102,7 @@ TEST_P(Shadows, AreOneSubmissionAFrame) {
         EXPECT_EQ(after.waits, before.waits);
         if (method == Method::adaptive) {
             EXPECT_GT(some.rounds(), 1u);
-        }  // it has refined something
+        }  // more than one round: it has refined something
     }
 }
 

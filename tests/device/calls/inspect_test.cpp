@@ -81,7 +81,7 @@ TEST_P(Inspect, StructsHolesAndPlainArrays) {
                 HasSubstr("values, 0 to 0: plane of axes x and y"));
     resident::Line table(device(), 6);
     const resident::Cells cells(device(), table, {11, 8}, 2, {-1.0f, 0, {}});
-    const std::string text = glift::inspect(cells).text();  // nothing is there
+    const std::string text = glift::inspect(cells).text();  // no page has a frame
     EXPECT_THAT(text, HasSubstr("\"text\": \"weight -1, count 0, along {0, 0}\""));
     EXPECT_THAT(text, HasSubstr("\"elements\": 0"));
     EXPECT_THAT(drawn(glift::inspect(cells)), HasSubstr("0 of 88"));

@@ -134,7 +134,7 @@ TEST_P(Resident, TablesOfTwoLevelsAndOfAHash) {
     const auto found = two.field().read_resident();
     ASSERT_EQ(found.size(), 48u);
     EXPECT_EQ(found.addresses.back(), (uint2{99, 59}));
-    EXPECT_EQ(two.table().read_resident().size(), 8u + 8u + 7u);  // parts of 8 entries; the last one sticks out
+    EXPECT_EQ(two.table().read_resident().size(), 8u + 8u + 7u);  // pages of 8 entries; the table ends within the last
     resident::Hashed hashed(device(), 8, 1.5f);
     places.write(std::vector<uint2>{{500000000, 3}, {0, 0}, {7, 400000000}});
     resident::ask(device(), places, hashed);

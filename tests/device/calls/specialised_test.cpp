@@ -1,4 +1,5 @@
-// Calls that fix parameters as constants of the pipeline: the same results, and one pipeline for each set of values.
+// Calls that fix parameters as constants of the Vulkan pipeline: the same results, and one pipeline for each set of
+// values.
 #include "calls.glift.hpp"
 
 #include <gtest/gtest.h>

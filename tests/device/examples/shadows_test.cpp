@@ -1,4 +1,5 @@
-// Shadows as a user makes them: paths that are written and read again, and what is said where something is wrong.
+// Runs the shadows example as a user does: camera paths that are written and read again, measurements along such paths,
+// and what is said where something is wrong.
 #include "run_example.h"
 
 #include <gmock/gmock.h>

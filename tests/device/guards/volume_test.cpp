@@ -18,7 +18,8 @@ std::uint64_t gibibytes() {
     return text ? std::strtoull(text, nullptr, 10) : 0;
 }
 
-/// Sides that are powers of two, as nearly equal as possible: 2^28 elements for each GiB.
+/// The volume's sides: powers of two, as nearly equal as possible, for 2^28 elements for each GiB; or small odd
+/// numbers.
 glift::uint3 extent_of_volume() {
     if (gibibytes() == 0) return {67, 45, 33};
     glift::uint3 extent{1024, 512, 512};

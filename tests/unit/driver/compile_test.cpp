@@ -1,4 +1,4 @@
-// Calls the compiler as a function, with files in memory.
+// The compiler as a function: which modules it loads, with files in memory; dependency files, outputs, command lines.
 #include "driver/command_line.h"
 #include "driver/compile.h"
 

@@ -86,7 +86,7 @@ std::string reflection_of_file(const std::string& path) {
     return "";
 }
 
-/// The modules whose reflections are checked: those of structures, of adaptors and of a few examples, one with draws.
+/// The modules whose reflections are checked: those of structures, of adaptors and of a few examples, draws among them.
 std::vector<std::string> modules() {
     std::vector<std::string> found;
     for (const char* folder :

@@ -1,4 +1,5 @@
-// Which accesses are bounds-checked: those that are not proved to be in bounds.
+// Which accesses are bounds-checked: those that are not proved to be in bounds. And the arithmetic over symbolic sizes
+// that the proofs use.
 #include "lower/symbolic.h"
 #include "lowered.h"
 

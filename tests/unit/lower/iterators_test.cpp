@@ -46,7 +46,7 @@ TEST(Iterators, WhatATranslatorAsksOfTheCentreIsKnown) {
     Lowering lowering("kernel k(f: in near<Edged, 1>, g: out each<Edged>) { g = f[0] + f[int3(0, 1, 0)]; }");
     std::string text = lowering.direct("k");
     EXPECT_THAT(text, HasSubstr("let f_yp1_inside: bool = (address.y + 1u) < $f_extent.y;"));
-    EXPECT_EQ(count(text, "lessThan"), 1u) << text;  // in_range
+    EXPECT_EQ(count(text, "lessThan"), 1u) << text;  // that of in_range
     EXPECT_THAT(text, Not(HasSubstr("if ")));
 }
 
