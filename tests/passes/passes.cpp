@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::string_view line_between = "---\n";
 
-/// A kernel in the middle of lowering, read from the text of its pass. The context is created before the nodes are
-/// read, so that the nodes belong to the pass.
+/// A kernel in the middle of lowering, read from its text. The context is created before the nodes are read, so that
+/// it takes them for nodes of the pass.
 struct Lowering {
     Names names;
     ir::Program program;
@@ -69,7 +69,7 @@ void run(Lowering& lowering, const std::string& name) {
     lower::move_uniforms(lowering.cx, {&lowering.pass.plain().body});
 }
 
-/// The text of the kernels of a file after a pass.
+/// What gliftc --dump-after=PASS prints of the kernels of a file.
 std::string dumped(const std::filesystem::path& path, const std::string& pass) {
     if (!lower::is_pass(pass)) throw std::runtime_error("there is no pass that is called '" + pass + "'");
     Options options;

@@ -1,6 +1,6 @@
-// A test case of a compiler pass, in tests/passes/<pass>. For a pass over lowered bodies, <case>.ir has the text before
-// the pass and, below a line "---", after it. For a pass over checked kernels, <case>.glift has their source, and
-// <case>.after the output of --dump-after.
+// A test case of a compiler pass, in tests/passes/<pass>. Either <case>.ir has the text of one lowered kernel before
+// the pass and, below a line "---", after it. Or <case>.glift has the source of kernels, and <case>.after what gliftc
+// --dump-after=<pass> prints for it.
 #pragma once
 
 #include <filesystem>
