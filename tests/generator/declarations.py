@@ -5,7 +5,8 @@ from expressions import Function
 from model import (BOOL, DOUBLE, FLOAT, FLOATS, HALF, INT, INT64, INTEGERS, NUMBERS, UINT, UINT64, Array, Enum, Matrix, Node, Optional,
                    Scalar, Struct, Vector, joined, literal, scalar_of)
 
-# Helpers of every program. `without_nan` replaces NaN, whose bits may differ between devices; `digest` hashes a value to a uint.
+# Helpers of every program. `without_nan` replaces NaN, whose bits may differ between devices; `digest` hashes a value to a uint;
+# `made_T` makes a value of type T from a number.
 HELPERS = """
 fn without_nan(x: float) -> float { return isnan(x) ? 0.5 : x; }
 fn without_nan(x: half) -> half { return isnan(x) ? 0.5h : x; }
@@ -96,8 +97,8 @@ class Types:
         return not isinstance(t, Array) and parts_of(t) <= 64
 
     def has_digest(self, t, evaluable):
-        """Whether there is a function that digests values of a type. The compile-time evaluator has none for floats, which
-        would need their bits."""
+        """Whether there is a function that digests values of a type; if `evaluable`, one that the compile-time evaluator can
+        run. It cannot take the bits of floats, so that only integers, bools and vectors of them remain."""
         if isinstance(t, Vector) and isinstance(t.scalar, Scalar) or isinstance(t, Scalar):
             return not evaluable or scalar_of(t) not in FLOATS
         return t in self.all and not evaluable

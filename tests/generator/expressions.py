@@ -1,4 +1,4 @@
-"""Random expressions of a given type that have the same result on every device."""
+"""Random expressions of a given type. Their results are the same on every device, but for those of `inexact`."""
 from intrinsics import EVALUATED, EVERYWHERE, RANGES, read_table
 from model import (BOOL, DOUBLE, FLOAT, FLOATS, HALF, INT, INT64, INTEGERS, NUMBERS, SIGNED, UINT, UINT64, Array, Enum, Matrix, Node,
                    Optional, Scalar, Struct, Vector, is_shaped, joined, literal, scalar_of, size_of, vector)
@@ -18,7 +18,7 @@ class Scope:
         self.functions = list(functions)
         self.evaluable = evaluable        # restrict to what the compile-time evaluator can compute
         self.reads = list(reads)          # (type, maker): maker(expressions, scope, depth) reads a value of this type
-        self.unknown = unknown            # a variable of type uint whose value is not known at compile time
+        self.unknown = unknown            # an expression of type uint whose value is not known at compile time
 
     def inner(self):
         return Scope(self.variables, self.functions, self.evaluable, self.reads, self.unknown)
@@ -139,7 +139,7 @@ class Expressions:
         return Node("(", left, f" {operator} ", right, ")", type=t)
 
     def operands(self, t, scope, depth):
-        """Two operands of an operation on vectors, one of which may be a scalar."""
+        """Two operands of an operation with a result of type t. If t is a vector, one of them may be a scalar."""
         left = right = t
         if isinstance(t, Vector) and self.random.chance(30):
             left, right = (t.scalar, t) if self.random.chance(50) else (t, t.scalar)
@@ -189,7 +189,7 @@ class Expressions:
     # ------------------------------------------------------------------------------------------------ parts of values
 
     def part(self, t, scope, depth):
-        """A field of a variable, or an element at an index that may be out of range."""
+        """A field of a variable, or an element of one at an index that may be out of range."""
         found = []
         for name, type, _ in scope.variables:
             if isinstance(type, Array) and type.element == t:

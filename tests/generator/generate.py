@@ -3,7 +3,7 @@
 
     generate.py GLIFTC [--seeds FIRST..LAST] [--kernels N] [--minutes M] [--device NAME] [--keep FOLDER] [--found FOLDER]
 
-A program has N kernels with tests and, for each function that the compiler can evaluate, constants computed with it.
+A program has N kernels with tests and, for functions that the compiler can evaluate, constants computed with them.
 `gliftc test` runs it twice: as it is, and with the wide form (64-bit addresses) of each kernel (GLIFT_WIDE_ELEMENTS). A
 program that fails is shrunk to a small .glift file, which is printed and stored in the folder of --found. --keep keeps
 the built programs, which run without a compiler.

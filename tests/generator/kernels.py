@@ -9,7 +9,7 @@ SUBGROUPS = {"add": "subgroupAdd", "min": "subgroupMin", "max": "subgroupMax", "
              "xor": "subgroupXor"}
 
 
-# A container that writes its members in each way; what it reads, no function writes.
+# An adaptor with a function for each way to write a member. `of` reads the member `given`, which none of them writes.
 BAG_TEXT = """
 adaptor Bag(n: uint) {
     structure marks = Line(max(n, 1u));
@@ -40,7 +40,7 @@ class Parameter:
 
 
 class Bag(Structure):
-    """The container."""
+    """The adaptor of BAG_TEXT."""
 
     def make(self, extent):
         return f"Bag({extent[0]}u)"
@@ -56,7 +56,7 @@ class Kernel:
         self.name, self.axes, self.extent = name, axes, extent
         self.params = []
         self.scope = Scope()
-        self.writes = []  # functions that take a scope and return a statement
+        self.writes = []  # functions that take a scope and return a statement that writes an output
 
 
 class Kernels:
@@ -90,8 +90,8 @@ class Kernels:
         return [s for s in self.structures.all if s.axes == axes and (s.each or not each)]
 
     def visited(self, kernel, each=False):
-        """Structures for another parameter that moves. What is written, else what is read, says which blocks are visited: one of
-        each kind may have blocks, since those of two are not the same."""
+        """Structures for another parameter that the kernel iterates over. A kernel visits the blocks of what it writes by `each`,
+        or else of what it reads. Of either kind only one may have blocks, since two structures list different ones."""
         has_blocks = any(p.moves and p.structure.block and p.text.startswith("in ") != each for p in kernel.params)
         return [s for s in self.of_axes(kernel.axes, each) if not s.block or not has_blocks]
 
@@ -165,7 +165,7 @@ class Kernels:
             kernel.scope.reads.append((vector(4, element), self.gather(name, inside, element)))
 
     def gather(self, name, inside, element):
-        """The four elements around a point, in and out of the structure, at quarters of elements."""
+        """The four elements around a point inside or outside of the structure, at quarters of elements."""
         def found(expressions, scope, depth):
             low = -expressions.random.between(0, 4)
             return Node(f"{name}.gather(float2(int2(", inside(expressions, scope, depth), f")) * 1.25 + float2({low}.0))",
@@ -193,7 +193,7 @@ class Kernels:
         kernel.writes.append(lambda scope: Node(f"{name} = ", self.mixed(structure.element, scope), ";"))
 
     def mixed(self, t, scope):
-        """A value that depends on `sum`, and so on everything that the kernel has computed before."""
+        """A value of type t that depends on `sum`, into which most of the kernel's variables are hashed."""
         value = self.expressions.of(t, scope, 4)
         if t in (INT, UINT):
             return Node("(", value, f" ^ {t.name}(sum))", type=t)
@@ -202,7 +202,7 @@ class Kernels:
         return Node("gt(sum % 3u == 0u, ", value, ", ", self.expressions.of(t, scope, 3), ")", type=t)
 
     def combined_structures(self):
-        """In buffers, and in images of 32 bits."""
+        """Structures whose elements `scatter` can combine, in buffers and in images: those of 32 bits."""
         return [s for s in self.structures.all if s.element in (INT, UINT, FLOAT)]
 
     def add_scatter(self, kernel, name):
@@ -221,7 +221,7 @@ class Kernels:
                                                 self.expressions.of(UINT, scope, 3), ");"))
 
     def add_calls(self, kernel, name):
-        """Functions of a container; one of those that write it."""
+        """Adds a parameter `calls<Bag>`, a call of one function that writes, and calls of `of`, which reads."""
         kernel.params.append(Parameter(name, "calls<Bag>", BAG, extent=[self.random.between(1, 60)]))
         function = self.random.choice(BAG_FUNCTIONS)
         result = self.statements.name("v")
@@ -348,7 +348,7 @@ class Kernels:
         return self.finished(kernel, items, f" group({', '.join(map(str, sides))})")
 
     def add_phase(self, kernel, items, name, group):
-        """Adds statements, a store to workgroup memory by each invocation, and a barrier."""
+        """Adds statements, then either a store to workgroup memory by each invocation and a barrier, or a tally."""
         scope = kernel.scope
         for _ in range(self.random.below(3)):
             items.parts.append(self.statements.statement(scope, 2, 1, None, None))
@@ -409,7 +409,7 @@ class Kernels:
         return Node(f'test "{kernel.name}" {{\n', Items([Node(line) for line in lines + calls]), "\n}")
 
     def on_device(self, t, value):
-        """A kernel's argument that the host does not know."""
+        """A kernel's argument, often one that the host does not know: made from an element of the structure `d`."""
         if t == UINT:
             return f"d[{self.random.below(8)}] + {self.random.below(9)}u"
         if self.random.chance(50):
@@ -417,7 +417,7 @@ class Kernels:
         return value
 
     def arms(self, kernel, values, calls):
-        """The calls, some of them where a value of the device says so, in rounds, or over a part whose end it says."""
+        """The kernel's calls: some under a condition on the device, in a loop with one, or over a slice whose end lies there."""
         if kernel.axes == 1 and not any("at<Line, " in p.text for p in kernel.params):
             calls.append(self.call(kernel, values, f"[0..min(d[{self.random.below(8)}], {kernel.extent[0]}u)]"))
         condition = f"d[{self.random.below(8)}] % 2u == {self.random.below(2)}u"

@@ -9,8 +9,8 @@ DECLARED = re.compile(r"\s*(?:@\w+\s+)?(?:fn|kernel|structure|struct|enum|transl
 
 
 class Shrinker:
-    """Shrinks `program`. `is_interesting` says whether a text still has the failure; `program` is always the smallest one that
-    has."""
+    """Shrinks `program`. `is_interesting` says whether a text still has the failure; `program` is always the smallest one
+    found so far that has it."""
 
     def __init__(self, program, is_interesting, most_asked=400):
         self.program, self.is_interesting, self.left = program, is_interesting, most_asked
@@ -27,7 +27,7 @@ class Shrinker:
             self.simplify(self.program.items)
 
     def keep_test(self, title):
-        """Removes all other tests, if the failure stays."""
+        """Removes all tests but the one with this title, if the failure stays."""
         items = self.program.items
         before = items.parts
         items.parts = [item for item in before if not TEST.match(item.text()) or item.text().startswith(f'test "{title}"')]
@@ -60,7 +60,7 @@ class Shrinker:
             self.remove_items(child)
 
     def remove_from(self, items):
-        """Removes halves, then quarters and so on, starting from the end, since later items use earlier ones."""
+        """Removes all items, else halves, quarters and so on, each time from the end, since later items use earlier ones."""
         size = len(items.parts)
         while size > 0:
             end = len(items.parts)

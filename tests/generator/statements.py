@@ -21,7 +21,7 @@ class Statements:
         return items
 
     def uses(self, scope, first):
-        """Statements that hash variables, from number `first` on, into `sum`, so that they are not dead code."""
+        """Statements that hash most variables from number `first` on into `sum`, so that these are not dead code."""
         return [Node(f"sum = sum * 31u + {self.types.digest(t)}({name});") for name, t, _ in scope.variables[first:]
                 if name != "sum" and self.types.has_digest(t, scope.evaluable) and self.random.chance(70)]
 

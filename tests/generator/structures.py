@@ -57,8 +57,8 @@ kernel make_pages<N: uint, S: Structure<vec<N, uint>, PageEntry>>(a: at<S>, to: 
 }
 """
 
-# Translators from N axes to one: kind, number of axes (0: any), body. Their arithmetic does not overflow, since addresses
-# may have 64 bits in the wide form.
+# Translators from N axes to one: kind, number of axes (0: any), body. Their arithmetic must not overflow 32 bits: in the wide
+# form, which may have addresses of 64 bits, it would not wrap.
 ORDERS = {
     "Backwards": ("one_to_one", 0, "return volume(extent) - 1u - linearize(va, extent);"),
     "Turned": ("one_to_one", 0, "let i = linearize(va, extent);\nreturn (i + volume(extent) / 3u) % volume(extent);"),
@@ -196,7 +196,7 @@ class Structures:
         return Structure(name, axes, t, is_dense=False, capacity=page), text
 
     def inner(self, axes):
-        """A structure of the program that is made of an extent alone, or none."""
+        """A structure of the program whose constructor takes an extent alone; None if there is none."""
         found = [s for s in self.all if s.axes == axes and not s.extra and not s.capacity and not s.block]
         return self.random.choice(found) if found else None
 
@@ -214,7 +214,7 @@ class Structures:
                          buffer=inner.buffer), text
 
     def blocks(self, name, axes, t):
-        """Of the elements of another structure, those of listed blocks are visited; the number of these is on the device."""
+        """A structure over another one, of which kernels visit the listed blocks; their number lies on the device."""
         inner = self.inner(axes)
         made, t = (f"{inner.name}(extent)", inner.element) if inner else (f"Array<{axes}, {t.text()}>(extent)", t)
         sides = self.random.choice({1: [[64], [7], [1], [40]], 2: [[8, 8], [8, 4], [3, 2], [5, 7]], 3: [[4, 4, 4], [2, 3, 2]]}[axes])
@@ -232,7 +232,7 @@ class Structures:
         return self.types.made(t, "").removeprefix("made_").removesuffix("()")
 
     def seed(self, t):
-        """A kernel that fills a structure with a different value at each address."""
+        """A kernel that fills a structure with values made from a hash of the address."""
         name = self.made_name(t)
         return Node(f"kernel seed_{name}<D: type, S: Structure<D, {t.text()}>>(a: at<S>, seed: uint, to: out scatter<S>) {{\n"
                     f"to[a] = made_{name}(digest(a) * 7u + seed);\n}}")
