@@ -11,7 +11,7 @@ snake = (sources.parent.parent / "tests/command_line/properties.glift").read_tex
 here = Folder(good="module good;\npub fn one() -> int { return 1; }\n", bad="module bad;\nfn f() -> int { return y; }\n",
               properties=snake)
 
-# Response files.
+# Files of arguments (@file).
 here.write("words", "--check 'good.glift'\n@more")
 here.write("more", "--error-limit 3\n")
 says(here.run("@words"), 0)
@@ -19,7 +19,7 @@ says(here.run("@nothing"), 2, "cannot read 'nothing'")
 here.write("itself", "@itself")
 says(here.run("@itself"), 2, "names itself")
 
-# Depfiles as C and C++ compilers write them.
+# Files of dependencies for make, as C and C++ compilers write them.
 says(here.run("-MD", "-MF", "made.d", "-o", "out", "good.glift"), 0)
 expect("good.glift.hpp" in (here.path / "made.d").read_text(), "-MF writes the rule")
 says(here.run("-MD", "--target=json", "-o", "json", "good.glift"), 0)
@@ -58,7 +58,7 @@ def on_terminal(**environment):
 expect("\x1b[" in on_terminal(NO_COLOR=""), "errors are coloured on a terminal")
 expect("\x1b[" not in on_terminal(NO_COLOR="1"), "NO_COLOR turns colours off")
 
-# Modules whose name is not that of their file.
+# Modules whose name differs from that of their file: accepted if only a '-' became a '_'.
 here.write("my-file.glift", "module my_file;\npub fn one() -> int { return 1; }\n")
 says(here.run("--check", "my-file.glift"), 0)
 here.write("other.glift", "module wrong;\nfn f() -> int { return y; }\n")
@@ -76,7 +76,7 @@ says(ran, 0,
 explained = json.loads(here.run("explain", "--json", "properties.glift").stdout)
 expect({s["name"] for s in explained["structures"]} >= {"Snake", "Halves", "Wrong", "Places"}, "explain --json", explained)
 expect(all(t["location"] == "GPU and CPU" for s in explained["structures"] for t in s["via"]), "properties in JSON")
-# The bytes of what is made.
+# `explain --made`: the bytes that a structure or adaptor takes.
 here.write("grids.glift", """module grids;
 use std.array;
 use std.image;

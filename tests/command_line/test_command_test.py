@@ -20,8 +20,8 @@ says(here.run("test", "--filter", "typo", wrong), 2, "no test has 'typo' in its 
 says(here.run("test", "--filter", "a square", wrong, CXX="no-such-compiler"), 4,
      "there is no 'no-such-compiler' here", "CXX")
 
-# The stored result of a run is valid while the files that it read are unchanged, and no other file takes precedence
-# over them.
+# `gliftc test` reuses a program that it built before if the files that it read are unchanged and `use` finds no other file
+# before them.
 here.write("user.glift", "module user;\nuse base;\ntest \"the base\" { expect(base_value() == 1u); }\n")
 base = "module base;\npub fn base_value() -> uint {{ return {}u; }}\n"
 here.write("late/base.glift", base.format(1))
@@ -39,7 +39,7 @@ here.write("user.glift", "module user;\nuse base;\ntest \"the base\" { let unuse
 for again in "", " again":
     says(here.run(*run_user), 0, "warning", "pass  the base")
 
-# A test that ends the program is named in the report. The signal stands for a driver that crashes.
+# A test that ends the program is named in the report. The signal stands for a driver that crashes when the program exits.
 here.write("crash.hpp", "inline void crash() {}\n")
 here.write("killer", "#!/bin/sh\nexec c++ \"$@\" -include " + str(here.path / "crash.h") + "\n")
 here.write("crash.h", "#pragma once\n#include <csignal>\n#include <cstdlib>\n"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compiles every code block in the language of the given documents: snippets.py GLIFTC FILE.md…"""
+"""Checks with gliftc each code block of the given documents that is in Glift: snippets.py GLIFTC FILE.md…"""
 import pathlib
 import re
 import subprocess
