@@ -1,5 +1,5 @@
 // Vulkan objects that a program makes itself: instance, device, queue, a compute shader, an image and readback buffers.
-// Glift only says which device features it needs.
+// Glift only says which device features and extensions it needs.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -12,7 +12,7 @@
 /// Throws std::runtime_error, which names the call, if `result` says that it failed.
 void check(VkResult result, const char* call);
 
-/// The Vulkan device, with a queue for compute and graphics: a GPU if there is one, else any device.
+/// The Vulkan device, with a queue for compute and graphics: a discrete GPU if there is one, else the first device.
 class PlainVulkan {
 public:
     PlainVulkan();

@@ -18,7 +18,9 @@ glift::float4x4 projection_of(const Camera& camera, float aspect);
 /// The matrix of a parallel projection, for directional lights and maps: it shows `half_size` to each side of `target`.
 glift::float4x4 parallel_projection_of(const Camera& camera, float half_size);
 
-/// The camera turned around its target by angles, and moved closer to it by a factor.
+/// The camera moved on a sphere around its target, by angles in radians, and closer to the target by a factor. With a
+/// positive `to_the_right` the eye moves to the left, so that the scene turns to the right; `upwards` raises the eye,
+/// at most to 1.5 above the horizontal (y is up).
 Camera orbited(const Camera& camera, float to_the_right, float upwards, float closer);
 
 }  // namespace camera

@@ -22,9 +22,10 @@ struct Box {
     glift::float3 low, high;
 };
 
-/// Reads a file of any format that assimp knows (PLY, OBJ, glTF, FBX, …). All meshes of the file become one; equal
-/// points are joined; points without a colour are light grey. A PLY file may be compressed by gzip. Throws
-/// std::runtime_error, which names the file and what is wrong.
+/// Reads a file of any format that assimp knows (PLY, OBJ, glTF, FBX, …). The triangles of all meshes of the file
+/// become one mesh; points that are equal in all that the file says of them are joined; points without a colour are
+/// light grey. A file whose name ends in .gz (`dragon.ply.gz`) is unpacked first. Throws std::runtime_error, which
+/// names the file and what is wrong.
 Mesh read(const std::string& path);
 
 /// The bounding box; of an empty mesh it is from 0 to 0.

@@ -17,9 +17,9 @@ struct Picture {
     std::vector<float> depth;
 };
 
-/// Reads a file with the extension `.png` (8 or 16 bits a channel, sRGB, no depth) or `.exr` (half or float channels R,
-/// G, B, A, Z or Y; missing colours are 0, missing alpha is 1). Throws std::runtime_error, which names the file and
-/// what is wrong.
+/// Reads a file with the extension `.png` (sRGB, no depth) or `.exr` (channels R, G, B, or Y for grey, and A and Z,
+/// which is depth; missing colours are 0, missing alpha is 1). Throws std::runtime_error, which names the file and what
+/// is wrong.
 Picture read(const std::string& path);
 
 /// Writes a `.png` file (8 bits a channel, sRGB, clamped to [0, 1], no depth) or an `.exr` file (float channels R, G,

@@ -7,7 +7,7 @@
 
 namespace png {
 
-/// Rows from top to bottom; 0 is black, 1 is white.
+/// Rows from top to bottom; 0 is black, 1 is white. Values are as in the file: nothing is converted from or to sRGB.
 struct Picture {
     std::uint32_t width = 0, height = 0;
     std::vector<float> values;

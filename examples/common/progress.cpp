@@ -49,7 +49,7 @@ void Line::show(std::uint64_t done, std::uint64_t all, const std::string& more) 
     last_ = now;
     is_shown_ = true;
     const double seconds = std::chrono::duration<double>(now - start_).count();
-    // One character less than the terminal has: the last column may begin a new line.
+    // One character less than the terminal is wide: after one in the last column some terminals begin a new line.
     const std::string text = text_of(what_, done, all, seconds, more, width_of(to_) - 1);
     std::fprintf(to_, "\r\x1b[K%s", text.c_str());
     std::fflush(to_);

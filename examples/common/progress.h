@@ -8,16 +8,16 @@
 
 namespace progress {
 
-/// What the line says: "step 60 of 240 [=====>              ] 3 s left: 812 pages". `seconds` have passed since the
-/// work began. It is cut to `width` characters.
+/// The text of the line: "step 60 of 240 [=====>              ] 3 s left: 812 pages", where `what` is "step" and `more`
+/// is "812 pages". `seconds` have passed since the work began. The text is cut to `width` characters.
 std::string text_of(const std::string& what, std::uint64_t done, std::uint64_t all, double seconds,
                     const std::string& more, std::size_t width);
 
-/// Keeps one line up to date, in place. Writes nothing where the stream is no terminal, so that files and tests have
-/// results only. The line is erased when the object goes.
+/// Keeps one line of a terminal up to date, in place. Writes nothing where the stream is no terminal, so that output in
+/// files and tests has results only. The destructor erases the line.
 class Line {
 public:
-    /// `what` is counted: "step", "picture".
+    /// `what` names the things that are counted: "step", "picture".
     explicit Line(std::string what, std::FILE* to = stdout);
     ~Line() { clear(); }
     Line(const Line&) = delete;

@@ -11,7 +11,8 @@ namespace {
 
 constexpr float least_focus = 0.3f, most_focus = 100.0f;  // metres
 
-/// Focuses on the object at this place of the picture; false if it is outside the picture.
+/// Focuses on the object at this place of the picture; false if the place is outside the picture or has no finite
+/// distance.
 bool focus_at(const Subject& subject, Settings& settings, glift::float2 place) {
     const glift::uint2 size = subject.image().extent();
     if (!(place.x >= 0 && place.y >= 0 && place.x < static_cast<float>(size.x) && place.y < static_cast<float>(size.y)))

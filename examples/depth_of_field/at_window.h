@@ -1,4 +1,4 @@
-// Photographs in a window: sliders for the settings, a click sets the focus.
+// Photographs in a window: sliders for the settings; a click, or a drag, sets the focus.
 #pragma once
 
 #include "examples/common/window/window.h"
@@ -6,6 +6,6 @@
 
 #include <functional>
 
-/// Runs until the window is closed, also by Escape. S calls `save`; Tab hides and shows the sliders. They change
-/// `settings`, which must be those of the subject.
+/// Runs until the window is closed, also by Escape. S calls `save`; Tab hides and shows the sliders. Sliders and clicks
+/// change `settings`, which must be the object that the subject was made with.
 void show_at(window::Window& window, Subject& subject, Settings& settings, const std::function<void()>& save);

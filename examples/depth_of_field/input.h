@@ -25,7 +25,8 @@ struct Camera {
 /// Throws std::runtime_error if no lens has these settings.
 void check(const Camera& camera);
 
-/// The generated scene of this name, or a mesh from the file of this name, placed on a table.
+/// The generated scene of this name at a time in seconds, or, if the name has a dot, a mesh from the file of this name,
+/// placed on a table.
 scenes::Scene scene(const std::string& name, float time);
 
 /// The view with the camera's field of view, which film and lens determine.

@@ -39,7 +39,8 @@ public:
     /// Takes a photograph: one submission.
     virtual void photograph() = 0;
     virtual const Images& pinhole() const = 0;
-    /// A reference for comparison: the mean of pinhole pictures from `places` points of the lens.
+    /// A reference for comparison: the mean of pinhole pictures from `places` points of the lens. Throws
+    /// std::runtime_error if the subject is pictures from files.
     virtual picture::Picture reference(unsigned places) = 0;
     /// Sets the size of photographs; false if the subject's size is fixed.
     virtual bool resize(glift::uint2 size) = 0;

@@ -12,7 +12,8 @@ using glift::float3;
 
 const float3 steel(0.55f, 0.58f, 0.62f), dark(0.12f, 0.13f, 0.15f), orange(0.85f, 0.35f, 0.05f);
 
-/// Adds a limb of two segments of length `part`; the lower one is bent back by `bend`. Returns its end.
+/// Adds a limb of two segments of length `part`: the upper one is swung forwards by `angle`, the lower one by `bend`
+/// more (backwards if negative). Returns its end.
 float3 add_limb(mesh::Mesh& mesh, const Stance& stance, const float3& joint, float part, float angle, float bend,
                 float thickness) {
     const float3 middle = stance.swung(joint, part, angle), end = stance.swung(middle, part, angle + bend);

@@ -13,7 +13,7 @@ struct Scene {
     mesh::Mesh mesh;
     camera::Camera view;
     camera::Camera light;          ///< directional: from its eye to its target
-    float light_half_size = 1.0f;  ///< half the side of the light's view, which covers all that casts shadows
+    float light_half_size = 1.0f;  ///< half the side of the square that the light's parallel projection shows
     glift::float3 sky{0.6f, 0.75f, 0.9f};
 };
 
@@ -27,7 +27,7 @@ Scene make(const std::string& name, float time = 0.0f);
 Scene hairball(float time);   ///< 4,000 hairs of 12 segments before a wall; they sway
 Scene fence(float time);      ///< a fence with flags, behind it a meadow and mountains; the flags wave
 Scene robot(float time);      ///< a robot that walks on the spot between crates
-Scene skeletons(float time);  ///< nine that dance
+Scene skeletons(float time);  ///< nine skeletons that dance
 Scene city(float time);       ///< 400 houses, between them cars that drive
 Scene trees(float time);      ///< trees with leaves on a lawn; they sway
 

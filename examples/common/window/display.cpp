@@ -14,7 +14,7 @@ namespace window {
 
 namespace {
 
-bool is_gone = false;  // the connection to the X server is lost; a global, as X has one error handler a program
+bool is_gone = false;  // the connection to the X server is lost; a global, since the handlers set below cannot capture
 
 std::string glfw_problem() {
     const char* text = nullptr;

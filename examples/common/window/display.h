@@ -22,8 +22,8 @@ public:
     std::vector<const char*> extensions() const;
     GLFWwindow* handle() const { return window_; }
 
-    /// Collect input events; wait() waits until there is one. Both throw glift::Error if the display's connection is
-    /// lost.
+    /// Collect input events. wait() waits until there is one, `seconds` at most. Both throw glift::Error (device_lost)
+    /// if the connection to the display is lost.
     void poll();
     void wait(double seconds);
 

@@ -35,11 +35,11 @@ struct KeyEvent {
 /// Codes of keys without a character.
 enum Key : int { escape = 256, enter = 257, tab = 258, backspace = 259, right = 262, left = 263, down = 264, up = 265 };
 
-/// The events in order. Those that the ImGui panel uses are left out: presses over it, keys while it has the focus.
+/// Pointer events and key events, each in order. What ImGui's widgets use is left out (Panel::filter).
 struct Events {
     std::vector<PointerEvent> pointer;
     std::vector<KeyEvent> keys;
-    float wheel = 0;  ///< how many notches the wheel was turned, away from the user
+    float wheel = 0;  ///< how many notches the wheel was turned away from the user; negative: towards the user
 };
 
 }  // namespace window

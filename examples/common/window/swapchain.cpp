@@ -25,8 +25,8 @@ template <class Value, class Query> std::vector<Value> listed(const char* call, 
     return values;
 }
 
-/// Whether the surface shows stored values as sRGB without conversion: the picture that is copied there is sRGB
-/// already.
+/// Whether the surface takes a format's stored values, eight bits a channel, as sRGB without conversion: the picture
+/// that is copied there is sRGB already.
 bool is_fit(const VkSurfaceFormatKHR& format) {
     return (format.format == VK_FORMAT_B8G8R8A8_UNORM || format.format == VK_FORMAT_R8G8B8A8_UNORM) &&
            format.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR;

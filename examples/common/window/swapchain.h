@@ -21,20 +21,21 @@ public:
         VkSemaphore drawn = VK_NULL_HANDLE;  ///< signalled when the commands that draw the image are done
     };
 
-    /// Throws glift::Error (missing_feature) if the device's queue cannot present to the surface.
+    /// Makes no images yet: `resize` does. Throws glift::Error (missing_feature) if the device's queue cannot present
+    /// to the surface, or the surface has no format of eight bits a channel.
     Swapchain(const glift::vulkan::Objects& objects, VkSurfaceKHR surface);
     ~Swapchain();
     Swapchain(const Swapchain&) = delete;
     Swapchain& operator=(const Swapchain&) = delete;
 
-    /// Recreates the images, for a window of another size. Waits until the device is idle.
+    /// Makes the images, or makes them again for a window of another size. Waits until the device is idle.
     void resize(glift::uint2 size);
     glift::uint2 size() const { return size_; }
     VkRenderPass pass() const { return pass_; }
     const std::vector<Image>& images() const { return images_; }
 
-    /// The index of the next image, which may be drawn into once `is_free` is signalled; none if the images must be
-    /// recreated (resize).
+    /// The index of the next image, which may be drawn into once `is_free` is signalled; none if there are no images,
+    /// as nothing of the window is visible, or they must be recreated (resize).
     std::optional<std::uint32_t> acquire(VkSemaphore is_free) const;
     /// Presents an image once it is drawn; false if the images must be recreated.
     bool present(std::uint32_t image) const;

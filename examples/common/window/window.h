@@ -33,8 +33,9 @@ public:
     const glift::Device& device() const;
 
     /// Begins the next frame, after which ImGui functions may be called; false once the window is to be closed. `next`
-    /// is for pictures that move: it does not wait. `next_event` waits for an event, a tenth of a second at most. Both
-    /// throw glift::Error if the display's connection is lost or the validation layer has reported an error.
+    /// is for pictures that move: it does not wait for events. `next_event` waits for one, a tenth of a second at most,
+    /// and not at all in the three frames after an event, in which ImGui still reacts to it. Both throw glift::Error if
+    /// the connection to the display is lost or the validation layer has reported an error.
     bool next();
     bool next_event();
     void close();  ///< makes the next `next` or `next_event` return false
@@ -45,7 +46,8 @@ public:
 
     /// Shows a picture, and the widgets over it. The picture is an image2d of format rgba8 on the device, as
     /// shown.glift makes it. It is shown unscaled if it has the window's size, else as large as it fits, filtered, on
-    /// black. Returns before the device is done; later commands may change the picture at once.
+    /// black. Returns before the device is done; commands that write the picture may follow at once, since they run
+    /// after its copy.
     void show(const glift::Memory& picture);
 
 private:
