@@ -209,7 +209,7 @@ private:
     strokes::Stroke stroke_;
     std::optional<strokes::Dabs> dabs_;
     std::vector<strokes::Stroke> done_;
-    std::size_t undoable_;  ///< of them; the others were undone
+    std::size_t undoable_;  ///< the first so many strokes of `done_` are on the model; the others were undone
     std::optional<window::Button> held_;
     float2 last_;
     double dab_milliseconds_ = 0;

@@ -6,18 +6,19 @@
 
 #include <functional>
 
-/// Where the model is seen from: around its middle, or another place.
+/// Where the model is seen from: the eye is on a sphere around `target`, which it looks at.
 struct Orbit {
     glift::float3 target;
-    float turn = 0.6f, upwards = 0.3f;  ///< radians
-    float closer = 1;
+    float turn = 0.6f, upwards = 0.3f;  ///< how far the eye is turned to the right and raised, in radians
+    float closer = 1;                   ///< the sphere's radius is 1.6 / closer
 
     camera::Camera camera() const;
 };
 
-/// Until the window is closed: by itself, or with Escape. The left button paints, the right one turns the model, the
-/// middle one moves it, the wheel goes closer; Z undoes, Y does again, S calls `save`, L and B show levels and borders,
-/// P the pool, T the table, Tab hides the panel. Gives the strokes that are there at the end.
+/// Runs until the window is closed, also by Escape. The left button paints, the right one turns the model, the middle
+/// one moves it, the wheel goes closer; Z undoes a stroke, Y redoes it, S calls `save`; L, B, P and T show or hide the
+/// levels of pages, their borders, the pool and the table, Tab the panel. Changes `orbit`. `strokes` are those that are
+/// on the model already; returns those that are on it at the end.
 std::vector<strokes::Stroke> paint_at(window::Window& window, Canvas& canvas, Orbit& orbit, painted::Layers layers,
                                       strokes::Brush brush, std::vector<strokes::Stroke> strokes,
                                       const std::function<void()>& save);

@@ -1,4 +1,4 @@
-// A model and its paint on a device.
+// A model and its paint, in an adaptive octree (journal.glift), on a device.
 #pragma once
 
 #include "examples/common/mesh.h"
@@ -16,17 +16,17 @@
 #include <optional>
 #include <string>
 
-/// What an octree is made with.
+/// How a canvas is made: the size of its octree and of its history, and its ground.
 struct OctreeSize {
-    glift::uint resolution = 2048;  ///< cells along each side: a power of two
-    glift::uint pages = 4096;       ///< that there may be
-    glift::float3 ground{0.75f, 0.72f, 0.66f};
+    glift::uint resolution = 2048;              ///< cells along each side at the finest level: a power of two
+    glift::uint pages = 4096;                   ///< most pages that are resident at once
+    glift::float3 ground{0.75f, 0.72f, 0.66f};  ///< the colour where nothing is painted, as screens show it (sRGB)
     HistoryBudget history;
 
     glift::uint levels() const;
 };
 
-/// A mesh on a device: where its points rest, which is where paint is kept, and where they are now.
+/// A mesh on a device, with two positions of each point: at rest, by which paint is stored, and where it is drawn now.
 class Model {
 public:
     Model(const glift::Device& device, const mesh::Mesh& mesh);
@@ -41,35 +41,37 @@ private:
     surface::Points rest_, posed_;
 };
 
-/// Linear.
+/// The background's colour, linear.
 constexpr glift::float3 sky{0.09f, 0.10f, 0.12f};
 
-/// Towards the light that goes with a camera: from above its left shoulder.
+/// The unit vector towards the light, which moves with the camera: above it and to its left.
 glift::float3 light_of(const camera::Camera& camera);
 
 class Canvas {
 public:
     Canvas(glift::Device device, const mesh::Mesh& mesh, const OctreeSize& size);
 
-    /// One submission for the camera, one for each dab, one for the coarser levels. Gives how many requests for pages
-    /// found no room: there is no paint there.
+    /// Paints a stroke, and adds it to the history. One submission finds what the stroke's camera sees, each dab is
+    /// one, the coarser levels are one; the history takes some more. Returns how many requests for pages found no room
+    /// in the pool: paint is missing there.
     glift::uint paint(const strokes::Stroke& stroke);
-    /// The same in parts: the camera and the size of the picture, dabs, the end. The beginning throws
-    /// std::runtime_error where the brush's picture cannot be read.
+    /// The same in parts, for a stroke whose path still grows: `begin` takes its camera, picture size and brush, `dab`
+    /// is called for each dab, `end` returns what `paint` does. `begin` throws std::runtime_error if the brush's
+    /// picture cannot be read or has a size that a brush cannot have.
     void begin(const strokes::Stroke& stroke);
     void dab(const paint::Brush& brush);
     glift::uint end();
     bool undo() { return history_.undo(device_, octree_); }
     bool redo() { return history_.redo(device_, octree_); }
     void save(const std::string& path);
-    void load(const std::string& path);  ///< what can be undone is forgotten
+    void load(const std::string& path);  ///< replaces all paint, and clears the history
     picture::Picture render(const camera::Camera& camera, glift::uint2 size, painted::Layers layers = {});
     void render(const camera::Camera& camera, painted::Layers layers, const shown::Shown& to);
 
     const glift::Device& device() const { return device_; }
     Model& model() { return model_; }
     journal::Octree& octree() { return octree_; }
-    /// Samples on a grid over [0, 1]^3: red, green, blue and alpha along the first axis, then x, y, z.
+    /// Samples of the paint on a grid over [0, 1]^3: red, green, blue and alpha along the first axis, then x, y, z.
     npy::Array samples(glift::uint side) const;
 
     struct Bytes {
@@ -90,9 +92,9 @@ private:
     journal::Octree octree_;
     journal::Journal journal_;
     History history_;
-    std::map<std::string, paint::Tip> tips_;  ///< by the names of their files
-    paint::Tip tip_;                          ///< of the stroke
-    surface::Viewpoint view_;                 ///< of the stroke
+    std::map<std::string, paint::Tip> tips_;  ///< pictures of brushes that were read, by the names of their files
+    paint::Tip tip_;                          ///< that of the current stroke's brush
+    surface::Viewpoint view_;                 ///< the current stroke's camera
     surface::Surface surface_;
     surface::Normals normals_;
 };

@@ -1,4 +1,5 @@
-// Strokes that can be undone and done again: pages before and after, on the device, then on the host.
+// The history of strokes, which can be undone and redone: for each stroke, a step, the texels of the pages that it
+// changed, before and after it. They are kept on the device, and moved to the host where they take too much room there.
 #pragma once
 
 #include "journal.glift.hpp"
@@ -7,23 +8,25 @@
 #include <deque>
 #include <vector>
 
-/// Bytes that steps may take. What the device has no room for moves to the host, the oldest first; what the host has no
-/// room for is forgotten.
+/// Bytes that the texels of all steps may take. Beyond `device` the oldest steps move to the host; beyond `host` the
+/// oldest steps are dropped, and can no longer be undone.
 struct HistoryBudget {
     std::uint64_t device = 256u << 20, host = 1u << 30;
 };
 
-/// Marks listed pages, for journal::store and journal::restore.
+/// Marks the listed pages: journal::store and journal::restore copy the texels of marked pages.
 void mark(const glift::Device& device, journal::Octree& octree, const journal::PageList& list);
 
 class History {
 public:
     explicit History(HistoryBudget budget = {}) : budget_(budget) {}
 
-    /// A stroke that has ended. What had been undone is forgotten.
+    /// Adds a step for a stroke that has ended, from the journal of what it changed. Steps that had been undone are
+    /// dropped. Does nothing if the stroke changed no page.
     void add(const glift::Device& device, journal::Octree& octree, journal::Journal& journal);
 
-    /// Give back what was; false where there is nothing to undo, or to do again.
+    /// Restore the pages to what they were before the last step that is not undone, or after the first one that is;
+    /// false if there is no such step.
     bool undo(const glift::Device& device, journal::Octree& octree);
     bool redo(const glift::Device& device, journal::Octree& octree);
 
@@ -36,7 +39,7 @@ public:
 private:
     using Pages = std::vector<glift::uint>;
 
-    /// The texels of pages; on the host where `on_device` is empty.
+    /// The texels of pages: in `on_device` if `is_on_device`, else in `on_host`.
     struct Texels {
         Pages pages;
         journal::Texels on_device;
@@ -48,8 +51,8 @@ private:
         void restore(const glift::Device& device, journal::Octree& octree) const;
     };
     struct Step {
-        Pages born;
-        Texels before, after;
+        Pages born;            ///< pages that became resident in the stroke, which undoing it releases
+        Texels before, after;  ///< of the changed pages; `before` without those that were born
         std::uint64_t bytes() const { return before.bytes() + after.bytes(); }
     };
 
@@ -57,5 +60,5 @@ private:
 
     HistoryBudget budget_;
     std::deque<Step> steps_;
-    std::size_t done_ = 0;  ///< steps from here on were undone
+    std::size_t done_ = 0;  ///< the steps from this index on were undone
 };

@@ -37,7 +37,8 @@ Orbit orbit_of(const Arguments& a, const mesh::Mesh& mesh) {
     return {target, a.turn, a.upwards, a.closer};
 }
 
-/// Around an upright axis behind the middle, by so many radians from one end to the other.
+/// The mesh's points, bent around an upright axis behind its middle: by `angle` radians for each unit of length along x
+/// (models are at most one unit long).
 std::vector<float3> bent(const mesh::Mesh& mesh, float angle) {
     const mesh::Box box = mesh::bounds_of(mesh);
     const float3 middle = (box.low + box.high) * 0.5f;
@@ -59,7 +60,7 @@ void say_lost(std::size_t stroke, glift::uint lost) {
             stroke + 1, lost);
 }
 
-/// What the first stroke of a file leaves out, and the first one at a window.
+/// The stroke from which the first one of a file takes what it leaves out; its brush is the first one at a window, too.
 strokes::Stroke first_of(const Arguments& a) {
     strokes::Stroke stroke;
     stroke.brush.picture = a.brush;
@@ -114,7 +115,7 @@ void run(const Arguments& a) {
     std::printf("wrote %s\n", a.out.c_str());
 }
 
-/// The options that make the picture again from the strokes that were recorded.
+/// The command line that makes the window's last picture again from the strokes that were recorded.
 std::string words_of(const Arguments& a, const Orbit& orbit, glift::uint2 size) {
     char view[200];
     std::snprintf(view, sizeof view, " --turn %.9g --upwards %.9g --closer %.9g --target %.9g %.9g %.9g",

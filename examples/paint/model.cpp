@@ -20,7 +20,7 @@ float3 middle_of_knot(float along) {
     return {from * std::cos(2 * along), from * std::sin(2 * along), std::sin(3 * along)};
 }
 
-/// A tube along a trefoil, with grooves, so that there is what a brush does not see.
+/// A tube along a trefoil knot, with grooves, so that a brush does not see all of the surface.
 mesh::Mesh knot() {
     mesh::Mesh made;
     const auto place = [](float u, float v) {

@@ -1,10 +1,11 @@
-// What there is to paint on.
+// The meshes that can be painted on.
 #pragma once
 
 #include "examples/common/mesh.h"
 
 #include <string>
 
-/// Within [0, 1]^3: a file that assimp reads, or where there is none the knot or a scene of that name. Throws
-/// std::runtime_error, which says what is wrong.
+/// The mesh in the file of this name, of a format that mesh::read reads; if there is no such file, the generated knot
+/// ("knot") or the generated scene of this name. It is scaled into [0, 1]^3. Throws std::runtime_error, which says what
+/// is wrong.
 mesh::Mesh model_of(const std::string& what);

@@ -40,7 +40,7 @@ Word pages_of(Word levels) { return ((1u << 3 * levels) - 1) / 7; }
     throw std::runtime_error(path + ": " + what);
 }
 
-/// A file that is deleted unless it gets its name.
+/// A file that is written under a temporary name, which the destructor deletes unless take_name() gave it its own.
 class NewFile {
 public:
     explicit NewFile(std::string path)
@@ -70,7 +70,7 @@ public:
         words.push_back(checksum(words));
         write(words);
     }
-    /// What is written is on the disk before the name is.
+    /// Gives the file its name, in place of an old file. Its contents are on the disk before that.
     void take_name() {
         if (::fsync(file_) != 0) fail("cannot be written");
         if (::rename(name_.c_str(), path_.c_str()) != 0) fail("cannot be renamed");
@@ -96,7 +96,7 @@ Words header_of(const Header& header) {
     return words;
 }
 
-/// What a file has, or the beginning of it.
+/// The words of a file, or of its beginning.
 struct Contents {
     Words words;
     std::size_t bytes = 0;  ///< of the whole file
@@ -132,7 +132,7 @@ Header checked_header(const std::string& path, std::span<const Word> words, std:
     return header;
 }
 
-/// The numbers of its pages.
+/// Checks all that follows the header, and returns the numbers of the pages.
 std::span<const Word> checked_pages(const std::string& path, const Header& header, std::span<const Word> words) {
     const std::size_t wanted = header_words + header.pages + 1 + std::size_t{header.pages} * page_words;
     if (words.size() != wanted)
@@ -158,7 +158,8 @@ journal::PageList list_of(const glift::Device& device, std::span<const Word> pag
     return list;
 }
 
-/// A list in parts that a device has room for.
+/// Calls work(part, index of its first page) for parts of a list, so that the device needs room for the texels of
+/// `most_at_once` pages only.
 template <class Work> void in_parts(std::span<const Word> pages, const Work& work) {
     for (std::size_t at = 0; at < pages.size(); at += most_at_once)
         work(std::span(pages).subspan(at, std::min<std::size_t>(most_at_once, pages.size() - at)), at);

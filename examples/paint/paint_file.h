@@ -1,4 +1,4 @@
-// Paint in a file: header, table of pages, pages, with checksums.
+// Paint in a file: a header, the numbers of the octree's resident pages, and their texels, all with checksums.
 //
 // Little-endian words of 32 bits. Header (64 bytes): "GLIFT3DP", version 1, levels, cells of a page, number of pages,
 // the ground's colour (three floats), reserved zeros, the checksum of the header's words before it. Then the numbers of
@@ -19,18 +19,20 @@ struct Header {
     glift::float3 ground;
 };
 
-/// Writes a new file beside it, which takes its name when it is whole: whatever happens, `path` is the old file or the
-/// new one. Throws std::runtime_error, which names the file and what is wrong.
+/// Saves the octree's resident pages. Writes a new file beside `path`, which takes that name when it is whole: whatever
+/// happens, `path` is the old file or the new one. Throws std::runtime_error, which names the file and what is wrong.
 void save(const std::string& path, const glift::Device& device, journal::Octree& octree, const glift::float3& ground);
 
-/// What it was made with. Throws as `load`.
+/// Reads and checks the header alone. Throws std::runtime_error, as `load` does.
 Header read_header(const std::string& path);
 
-/// Whether these are the words of a file of so many bytes that `load` reads. Throws as it, naming `path`.
+/// Makes the checks of `load` that need no octree on the words of a file that has so many bytes, and returns its
+/// header. Throws std::runtime_error, as `load` does for a file of the name `path`.
 Header check(const std::string& path, std::span<const glift::uint> words, std::size_t bytes);
 
-/// Into an octree of as many levels, whose pages are gone then. The file is read and checked whole before anything is
-/// changed: throws std::runtime_error where it is truncated, altered, of another version, or larger than the octree.
+/// Loads the pages of a file into an octree, in place of those that it has. The file is read and checked whole before
+/// anything is changed: throws std::runtime_error if it cannot be read, is truncated, altered or of another version,
+/// has not as many levels as the octree, or more pages than it has room for.
 Header load(const std::string& path, const glift::Device& device, journal::Octree& octree);
 
 }  // namespace paint_file

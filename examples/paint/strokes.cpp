@@ -18,13 +18,13 @@ using Json = nlohmann::json;
 using glift::float2;
 using glift::float3;
 
-constexpr float spacing = 0.25f;  ///< of the radius
+constexpr float spacing = 0.25f;  ///< of dabs, as a part of the radius
 constexpr std::size_t most_dabs = 100000;
 constexpr std::array<const char*, 3> blends = {"over", "multiply", "erase"};
 
 [[noreturn]] void refuse(const std::string& what) { throw std::runtime_error(what); }
 
-/// A number of a member, within its range.
+/// The value of the member `name`: throws unless it is a number from `low` to `high`.
 float number(const Json& json, const std::string& name, float low, float high) {
     if (!json.is_number()) refuse("'" + name + "' has to be a number");
     const float value = json.get<float>();

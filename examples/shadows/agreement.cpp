@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::array keys = {"rmsm", "asm", "standard"};
 
-/// What is known of a scene after some of its frames.
+/// What was measured in a scene's frames so far, by method.
 struct Found {
     std::array<std::vector<double>, 3> shares;
-    std::array<std::size_t, 3> worst{};  ///< frame
+    std::array<std::size_t, 3> worst{};  ///< the frame with the lowest share
     std::array<picture::Picture, 3> pictures;
     std::size_t in_band = 0, pixels = 0;
 

@@ -41,7 +41,7 @@ private:
         shown_.emplace(window_.device(), window_.size());
         scene_ = scene_at_(choice_.time);
     }
-    /// The left button turns the camera, the right one the light, the wheel goes closer.
+    /// Dragging turns the camera, with the right button the light; the wheel moves the camera closer.
     void react() {
         for (const window::PointerEvent& event : window_.events().pointer) {
             if (event.kind == window::PointerEvent::Kind::press) button_ = event.button;

@@ -1,4 +1,4 @@
-// A scene with shadows in a window, with a camera, a light and knobs.
+// A scene with shadows in a window, whose camera, light and settings can be changed.
 #pragma once
 
 #include "frame.h"
@@ -13,10 +13,11 @@ struct Choice {
     Method method = Method::matched;
     View view = View::picture;
     float time = 0;
-    bool moves = false;  ///< the scene, with time
+    bool moves = false;  ///< whether the scene's time advances from frame to frame
 };
 
-/// Until the window is closed. `scene_at` makes the scene at a moment, `save` writes the last picture.
+/// Runs until the window is closed, also by Escape. `scene_at` makes the scene at a time; the key S calls `save` with
+/// the last picture. What is changed at the window is changed in `choice`, `view` and `light`.
 void show_at(window::Window& window, Choice& choice, camera::Camera& view, camera::Camera& light,
              const std::function<scenes::Scene(float time)>& scene_at,
              const std::function<void(const picture::Picture&)>& save);

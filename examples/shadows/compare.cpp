@@ -7,7 +7,7 @@ using picture::Picture;
 
 namespace {
 
-/// Whether a decision is another one than the rays'; never where the light does not shine.
+/// Whether a pixel's share of light decides otherwise than the rays; false where they say nothing.
 bool differs(float lit, rays::Light light) {
     return light != rays::Light::unknown && is_lit(lit) != (light == rays::Light::reached);
 }
@@ -26,7 +26,7 @@ Agreement agreement_of(const Lighting& lighting, const rays::Reference& referenc
     return agreement;
 }
 
-/// As `shade` of shadows.glift.
+/// A pixel's colour from that in ambient light and its share of light, as `shade` of shadows.glift computes it.
 glift::float4 shaded(const glift::float4& own, float lit) {
     const float light = 1 + own.w * lit;
     return {own.x * light, own.y * light, own.z * light, 1};
@@ -73,7 +73,7 @@ Compared compare(Frame& frame, float bias) {
     compared.size = frame.size();
     for (std::size_t k = 0; k < Compared::methods.size(); ++k) {
         frame.draw(Compared::methods[k]);
-        std::ignore = frame.status();  // throws where triangles found no room
+        std::ignore = frame.status();  // throws if depths are missing
         compared.lighting[k] = frame.lighting();
         compared.pages[k] = frame.pool();
     }

@@ -1,4 +1,4 @@
-// Methods beside rays: shares of pixels that agree, and pictures of where they do not.
+// Compares shadows by all methods with shadows by rays: shares of pixels that agree, and pictures of where they do not.
 #pragma once
 
 #include "rays.h"
@@ -7,9 +7,9 @@
 #include <string>
 
 struct Agreement {
-    std::size_t pixels = 0;     ///< that the light may reach, off a band of one pixel around true edges of shadows
-    std::size_t different = 0;  ///< of these, with another decision than the rays'
-    std::size_t in_band = 0;    ///< pixels in that band
+    std::size_t pixels = 0;     ///< pixels that the light may reach, off a band of a pixel around true edges of shadows
+    std::size_t different = 0;  ///< those of `pixels` that are lit where rays say shadowed, or the reverse
+    std::size_t in_band = 0;    ///< pixels that the light may reach in that band
 
     double share() const { return pixels == 0 ? 1 : 1 - static_cast<double>(different) / static_cast<double>(pixels); }
     Agreement& operator+=(const Agreement& other);
@@ -17,16 +17,16 @@ struct Agreement {
 
 inline bool is_lit(float share) { return share > 0.5f; }
 
-/// A frame by all methods and by rays.
+/// A frame's shadows by all methods and by rays. Arrays have an element for each method, in the order of `methods`.
 struct Compared {
     static constexpr std::array methods = {Method::matched, Method::adaptive, Method::standard};
     static constexpr std::array names = {"RMSM", "ASM", "standard"};
 
     glift::uint2 size;
-    std::array<Lighting, 3> lighting;  ///< what `methods` made
+    std::array<Lighting, 3> lighting;
     rays::Reference reference;
     std::array<Agreement, 3> agreement;
-    std::array<std_page_allocator::PoolStatus, 3> pages;  ///< of the quadtree; the standard map's say nothing
+    std::array<std_page_allocator::PoolStatus, 3> pages;  ///< of the quadtree, which the standard map does not use
 
     const Agreement& rmsm() const { return agreement[0]; }
     const Agreement& adaptive() const { return agreement[1]; }
@@ -34,11 +34,12 @@ struct Compared {
 
     picture::Picture by(std::size_t method) const;
     picture::Picture by_rays() const;
-    /// Red: another decision than the rays'; blue: that, but in the band.
+    /// The frame in grey; red where the method decides otherwise than the rays, blue if that is in the band.
     picture::Picture differences(std::size_t method) const;
 };
 
-/// Draws the frame by all methods, and traces it. Throws std::runtime_error where depths are missing.
+/// Draws the frame by all methods, and traces rays for it. Throws std::runtime_error if depths are missing
+/// (Frame::status).
 Compared compare(Frame& frame, float bias);
 
 /// Pictures of one size in rows of three.

@@ -1,4 +1,5 @@
-// A frame's structures on a device, and the pipelines of shadows.glift that make one.
+// Draws frames with shadows: the structures of a frame on a device, and recordings of shadows.glift's pipelines that
+// draw one.
 #pragma once
 
 #include "shadows.glift.hpp"
@@ -12,16 +13,21 @@
 #include <variant>
 #include <vector>
 
+/// How shadows are made: by one shadow map, by adaptive shadow maps (ASM), or by resolution-matched ones (RMSM).
 enum class Method { standard, adaptive, matched };
+/// What a picture shows: the frame; the frame with a colour for each level of pages, or with the borders of pages; the
+/// levels all over the map; the pool of pages.
 enum class View { picture, levels, borders, map, pool };
 
 enum class Filter { nearest, bilinear, trilinear };
 
-/// standard, asm or rmsm. Throws std::runtime_error.
+/// The method of a name: standard, asm or rmsm. Like the two functions below, throws std::runtime_error, which lists
+/// the names, if there is none.
 Method method_of(const std::string& name);
 View view_of(const std::string& name);
 Filter filter_of(const std::string& name);
 
+/// The program's options (add_knobs of main.cpp) say what each setting is.
 struct Settings {
     std::uint32_t cells = 32;  ///< of a page along each axis: 16, 32 or 64
     std::uint32_t levels = 11, pages = 8192, pairs = 4'000'000, standard = 2048, seed = 6, rounds = 8;
@@ -29,32 +35,35 @@ struct Settings {
     std::uint32_t step = 1, finest = 0;
     Filter filter = Filter::bilinear;
     bool cached = false, spot = false;
-    bool by_kernel = true;  ///< how pages are filled; else by draws
+    bool by_kernel = true;  ///< depths of pages are computed by kernels; false: by draws
 };
 
-/// What the light does to the picture: for each pixel its place in light space and the share of light there.
+/// For each pixel of a frame, the place in light space of the surface that it shows, and how much light gets there.
 struct Lighting {
-    std::vector<glift::float4> surface;  ///< s, t, depth, level; level -1: not reached by the light
-    std::vector<glift::float2> slopes;   ///< depth by s and t
-    std::vector<glift::float4> colours;  ///< as eye.glift has them
-    std::vector<float> lit;
+    /// s, t, depth, and the level whose cells are as large as the pixel; level -1: nothing that the light can reach.
+    std::vector<glift::float4> surface;
+    std::vector<glift::float2> slopes;   ///< derivatives of the surface's depth by s and by t
+    std::vector<glift::float4> colours;  ///< colours in ambient light; w: light multiplies them by up to 1 + w
+    std::vector<float> lit;              ///< the share of the light that gets there, 0 to 1
 };
 
 class Frame {
 public:
     Frame(glift::Device device, const Settings& settings, glift::uint2 size);
 
-    /// The scene of the next frames. As long as its size stays, so does memory, and what a cache holds.
+    /// Sets the scene of the next frames. While the numbers of triangles and points stay, so do the structures, and
+    /// with them the pages that `cached` keeps.
     void set_scene(const scenes::Scene& scene);
-    /// Knobs of the next frames. Sizes of the quadtree, the standard map and the light's kind stay as they are.
+    /// Takes over `bias`, `step`, `finest`, `filter`, `cached` and `rounds` for the next frames. The other settings
+    /// stay as they are.
     void set_knobs(const Settings& settings);
-    /// Another place of the camera; all else stays.
+    /// Moves the camera; all else stays.
     void set_view(const camera::Camera& view) { scene_.view = view; }
-    /// Gives the view to the device and, the first time, records what a frame is.
+    /// Writes the view to the device and, if there is no recording of a frame by this method, makes it.
     void prepare(Method method);
-    /// A frame that is prepared: one submission. Nothing waits.
+    /// Submits the recording of a frame that is prepared: one submission. Does not wait.
     void submit(Method method) { recorded_[static_cast<std::size_t>(method)].submit(); }
-    void draw(Method method);  ///< both
+    void draw(Method method);  ///< prepare(method), submit(method)
 
     const glift::Device& device() const { return device_; }
     const scenes::Scene& scene() const { return scene_; }
@@ -62,24 +71,25 @@ public:
     bool is_spot() const { return settings_.spot; }
     glift::float4x4 light() const;
     eye::Viewpoint viewpoint() const;
-    /// Of the last frame, on the device or read from it.
+    /// A picture of the last frame: on the device; below, read from it.
     eye::Picture image(View view) const;
     picture::Picture picture(View view = View::picture) const;
     Lighting lighting() const;
-    /// Of the last frame.
+    /// Counts of the last frame.
     shadows::Status counts() const;
     /// How often the last frame of ASM or RMSM has filled pages.
     std::uint32_t rounds() const { return counts().rounds; }
     std_page_allocator::PoolStatus pool() const { return counts().pool; }
-    std::vector<std::uint32_t> owners() const;  ///< page + 1 of each frame
-    /// The pool's depths, those of frames without a page 0.
+    std::vector<std::uint32_t> owners() const;  ///< for each frame of the pool, the number of its page + 1; 0: none
+    /// The depths of all frames of the pool; 0 in those that hold no page.
     std::vector<float> depths_of_pages() const;
-    /// Of the last frame. Throws std::runtime_error where depths are missing, with the remedy.
+    /// A text about the last frame's pages. Throws std::runtime_error, with the remedy, if depths are missing because
+    /// pairs of a triangle and a page found no room.
     std::string status() const;
 
 private:
-    /// Gives what there is, by the size of its pages, to `use`: a copy, which shares all memory. There is some after
-    /// `set_scene`.
+    /// Calls use(a copy of the structures, which shares all their memory), whatever the size of their pages. They are
+    /// there after `set_scene`.
     template <class Use> auto with_shadows(const Use& use) const {
         const auto use_copy = [&](auto copy) { return use(copy); };
         if (const auto* some = std::get_if<shadows::Shadows16>(&shadows_)) return use_copy(*some);

@@ -19,7 +19,7 @@ struct Arguments {
     std::string scene = "hairball", method = "rmsm", show = "picture", out = "shadows.png", path, write_path;
     std::string agreement, popping, pictures;
     float time = 0.4f;
-    unsigned frames = 0;  // 0: 1, or all of a path
+    unsigned frames = 0;  // 0: one; of recorded paths all
     std::vector<std::uint32_t> size = {512, 512};
     float from_right = 0, from_above = 0, closer = 1, light_from_right = 0;
     bool is_sized = false, compare = false, window = false;
@@ -33,7 +33,7 @@ void save(const std::string& path, const picture::Picture& picture) {
     std::printf("wrote %s\n", path.c_str());
 }
 
-/// Of several frames each has its number before the name's end.
+/// The name of a frame's picture: if there are several frames, with the frame's number before the extension.
 std::string numbered(const Arguments& a, unsigned frame, std::size_t frames) {
     if (frames == 1) return a.out;
     char number[16];
@@ -86,7 +86,7 @@ void compare_all(const Arguments& a, Frame& frame, const std::vector<path::Step>
     for (std::size_t k = 0; k < all.size(); ++k) print_agreement(Compared::names[k], all[k]);
 }
 
-/// All scenes along the recorded paths.
+/// The walk through scenes along their recorded paths that the command line asks for.
 Walk walk_of(const Arguments& a) {
     Walk walk = a.walk;
     walk.frames = a.frames, walk.settings = a.settings;

@@ -12,11 +12,11 @@ namespace {
 
 constexpr std::array keys = {"rmsm", "asm", "standard"};
 
-/// From one frame to the next.
+/// How the light of pixels changes from one frame to the next.
 struct Changes {
-    std::size_t pixels = 0;   ///< that rays say to be alike, off the band
-    std::size_t flipped = 0;  ///< of these, whose light changes by more than a half
-    double largest = 0;       ///< change of light, from 0 to 1
+    std::size_t pixels = 0;   ///< pixels that rays find lit, or shadowed, in both frames, off the band
+    std::size_t flipped = 0;  ///< those of `pixels` whose light changes by more than a half
+    double largest = 0;       ///< largest change of light, 0 to 1
     double within = 0;        ///< 99.9 % of the pixels change by no more
 
     double share() const { return pixels == 0 ? 0 : static_cast<double>(flipped) / static_cast<double>(pixels); }
@@ -50,7 +50,8 @@ Changes changes_of(const Compared& before, const Compared& now, std::size_t meth
     return changes;
 }
 
-/// Both frames, and red where light changes.
+/// Both frames, and the second one in grey with red where light changes by more than a half though rays say it does
+/// not.
 picture::Picture picture_of(const Compared& before, const Compared& now, std::size_t method) {
     picture::Picture changed{now.size.x, now.size.y, {}, {}};
     for (std::size_t i = 0; i < now.reference.light.size(); ++i) {
@@ -62,7 +63,7 @@ picture::Picture picture_of(const Compared& before, const Compared& now, std::si
     return together({before.by(method), now.by(method), changed});
 }
 
-/// What is known of a scene by one method after some of its frames.
+/// What was measured in a scene's pairs of frames so far, by one method.
 struct Found {
     std::vector<double> shares, within, largest;
     std::size_t worst = 0;  ///< the second frame of the pair with the most changes

@@ -26,10 +26,11 @@ Vector cross(const Vector& a, const Vector& b) {
 }
 Vector unit(const Vector& a) { return a * (1 / std::sqrt(dot(a, a))); }
 
-/// A camera's axes, so that a place in clip coordinates (x to the right, y down) and a distance before it give a point.
+/// A camera's axes, which give the line of sight through a place of its picture, from -1 to 1 (x to the right, y down).
 struct Axes {
     Vector eye, forward, right, down;
-    double scale_x, scale_y;  ///< at distance 1, or anywhere of a parallel projection
+    double scale_x,
+        scale_y;  ///< half the picture's width and height: at distance 1; of a parallel projection, anywhere
     bool is_parallel;
 
     static Axes of(const camera::Camera& c, double aspect, double half_size) {
@@ -45,7 +46,7 @@ struct Axes {
                 is_parallel ? half_size : opening,
                 is_parallel};
     }
-    /// What is seen at a place: where the line of sight begins and where it goes.
+    /// The line of sight through a place: its begin, and its direction, which has length 1 along `forward`.
     std::pair<Vector, Vector> line(double x, double y) const {
         const Vector aside = right * (x * scale_x) + down * (y * scale_y);
         return is_parallel ? std::pair(eye + aside, forward) : std::pair(eye, forward + aside);
@@ -113,7 +114,8 @@ public:
         return light_at(point_of(s.x, s.y, s.z));
     }
 
-    /// Whether the plane that a pixel shows has the other answer within a pixel's distance: on three circles.
+    /// Whether the plane that a pixel shows has another answer somewhere within a pixel: at eight places on each of
+    /// three circles.
     bool differs_within_a_pixel(std::size_t pixel) const {
         const Light own = light_of(pixel);
         for (int k = 0; k < 24; ++k) {
@@ -124,7 +126,7 @@ public:
     }
 
 private:
-    /// Of a place so many pixels beside a pixel's centre, on the plane that the pixel shows.
+    /// The answer at the point of the plane that a pixel shows which is seen so many pixels beside the pixel's centre.
     Light light_beside(std::size_t pixel, double x, double y) const {
         const glift::float4& s = lighting_.surface[pixel];
         const glift::float2& slope = lighting_.slopes[pixel];
@@ -139,7 +141,7 @@ private:
         return light_at(from + along * (dot(a - from, normal) / dot(along, normal)));
     }
 
-    /// From light space to the world.
+    /// The point in the world of a place in light space.
     Vector point_of(double s, double t, double depth) const {
         const auto [from, along] = light_.line(2 * s - 1, 2 * t - 1);
         const double distance =
@@ -159,7 +161,7 @@ private:
     double near_, far_, bias_;
 };
 
-/// Whether one of the eight pixels around has the other answer.
+/// Whether one of the eight pixels around a pixel has the other answer, lit or shadowed.
 bool differs_around(const std::vector<Light>& light, glift::uint2 size, std::size_t pixel) {
     for (std::size_t side = 0; side < 9; ++side) {
         const std::size_t column = pixel % size.x + side % 3 - 1, row = pixel / size.x + side / 3 - 1;

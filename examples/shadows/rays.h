@@ -8,19 +8,20 @@
 
 namespace rays {
 
-/// Of a pixel: whether light reaches what it shows. `unknown`: the light does not shine on that side of it, or there is
-/// nothing.
+/// Whether light reaches the surface that a pixel shows. `unknown`: its side is turned away from the light, it is
+/// outside of what a spot light shines on, or the pixel shows no surface.
 enum class Light : unsigned char { unknown, reached, shadowed };
 
 struct Reference {
     std::vector<Light> light;
     /// Whether a true edge of a shadow lies within a pixel, so that either answer may be right.
-    std::vector<unsigned char> at_edge;  // bytes, since threads write them
+    std::vector<unsigned char> at_edge;  // not vector<bool>, whose elements threads cannot write independently
 };
 
-/// Traces rays to the light from what each pixel of a frame shows. Edges are looked for among the pixels around; where
-/// a pixel `is_doubted`, since somebody has another answer, between pixels, too. `is_doubted` is called from several
-/// threads.
+/// Traces rays to the light from what each pixel of a frame shows; they begin at `bias`, a part of the light's range,
+/// from the surface. A pixel is at an edge if one of the eight pixels around it has the other answer. Where
+/// `is_doubted` says that some method decides otherwise than the ray, more rays look for an edge between pixels.
+/// `is_doubted` is called from several threads.
 Reference trace(const Frame& frame, const Lighting& lighting, float bias,
                 const std::function<bool(std::size_t pixel, Light)>& is_doubted);
 

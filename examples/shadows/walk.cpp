@@ -9,7 +9,7 @@ namespace {
 
 bool are_same(const glift::float3& a, const glift::float3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
-/// Whether only the camera is elsewhere.
+/// Whether scene and light are the same in two steps, so that at most the camera moves.
 bool stand_still(const path::Step& before, const path::Step& now) {
     return before.time == now.time && are_same(before.light.eye, now.light.eye) &&
            are_same(before.light.target, now.light.target);

@@ -1,4 +1,4 @@
-// All scenes along their recorded paths.
+// Goes through scenes along their recorded paths, frame by frame.
 #pragma once
 
 #include "frame.h"
@@ -15,7 +15,7 @@ struct Walk {
     std::string paths = "examples/shadows/paths";  ///< a folder with a path file for each scene
     std::string prefix;                            ///< of the names of these files
     std::size_t frames = 0;                        ///< at most so many of each path, spread evenly; 0: all
-    bool only_first = false;                       ///< the first of them instead
+    bool only_first = false;                       ///< `frames` takes the first steps, not evenly spread ones
     glift::uint2 size{1024, 1024};
     Settings settings;
 
