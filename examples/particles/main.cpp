@@ -1,4 +1,5 @@
-// A fluid of a million particles or more, whose neighbours are searched again in each step: fluid.glift from C++.
+// A fluid of particles (a million on a GPU, unless said otherwise), whose neighbours are searched again in each step:
+// fluid.glift from C++.
 #include "../common/camera.h"
 #include "../common/picture.h"
 #include "../common/progress.h"

@@ -40,7 +40,8 @@ THESIS = {
 
 
 def inferred(gliftc, file):
-    """What `gliftc explain` says of the first public structure of a file whose translator is not Linear, and of that translator."""
+    """What `gliftc explain` says of the first public structure of a file whose translator is not Linear (of brook_streams, whose
+    public structure is generic, an instance), and of that translator."""
     text = file.read_text(encoding="utf-8")
     names = re.findall(r"^pub structure (\w+)", text, re.M)
     found = json.loads(subprocess.run([gliftc, "explain", "--json", str(file)], check=True, capture_output=True, text=True).stdout)

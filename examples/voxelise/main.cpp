@@ -87,7 +87,7 @@ public:
           tree_(device_, static_cast<std::uint32_t>(std::bit_width(arguments.extent / 8)), arguments.tree_pages),
           picture_(device_, {arguments.size, arguments.size}) {}
 
-    /// Of the work: the mesh, the voxels, the octree, the pictures.
+    /// The number of stages that the line of progress counts: the mesh, the voxels, the octree, the pictures.
     static constexpr std::uint64_t stages = 4;
 
     void voxelise(const mesh::Mesh& mesh) {
@@ -143,7 +143,7 @@ public:
         write("distances_slice.png");
     }
 
-    /// The grid's own picture, and that of the octree with a level of its pages after the other.
+    /// Saves the grid and the octree for tools/inspect; the octree as it is addressed by {node, level}.
     void inspect() {
         const voxels::Resident there(device_, grid_.field(), grid_.pages().active(), grid_.pages().residents());
         save(glift::inspect(there, "voxels"), "voxels_pages.inspection");
