@@ -11,15 +11,19 @@ namespace bench {
 
 struct AlgorithmCase {
     std::string algorithm, variant;
-    std::uint64_t elements = 0, bytes = 0;  ///< bytes: the least memory traffic: input read once, output written once
+    std::uint64_t elements = 0;
+    /// The least memory traffic: input read once, output written once. Of select and unique, whose output depends on
+    /// the input, only the reads count.
+    std::uint64_t bytes = 0;
     std::function<void(const glift::Commands&)> work;
     std::function<double()> error = nullptr;  ///< relative error of the result; null: it is exact
 };
 
-/// Every algorithm over n elements.
+/// The algorithms of algorithms.glift, each over n elements.
 std::vector<AlgorithmCase> algorithm_cases(const glift::Device& device, std::uint32_t n);
 
-/// n tridiagonal systems of n unknowns, with one right-hand side and with three.
+/// n tridiagonal systems of n unknowns, with one right-hand side and with three; of the same data each time, and
+/// (`_from_memory`) of more data in turn than caches hold.
 std::vector<AlgorithmCase> tridiagonal_cases(const glift::Device& device, std::uint32_t n);
 
 }  // namespace bench

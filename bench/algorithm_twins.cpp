@@ -53,7 +53,7 @@ const glift::Kernel scan_sums_kernel = {.name = "scan of sums by hand",
                                         .line = 1,
                                         .rank = 1,
                                         .group = {256, 1, 1},
-                                        .loop_rounds = 8192,  // 2^25 elements in tiles of 512, as far as lavapipe binds
+                                        .loop_rounds = 8192,  // enough for 2^25 elements, the most that lavapipe binds
                                         .bindings = scan_sums_bindings,
                                         .direct = {.spirv = scan_sums, .parameter_bytes = 4, .push_constants = true}};
 const glift::Kernel scan_kernel = {.name = "scan by hand",
@@ -118,16 +118,16 @@ glift::Memory scratch(const glift::Device& device, const char* name, std::uint64
     return device.allocate({.name = name, .bytes = 4 * words, .zeroed = false});
 }
 
-/// Keys that one lane counts and moves in sequence. Few, so that 1024 lanes have work; within bounds, so that the table
-/// of counts stays small and the addresses that neighbouring lanes read at one time are close together.
+/// How many keys one lane counts and moves in sequence. So few that 1024 lanes have work, but within bounds: so that
+/// the table of counts stays small, and the addresses that neighbouring lanes read at one time are close together.
 std::uint32_t chunk_size(std::uint32_t count) {
     return std::clamp(std::bit_ceil(count / 1024), smallest_chunk, largest_chunk);
 }
 
 std::uint32_t chunks_of(std::uint32_t count) { return (count + chunk_size(count) - 1) / chunk_size(count); }
 
-/// The size of a table of counts that is enough for any number of keys up to `most`. Fewer keys may have more chunks:
-/// up to 1026, while the size of chunks still grows with the number of keys.
+/// The size of a table of counts that is enough for any number of keys up to `most`. Fewer keys may have more chunks
+/// than `most` keys: up to 1026, while the size of chunks still grows with the number of keys, in powers of two.
 std::uint32_t most_counts(std::uint32_t most) {
     return digits * std::max(chunks_of(most), std::min(2048u, most / smallest_chunk + 1));
 }

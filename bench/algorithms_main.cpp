@@ -1,6 +1,7 @@
 // bench_algorithms: times stdlib/algorithms on one device, by its timestamps.
 //
-//     bench_algorithms [--device NAME] [--log2 20,24] [--systems 256,1024] [--only ALGORITHM] [--json FILE]
+//     bench_algorithms [--device NAME] [--log2 20,24] [--systems 256,1024] [--only ALGORITHM] [--runs N] [--seconds S]
+//                      [--json FILE]
 #include "algorithm_cases.h"
 #include "figures.h"
 #include "timing.h"

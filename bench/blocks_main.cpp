@@ -1,6 +1,6 @@
 // bench_blocks [side]: kernels over a dense array, over the same array in pages visited page by page, and over pages
 // visited like a dense array; on the host device and on the Vulkan device. Prints the median time of a kernel among
-// many, one after the other in one recording, and of a kernel alone in one, each with the ratio to dense.
+// many, one after the other in one recording, and of a kernel alone in one; in brackets the dense array's time by it.
 #include "timing.h"
 
 #include "blocks.glift.hpp"

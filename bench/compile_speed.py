@@ -4,7 +4,8 @@
     bench/compile_speed.py GLIFTC [--runs N] [--json FILE]
 
 Times bench/small.glift, and generated files, each also at twice its length: functions that nothing calls, which are
-only parsed and checked, and public kernels, which are compiled for every target.
+only parsed and checked; public kernels that are only parsed and checked, too (--stop-after=sema); and public kernels
+that are compiled for all targets but SPIR-V.
 """
 import argparse
 import json

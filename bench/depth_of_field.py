@@ -17,7 +17,7 @@ CPU_SIZES, GPU_SIZES = "256x256,512x512,1024x1024,1920x1080", "256x256,512x512,1
 
 
 def measure(bench, options, folder):
-    """The groups of figures of the Vulkan device and of the host, joined over the rounds."""
+    """The groups of figures (figures.py) of the Vulkan device, with those of cuSPARSE, and of the host, joined over the rounds."""
     ours = os.path.join(bench, "bench_depth_of_field")
     gpu = algorithms.is_gpu(os.path.join(bench, "bench_algorithms"), folder)
     cuda = algorithms.build_cuda(os.path.join(folder, "cuda")) if gpu else None

@@ -14,9 +14,9 @@ struct Figure {
     std::string algorithm, variant;
     std::uint64_t elements = 0;
     double seconds = 0;             ///< median
-    std::uint64_t bytes_moved = 0;  ///< the least traffic: input read once, output written once
+    std::uint64_t bytes_moved = 0;  ///< the least memory traffic of the algorithm, as each bench says
     int runs = 0;
-    double error = -1;  ///< largest relative error; negative: results are exact
+    double error = -1;  ///< largest relative error; negative: it was not measured (most results are exact)
 };
 
 /// Prints a row to stderr as soon as it is measured.

@@ -1,7 +1,7 @@
 """Figures of algorithms: groups of rows of one device, as bench_algorithms, bench_rivals and the CUDA rivals write them.
 
-A group is {"device": name, "rows": [...]}; a row has by, algorithm, variant, elements, seconds, bytes_moved, runs, and where
-results are not exact the largest relative error.
+A group is {"device": name, "rows": [...]}; a row has by, algorithm, variant, elements, seconds, bytes_moved, runs, and, where it
+was measured, error: the largest relative one. docs/performance.md says what the algorithms and their variants are.
 """
 import json
 import statistics

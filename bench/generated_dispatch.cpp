@@ -72,7 +72,7 @@ void record_pipeline(benchmark::State& state) {
 }
 BENCHMARK(record_pipeline)->Name("generated_pipeline_record")->Unit(benchmark::kMicrosecond);
 
-/// Submits a recording of all passes; each replay must be one submission.
+/// Submits a recording of all passes, and counts the submissions of a replay, which should be one.
 void replay_pipeline(benchmark::State& state) {
     Lines lines;
     const auto recording = lines.device.record(

@@ -22,7 +22,7 @@ namespace {
 using Words = std::span<const std::uint32_t>;
 using Range = tbb::blocked_range<std::size_t>;
 
-constexpr std::size_t grain = std::size_t{1} << 16;  // minimum elements of a task
+constexpr std::size_t grain = std::size_t{1} << 16;  // oneTBB splits larger ranges only; also the size of a block
 
 // The loops. Each is compiled with function multiversioning (`Wide`) and without (`Narrow`).
 
@@ -68,7 +68,7 @@ inline std::uint32_t scan_elements(const std::uint32_t* x, std::size_t count, st
 inline bool is_kept(std::uint32_t value) { return value % 8 == 0; }
 
 inline std::size_t count_elements(const std::uint32_t* x, std::size_t count) {
-    std::uint32_t kept = 0;  // in a block
+    std::uint32_t kept = 0;  // 32 bits are enough for a block
     for (std::size_t i = 0; i < count; ++i) kept += is_kept(x[i]);
     return kept;
 }
@@ -112,7 +112,8 @@ template <class Loops> float sum_with(std::span<const float> x) {
     return tbb::parallel_deterministic_reduce(Range(0, x.size(), grain), 0.0f, add, std::plus<>());
 }
 
-/// Without branches: each element is written to the end of a small buffer; the end advances if the element is kept.
+/// Copies the kept elements of a block to y, and returns their number. Without branches: each element is written to the
+/// end of a small buffer; the end advances if the element is kept.
 std::size_t copy_block(const std::uint32_t* x, std::size_t count, std::uint32_t* y) {
     constexpr std::size_t room = 1024;
     std::uint32_t buffer[room + 1];

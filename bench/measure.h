@@ -11,8 +11,8 @@ struct Measured {
     bool agree = false;                     ///< both wrote the same bytes
 };
 
-/// Times `runs` pairs of the two passes; which goes first alternates. Each is repeated so often that a run takes about
-/// `seconds`.
+/// Times `runs` pairs of the two passes; which goes first alternates. In a run each is repeated for about `seconds`, at
+/// most 400 times.
 Measured measure(const glift::Device& device, const Case& one, int runs, double seconds);
 
 }  // namespace bench

@@ -9,7 +9,8 @@
 #include "examples/paint/canvas.h"
 #include "examples/paint/model.h"
 
-// After canvas.h: headers of generated code define the octree's class, and this one without what the others call.
+// After canvas.h: the first generated header that is included defines the octree's class, and this one would define it
+// without functions that the others call.
 #include "paint_draws.glift.hpp"
 
 #include <glift/host/math.h>

@@ -50,7 +50,7 @@ PFN_vkGetDeviceProcAddr device_get = nullptr;
 VkDevice the_device = VK_NULL_HANDLE;
 Driver driver;
 std::map<VkPipeline, std::string> names;
-std::map<VkCommandBuffer, std::string> bound;  ///< the name of the pipeline
+std::map<VkCommandBuffer, std::string> bound;  ///< the name of the pipeline that is bound
 std::map<VkCommandBuffer, Timed> timed;
 std::vector<VkCommandBuffer> submitted;
 
@@ -91,7 +91,7 @@ VKAPI_ATTR void VKAPI_CALL bind(VkCommandBuffer commands, VkPipelineBindPoint po
     driver.vkCmdBindPipeline(commands, point, pipeline);
 }
 
-/// Of a command that ends a pass: calls the driver's, and writes the timestamp.
+/// What is called in place of a command that ends a pass: calls the driver's command, and writes the timestamp.
 template <auto Member, class Function = std::remove_reference_t<decltype(driver.*Member)>> struct Ending;
 template <auto Member, class... Parameters> struct Ending<Member, void(VKAPI_PTR*)(VkCommandBuffer, Parameters...)> {
     static inline const char* name = nullptr;  ///< null: that of the pipeline

@@ -1,5 +1,5 @@
 // How long each pass of a submission takes on a Vulkan device: a second device over the same VkDevice, whose command
-// buffers write a timestamp after every dispatch, draw, copy and fill.
+// buffers write a timestamp after every dispatch, draw, copy, fill and clear.
 #pragma once
 
 #include <glift/glift.h>
@@ -10,11 +10,11 @@
 namespace bench {
 
 struct PassTime {
-    std::string name;  ///< the kernel's; of copies, fills and clears theirs
+    std::string name;  ///< the kernel's name, or "(copy)", "(fill)", "(clear)"
     double seconds;    ///< from the end of the pass before to its own end
 };
 
-/// Only one at a time, and no longer than `device`.
+/// Times passes. There may be only one at a time, and it must not live longer than `device`.
 class PassTimer {
 public:
     /// Throws glift::Error for the host device, which has no Vulkan.
@@ -24,12 +24,13 @@ public:
     PassTimer& operator=(const PassTimer&) = delete;
 
     /// The second device. Its submissions take longer than those of the first, since passes no longer overlap. All that
-    /// is made on it has to be gone before this is.
+    /// is made on it has to be destroyed before the PassTimer.
     const glift::Device& device() const { return device_; }
 
-    /// The passes of all that the second device was given since the last call, in their order, those that run over
-    /// nothing among them. Waits for them. Of a recording that was submitted several times all have the last one's
-    /// times. Throws std::runtime_error where a command buffer has more passes than are timed.
+    /// Waits, and returns the passes of all command buffers that were submitted on the second device since the last
+    /// call, in their order, also passes over no elements. If a recording was submitted several times, all its passes
+    /// have the times of the last submission. Throws std::runtime_error if a command buffer has more passes than can be
+    /// timed.
     std::vector<PassTime> passes();
 
 private:

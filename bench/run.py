@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Runs all benches of a build and prints their tables as Markdown.
+"""Runs the benches of a build and prints their tables as Markdown.
 
     bench/run.py BUILD_FOLDER [--only PART] [--json FILE] [--plots FOLDER] [--runs N] [options of algorithms.py]
 
-The Vulkan device is the one that GLIFT_DEVICE names, or the best there is; algorithms run on the host device, too.
+The Vulkan device is the one that GLIFT_DEVICE names, or the best there is; some benches run on the host device, too. Not run are
+bench_blocks and bench/edit_loop.
 """
 import argparse
 import json

@@ -9,7 +9,7 @@ namespace bench {
 
 namespace {
 
-/// Frame by frame along a path, with memory of its own.
+/// Draws a case frame by frame along a path, with structures of its own.
 class Along {
 public:
     Along(const glift::Device& device, const ShadowCase& one, const std::vector<scenes::Scene>& scenes,
@@ -19,7 +19,7 @@ public:
     std::size_t frames() const { return scenes_.size(); }
     Frame& frame() { return frame_; }
 
-    /// Prepares frame i. What is static keeps the first scene, and its pages.
+    /// Prepares frame i. A static case keeps the scene of frame 0, and its pages: only the camera moves.
     void go_to(std::size_t i) {
         if (!one_.is_static || i == 0) frame_.set_scene(scenes_[i]);
         else frame_.set_view(scenes_[i].view);
@@ -46,7 +46,7 @@ std::uint32_t first_of_level(std::uint32_t levels, std::uint32_t level) {
     return ((1u << 2 * (levels - 1 - level)) - 1) / 3;
 }
 
-/// The texels of a frame's pages that its pixels look up, of each page's four around a pixel's place.
+/// Which texels of the resident pages the pixels of a frame look up: each of them the four around its place.
 class Touched {
 public:
     Touched(const Frame& frame, const ShadowCase& one) : one_(one), side_(one.settings.cells + 1) {
@@ -93,19 +93,20 @@ private:
     const ShadowCase& one_;
     std::uint32_t side_;
     std::size_t pages_ = 0;
-    std::vector<std::uint32_t> frame_of_;  ///< of each page, plus 1
+    std::vector<std::uint32_t> frame_of_;  ///< for each page, the number of its frame in the pool + 1; 0: none
     std::vector<char> texels_;
 };
 
 void note_pages(Along& along, const ShadowCase& one, ShadowFrames& found) {
-    std::ignore = along.frame().status();  // throws where triangles found no room
+    std::ignore = along.frame().status();  // throws if depths are missing
     const auto pool = along.frame().pool();
     found.pages.push_back(pool.resident), found.granted.push_back(pool.granted), found.refused.push_back(pool.refused);
     found.capacity = pool.capacity,
     found.texels_a_page = std::uint64_t{one.settings.cells + 1} * (one.settings.cells + 1);
 }
 
-/// The means over the frames of each pass of a submission; all frames have the same passes.
+/// For each pass of a frame's submission, the mean of its times over the frames; all frames have the same passes. Of a
+/// moving case the second submission of each frame counts, of a static one all frames but the first.
 std::vector<PassTime> passes_of(const glift::Device& device, const ShadowCase& one,
                                 const std::vector<scenes::Scene>& scenes, glift::uint2 size) {
     PassTimer timer(device);
@@ -160,7 +161,7 @@ std::vector<ShadowCase> shadow_cases(const Settings& settings) {
     add("rmsm by draws", Method::matched, [](Settings& s) { s.by_kernel = false; });
     for (const unsigned cells : {16u, 64u}) {
         const std::string name = "rmsm pages of " + std::to_string(cells);
-        // As many texels along the map, and about as many in the pool.
+        // As many texels along the map as with pages of 32, and about as many in the pool.
         add(name, Method::matched, [&](Settings& s) {
             s.cells = cells;
             s.levels = cells == 16 ? settings.levels + 1 : settings.levels - 1;
@@ -185,7 +186,9 @@ ShadowFrames measure(const glift::Device& device, const ShadowCase& one, const s
     ShadowFrames found;
     std::vector<std::vector<double>> seconds(scenes.size());
     std::vector<double> touched;
-    // The first time along the path nothing is timed; a frame whose pages stay is timed once each later time.
+    // A moving case goes along the path once, and times each frame `runs` times after a first one that does not count.
+    // In a static case a frame depends on the pages that those before it left: it goes along the path without timing,
+    // then `runs` times anew, timing each frame once.
     for (unsigned round = 0; round <= (one.is_static ? runs : 0); ++round) {
         Along along(device, one, scenes, size);
         for (std::size_t i = 0; i < along.frames(); ++i) {

@@ -12,7 +12,7 @@
 
 namespace bench {
 
-/// A way to make frames.
+/// A way to make frames: a method, and settings.
 struct ShadowCase {
     std::string name;
     Method method;
@@ -20,13 +20,14 @@ struct ShadowCase {
     bool is_static = false;  ///< scene and light stand still, and pages are kept
 };
 
-/// All of them that the example has, from its own settings.
+/// All cases that bench_shadows knows, each with some of `settings` changed.
 std::vector<ShadowCase> shadow_cases(const Settings& settings);
 
 struct ShadowFrames {
     std::vector<double> seconds;  ///< of each frame, by device timestamps; of a static case without the first one
-    std::vector<std::uint32_t> pages, granted, refused;  ///< of each of these frames: there; new; found no room
-    std::optional<double> touched;                       ///< share of the texels of pages that pixels look up
+    std::vector<std::uint32_t> pages, granted, refused;  ///< of each of these frames: resident; new; found no room
+    std::optional<double>
+        touched;  ///< share of the texels of resident pages that pixels look up; median of some frames
     std::uint64_t texels_a_page = 0, capacity = 0;
     std::uint64_t submissions = 0, waits = 0;  ///< of a frame, the most
     std::vector<PassTime> passes;              ///< means over the frames; empty on the host device
@@ -35,8 +36,8 @@ struct ShadowFrames {
 /// The scenes of a path, which takes a while to make.
 std::vector<scenes::Scene> scenes_along(const std::string& name, const std::vector<path::Step>& steps);
 
-/// Goes along the path `runs` times and takes the median of each frame's times. Throws std::runtime_error where
-/// triangles found no room.
+/// Times each frame of a path `runs` times, and takes the median. Throws std::runtime_error if depths are missing
+/// (Frame::status).
 ShadowFrames measure(const glift::Device& device, const ShadowCase& one, const std::vector<scenes::Scene>& along,
                      glift::uint2 size, unsigned runs);
 

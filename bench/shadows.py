@@ -100,7 +100,7 @@ def knobs(scenes):
 
 
 def lookup_speeds(cases):
-    """{filter: the standard map's time by the quadtree's, of the kernel that looks up}."""
+    """{case: how fast its lookups are}: the time of the kernel that looks up with a standard map, divided by that with the quadtree."""
     def seconds(name):
         row = cases.get(name)
         return parts_of(row["passes"])["find_lit"] if row and row["passes"] else 0
