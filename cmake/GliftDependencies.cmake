@@ -1,4 +1,5 @@
-# Everything Glift needs from the system, all of it in Debian 12 (tools/setup installs it).
+# What the runtime, the compiler, the tests and the benches need from the system, all of it in Debian 12 (tools/setup
+# installs it). The examples find what they need themselves.
 # The order matters: the CMake packages of glslang and SPIRV-Tools use targets of packages found before them.
 
 # Dependencies of the runtime.
