@@ -11,10 +11,9 @@ namespace bench {
 
 struct AlgorithmCase {
     std::string algorithm, variant;
-    std::uint64_t elements = 0;
-    /// The least memory traffic: input read once, output written once. Of select and unique, whose output depends on
-    /// the input, only the reads count.
-    std::uint64_t bytes = 0;
+    /// `bytes`: the least memory traffic: input read once, output written once. Of select and unique, whose output's
+    /// size depends on the input, only the reads count.
+    std::uint64_t elements = 0, bytes = 0;
     std::function<void(const glift::Commands&)> work;
     std::function<double()> error = nullptr;  ///< relative error of the result; null: it is exact
 };
