@@ -34,7 +34,8 @@ using namespace ir;
 
 namespace {
 
-/// The least number of kernels for a thread: with fewer, starting it and its branch of the program takes longer.
+/// The least number of kernels for a thread: with fewer, starting it and its branch of the program costs more than it
+/// saves.
 constexpr std::size_t kernels_of_a_thread = 8;
 
 /// In development builds: validates a body after a pass.

@@ -91,7 +91,8 @@ bool has_own_memory(const Program& p, LocalId local) {
 
 /// Whether the statement may write the memory that a device_read without a copy refers to. A dispatch may if it writes
 /// what is not itself one of `temporaries`, or one of `names`: the locals that refer to the memory if it is a
-/// temporary's. So may calls of pipelines, and all statements but `let`, `temp` and `assign`.
+/// temporary's. So may calls of pipelines that are not values (Pipeline::is_value), and all other statements but `let`,
+/// `temp` and `assign`.
 bool may_write(const Program& p, const Stmt& stmt, const std::vector<LocalId>& names, bool is_temporary,
                const std::vector<LocalId>& temporaries) {
     const auto is_among = [](const std::vector<LocalId>& list, LocalId local) {
@@ -147,7 +148,7 @@ void mark_reads(Program& p, const std::vector<StmtId>& body, const std::vector<S
 }
 
 /// Those of the aliases that are declared after the temporary in the same list of statements: they are released with
-/// it.
+/// it, for which this makes them mutable.
 std::vector<LocalId> declared_beside(Program& p, const std::vector<StmtId>& body, std::size_t at,
                                      const std::vector<LocalId>& aliases) {
     std::vector<LocalId> result;

@@ -1,5 +1,5 @@
-// Expander: translation of addresses, by the stages of `via` one after the other. The physical address of the current
-// element (the "centre") is computed once a kernel.
+// Expander: translation of addresses, by the stages of `via` one after the other. A parameter's physical address of the
+// current element (its "centre") is computed once, before the kernel's body.
 #include "ir/chain.h"
 #include "ir/effects.h"
 #include "lower/expand.h"
@@ -73,8 +73,8 @@ std::string Expander::link_name(const Place& link) const {
     return (*p.names)[cx.structure_at(owner).members[link.members.back()].name];
 }
 
-/// The condition that a physical address lies in the memory. If the memory is a structure: in its domain; absent if its
-/// first translator is partial, which decides that itself.
+/// The condition that a physical address lies in the memory. If the memory is a structure: in its domain; absent if it
+/// has no domain, or if the first translator of its chain is partial, which decides that itself.
 ExprId Expander::inside_memory(const Place& place, ExprId physical) {
     const Structure& structure = cx.structure_at(place);
     if (!structure.base.empty()) {

@@ -10,7 +10,7 @@ namespace gliftc::sema {
 
 namespace {
 
-/// Whether a name denotes a symbol in scope, a type, or a declaration of structures.
+/// Whether a name denotes a symbol in scope, a type, or a declaration of a structure, view, adaptor or alias.
 bool names_structure(Body& body, ast::Identifier name) {
     if (find_symbol(body, name.name)) return true;
     const Context& c = body.context;

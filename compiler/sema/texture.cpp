@@ -119,7 +119,7 @@ Operand compare(Body& body, const Operand& self, const std::vector<ast::ExprId>&
     return operation(body, ir::Op::compare, body.types().float_, self, operands, call.span);
 }
 
-/// Reports a structure whose elements around a point other invocations write.
+/// Reports a structure whose elements around a point other invocations may write.
 bool is_read(Body& body, const Operand& self, std::string_view name, Span span) {
     const bool is_param = body.kernel != nullptr && self.place.root < body.kernel->params.size();
     const ir::KernelParam* const param = is_param ? &body.kernel->params[self.place.root] : nullptr;
