@@ -271,8 +271,8 @@ std::string print_side(Printer& p, ExprId id, Level least) {
     return print(p, id, least);
 }
 
-/// The arguments of a struct's, an array's, a vector's or an optional's constructor. For a type with bools, structs that lie in blocks
-/// are composed of their parts, since glslang passes them as they lie there.
+/// The arguments of a struct's, an array's, a vector's or an optional's constructor. For a type with bools, structs
+/// that lie in blocks are composed of their parts, since glslang passes them as they lie there.
 std::string parts_of_whole(Printer& p, const Expr& expr) {
     const TypeKind kind = p.program.types.kind(expr.type);
     const bool has_parts = kind == TypeKind::struct_ || kind == TypeKind::array || kind == TypeKind::optional;
@@ -344,6 +344,15 @@ Text print_node(Printer& p, ExprId id) {
 }
 
 }  // namespace
+
+std::string print_place(Printer& p, ExprId id) {
+    const Expr& expr = p.program.exprs[id];
+    const bool is_lane = expr.op == Op::swizzle && p.program.types.is_vector(p.program.exprs[expr.operands[0]].type);
+    if (is_lane) return print_whole(p, expr.operands[0]) + "." + "xyzw"[expr.lanes[0]];
+    if (expr.op != Op::index) return print_whole(p, id);
+    const ir::Type& of = p.program.types[p.program.exprs[expr.operands[0]].type];
+    return print_place(p, expr.operands[0]) + "[" + guarded_index(p, expr.operands[1], of.count) + "]";
+}
 
 Text print(Printer& p, ExprId id) {
     Text text = print_node(p, id);

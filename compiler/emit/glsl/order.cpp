@@ -60,7 +60,7 @@ std::string ordered_atomic(Printer& p, const char* name, const ir::Expr& expr) {
     const ir::Expr& place = p.program.exprs[expr.operands[0]];
     const bool is_texel = place.op == ir::Op::image_load;
     std::string arguments = is_texel ? p.binding_names[place.slot] + ", " + texel_text(p, place.operands[0])
-                                     : print_any(p, expr.operands[0]);
+                                     : print_place(p, expr.operands[0]);
     for (std::size_t i = 1; i < expr.operands.size(); ++i) arguments += ", " + print_any(p, expr.operands[i]);
     p.extensions.insert("GL_KHR_memory_scope_semantics");
     const OrderNames& names = is_texel ? p.image_order : p.order;

@@ -168,6 +168,7 @@ Text print(Printer& p, ir::ExprId expr);
 std::string print(Printer& p, ir::ExprId expr, Level least);          ///< in parentheses if looser than `least`
 std::string print_any(Printer& p, ir::ExprId expr);                   ///< where any expression can stand: an argument
 std::string print_as(Printer& p, ir::ExprId expr, ir::TypeId shape);  ///< a scalar made a vector where `shape` is one
+std::string print_place(Printer& p, ir::ExprId expr);  ///< for an atomic operation: memory that it changes
 std::string print_negated(Printer& p, ir::ExprId condition);
 std::string join_arguments(Printer& p, const ir::Operands& arguments);
 bool is_constant(const Printer& p, ir::ExprId expr);  ///< a constant, or made of constants only
