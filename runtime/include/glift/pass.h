@@ -18,9 +18,9 @@ struct DeviceValue {
     std::uint64_t offset = 0;  ///< in bytes, a multiple of 4
 };
 
-/// Writes min(device value - before, limit), or 0 where the value is less than `before`, over four bytes of the
+/// Writes min(device value - before, limit), or 0 where the device value is less than `before`, over four bytes of the
 /// parameters before the pass runs. A patch of the iteration size makes the dispatch indirect: the size along that axis
-/// becomes min(value, Call::size), in the parameters too.
+/// becomes the lesser of that number and the one in Call::size, in the parameters too.
 struct Patch {
     DeviceValue value;
     std::uint32_t offset;  ///< byte offset in the parameters, a multiple of 4
@@ -59,9 +59,9 @@ inline const Form& form_of(const Kernel& kernel, FormName name) {
 /// writes combine alike (Binding::combine) are left aside.
 enum class Sharing : std::uint8_t {
     unknown,    ///< nothing: refused (ErrorCode::aliased_memory), unless all these bindings are read_write
-    apart,      ///< no invocation accesses what another one writes, and none accesses an element by two bindings
-    one_place,  ///< no invocation accesses what another one writes; some access an element by two bindings: not the
-                ///< direct form
+    apart,      ///< no invocation accesses what another one writes, nor by another binding what it writes itself
+    one_place,  ///< no invocation accesses what another one writes; some access what they write by another binding,
+                ///< too: not the direct form
 };
 
 /// One call of a kernel. Spans need to live only until Commands::dispatch returns.

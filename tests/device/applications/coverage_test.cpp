@@ -156,8 +156,8 @@ void draw_points(const glift::Device& device, const coverage::Places& places, co
     coverage::points_over(device, places, counts);
 }
 
-/// Lines of any direction and several lengths, in perspective; lines that are horizontal, vertical or diagonal, between
-/// centres of pixels; and lines that leave the view.
+/// Lines of any direction and several lengths, in perspective; horizontal, vertical and diagonal lines from the centre
+/// of one pixel to that of another; and lines that leave the view.
 TEST_F(Coverage, OfLines) {
     constexpr uint2 size(301, 203);
     Numbers number(11);
@@ -295,7 +295,7 @@ TEST_F(Coverage, OfHugeAndClippedTriangles) {
     }
 }
 
-/// Draws 20,000 triangles of all these kinds at once: none may disturb those that come after it.
+/// Draws 20,000 triangles of all kinds of odd_triangle at once: none may disturb those that come after it.
 TEST_F(Coverage, OfASoup) {
     Numbers number(99);
     std::vector<float4> places;

@@ -1,4 +1,4 @@
-// A generated pipeline recorded once and replayed, on a device whose submissions the test counts.
+// Generated pipelines, recorded once and replayed: each replay is one submission, and its temporaries start as zeros.
 #include "chain.glift.hpp"
 #include "plain_vulkan.h"
 
