@@ -12,8 +12,8 @@ namespace gliftc::lower {
 /// `facts` are conditions that are known to hold throughout the body; inside an `if`, its condition is known, too.
 std::vector<StmtId> share(Context& cx, const std::vector<StmtId>& body, const std::vector<ExprId>& facts);
 
-/// Undoes share() for locals that it made and that are used only once, and in no deeper loop: the value replaces the
-/// use, if it cannot change within the pass.
+/// Undoes share() for locals that it or the pass `guard` made and that are used only once, and in no deeper loop: the
+/// value replaces the use, if it cannot change within the pass.
 std::vector<StmtId> merge_single_uses(Context& cx, const std::vector<StmtId>& body);
 
 /// Dead code elimination: drops `let`s and assignments that nothing uses, and ifs, blocks and for loops that are

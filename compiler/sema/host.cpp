@@ -333,7 +333,7 @@ std::optional<Operand> check_expect(Body& body, std::string_view name, const ast
     return no_value(body, call.span);
 }
 
-/// `temp name = Structure(arguments);` and `let name = View(arguments);`
+/// `temp name = Structure(arguments);`, and `let` or `var` of a call or slice without a type: `let part = a[0..n];`
 bool check_structure_declaration(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
     bool is_temp = stmt.kind == ast::StmtKind::temp;
@@ -485,8 +485,8 @@ bool check_pipeline_statement(Body& body, const ast::Stmt& stmt) {
     switch (stmt.kind) {
     case ast::StmtKind::temp: return check_structure_declaration(body, stmt);
     case ast::StmtKind::let:
-        // A structure or slice has no type to be written after the name; `let` of anything else is checked as in
-        // functions.
+        // Of a call, which may give a structure, or of a slice, with no type after the name. Any other `let` is checked
+        // as in functions.
         if (stmt.type || !stmt.value || stmt.binding == ast::Binding::const_ || !is_structure_value(body, stmt.value))
             return false;
         return check_structure_declaration(body, stmt);

@@ -169,7 +169,7 @@ void check_methods(Context& c, std::uint32_t index) {
         const auto function = instantiate_function(c, item.decl, env, {index}, decl.name.span);
         if (!function) return;
         const ir::Function& made = c.program.functions[*function];
-        // Functions that write are called by kernels only. A result is left in memory, which cannot hold optionals.
+        // Functions that write are called by kernels only. Optionals, which memory cannot hold, are no results in C++.
         if (!made.effects.empty() || c.types().kind(made.result) == ir::TypeKind::optional) return;
         ir::Method method{*function, std::nullopt};
         if (c.program.functions[*function].reads_memory) {

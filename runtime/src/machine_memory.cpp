@@ -12,7 +12,7 @@ namespace glift::detail {
 
 namespace {
 
-/// Bytes that all devices of this process hold.
+/// Bytes of the machine's memory that this process's host device and Vulkan devices that are CPUs hold.
 std::atomic<std::uint64_t> held{0};
 
 /// Bytes that the machine can commit at this moment. Pages that were allocated but never touched are not subtracted, so

@@ -12,7 +12,7 @@ namespace {
                 "ask for the parts before and after it, or record them: Recording::workspace_bytes");
 }
 
-/// Ignores all commands.
+/// Plans allocations and ignores commands; throws where the host would wait for the device or read a value of it.
 class MeasuringStream final : public Stream {
 public:
     explicit MeasuringStream(MeasuringDevice& device) : device_(device) {}
@@ -47,7 +47,7 @@ private:
     MeasuringDevice& device_;
 };
 
-/// A memory that has a place in the workspace but no storage.
+/// A memory that counts in the workspace but has no storage.
 class PlannedMemory final : public MemoryObject {
 public:
     using MemoryObject::MemoryObject;

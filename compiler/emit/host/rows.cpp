@@ -39,7 +39,7 @@ std::vector<RowAccess> row_accesses(const ir::Program& program, const std::vecto
     return found;
 }
 
-/// Whether it is a `let`, which can be left out if nothing reads it.
+/// Whether it is a `let` of a value, which can be left out if nothing reads it.
 bool is_let(const Stmt& stmt) { return stmt.op == StmtOp::let && stmt.value; }
 
 /// A part of a row as the variant wants it: one that runs in blocks of glift::host::block_elements takes a part that is
@@ -83,7 +83,7 @@ void Rows::print_address(const std::string& x) {
     else p.out.line("const uint" + std::to_string(pass.rank) + " address{" + x + others[pass.rank - 1] + "};");
 }
 
-/// Prints the address of the element at x = `begin`, and the `let`s that some expressions need there.
+/// Prints the address of the element at x = `begin`, and the `let`s that the expressions in `wanted` need there.
 void Rows::print_values_at(const std::vector<StmtId>& statements, const std::vector<ExprId>& wanted,
                            const std::string& begin) {
     std::vector<StmtId> lets;
@@ -120,8 +120,8 @@ std::string Rows::type_of(const RowAccess& access) {
     return (binding.access == ir::Access::read ? "const " : "") + cpp::storage_text(p.globals, binding.element);
 }
 
-/// Prints a pointer to the first element for each memory and array that the row accesses in order, and the values that
-/// the pointers need.
+/// Prints a pointer to the first element that the row accesses for each distinct pair of a memory or array and an index
+/// that advances along the row; before them the values that they need.
 void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::vector<RowAccess>& accesses,
                               const std::string& begin) {
     std::vector<ExprId> wanted;
@@ -280,7 +280,8 @@ void Rows::print_inside(const ir::Variant& variant, const ir::Variant& bounded, 
 }
 
 /// Opens a loop over three sections of a row: before the middle, the middle, and behind it. The code for the middle
-/// comes first in the text. One function holds them all: a separate lambda would be compiled for the narrowest vectors.
+/// comes first in the text. All are in one function: GLIFT_HOST_KERNEL, which compiles it for wide vectors, too, would
+/// not apply to lambdas.
 void Rows::open_sections(const std::string& name, const std::string& begin, const std::string& middle,
                          const std::string& end) {
     p.out.open("for (const glift::host::Section& " + name + " : glift::host::sections(" + begin + ", " + middle + ", " +

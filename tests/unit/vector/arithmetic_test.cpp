@@ -1,4 +1,4 @@
-// Operations that the language defines for all operands and C++ does not, and the memory layout of its types in C++.
+// Functions of the language in C++, also for operands that C++ defines no result for; the memory layout of its types.
 #include <glift/host/math.h>
 
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@ namespace glift::host::raster {
 
 namespace {
 
-/// Scaled and moved with one rounding, as devices with fused arithmetic do it: the product is exact in a double.
+/// Scaled and moved about as fused arithmetic of devices does it: the product is exact in a double, the sum nearly so.
 float in_viewport(float place, float half_size, float middle) {
     return static_cast<float>(static_cast<double>(place) * static_cast<double>(half_size) +
                               static_cast<double>(middle));
