@@ -298,12 +298,12 @@ class Expressions:
         return self._defined(intrinsic.name, types, arguments, t)
 
     def _defined(self, name, types, arguments, t):
-        """A call whose result is the same on every device: the bits of a NaN would not be, nor the sign of a zero from min, max
-        and clamp."""
+        """A call whose result is the same on every device: the bits of a NaN would not be, nor the sign of a zero from min, max,
+        clamp, and reflect (whose product may be a zero of constants alone)."""
         if name.endswith(("BitsToUint", "BitsToInt", "BitsToUint64", "Half2x16", "packUnorm4x8")) and not name.startswith("unpack"):
             arguments = [Node("without_nan(", argument, ")", type=type) for argument, type in zip(arguments, types)]
         node = Node(name, "(", *joined(arguments), ")", type=t)
-        if name in ("min", "max", "clamp") and scalar_of(t) in FLOATS:
+        if name in ("min", "max", "clamp", "reflect") and scalar_of(t) in FLOATS:
             return Node("(", node, f" + {literal(scalar_of(t))})", type=t)
         return node
 

@@ -177,6 +177,8 @@ class Kernels:
             found = self.visited(kernel, each=True)
             kind = self.random.weighted([(6, "out"), (3, "inout"), (3, "scatter"), (1, "coherent"), (2, "calls")])
             name = f"y{i}"
+            # An element that another one shares may be read while the other invocation writes it.
+            found = [s for s in found if kind != "inout" or s.owns]
             if kind in ("out", "inout") and found:
                 self.add_written(kernel, name, kind, self.random.choice(found))
             elif kind == "coherent":

@@ -83,13 +83,16 @@ def translator_text(name, kind, axes, body):
 class Structure:
     """A structure type: how to construct it for an extent, and what kernels may do with it."""
 
-    def __init__(self, name, axes, element, extra="", each=True, is_dense=True, capacity=None, buffer=True, block=None):
+    def __init__(self, name, axes, element, extra="", each=True, is_dense=True, capacity=None, buffer=True, block=None, folds=False,
+                 owns=True):
         self.name, self.axes, self.element, self.extra = name, axes, element, extra
         self.block = block        # the size of a block; None: the whole domain is one
         self.each = each          # allows `out each`
         self.is_dense = is_dense  # every element of the domain is stored
         self.capacity = capacity  # structures with a page table: the page's size along each axis; else None
         self.buffer = buffer
+        self.folds = folds  # an address outside the domain leads to an element: by an edge mode
+        self.owns = owns    # no two addresses of the domain lead to one element, not even where a translator leads beyond its memory
 
     def make(self, extent):
         size = extent_text(extent)
@@ -141,7 +144,7 @@ class Structures:
 
     def edged(self, name, axes, t):
         edge = self.random.choice(["clamp", "repeat", "mirror"])
-        return Structure(name, axes, t), f"structure {name} = Array<{axes}, {t.text()}, {edge}>;"
+        return Structure(name, axes, t, folds=True), f"structure {name} = Array<{axes}, {t.text()}, {edge}>;"
 
     def bordered(self, name, axes, t):
         return Structure(name, axes, t, f", {literal(t)}"), f"structure {name} = Bordered<{axes}, {t.text()}>;"
@@ -150,7 +153,7 @@ class Structures:
         texel = self.random.choice([t for t in TEXELS if t in self.types.storable])
         edge = self.random.choice(["none", "none", "clamp", "repeat", "mirror"])
         kind = self.random.choice(["image1d", "image2d", "image3d"])
-        return Structure(name, axes, texel, buffer=False), f"structure {name} = Array<{axes}, {texel.text()}, {edge}, {kind}>;"
+        return Structure(name, axes, texel, buffer=False, folds=edge != "none"), f"structure {name} = Array<{axes}, {texel.text()}, {edge}, {kind}>;"
 
     def tiled(self, name, axes, t):
         tile = extent_text([self.random.between(2, 5) for _ in range(axes)])
@@ -171,9 +174,11 @@ class Structures:
         kind, needs, _ = ORDERS[order]
         generic = f"<{axes}>" if not needs else ""
         outside = f"    otherwise made_{self.made_name(t)}(3u);\n" if self.random.chance(40) else ""
-        text = (f"structure {name}(extent: {vector(axes, UINT).text()}) {{\n    memory data = {self.line_of(t, 'volume(extent)')};\n"
+        memory = self.line_of(t, "volume(extent)")
+        folds = order == "Beyond" and memory.startswith("Array") and "none" not in memory
+        text = (f"structure {name}(extent: {vector(axes, UINT).text()}) {{\n    memory data = {memory};\n"
                 f"    via {order}{generic}(extent);\n{outside}}}")
-        return Structure(name, axes, t, each=kind != "many_to_one", is_dense=kind == "one_to_one"), text
+        return Structure(name, axes, t, each=kind != "many_to_one", is_dense=kind == "one_to_one", folds=folds, owns=not folds), text
 
     def composed(self, name, axes, t):
         """A composition of translators."""
@@ -182,7 +187,7 @@ class Structures:
         last = self.random.choice(["Linear", "Backwards", "Turned"])
         text = (f"structure {name}(extent: uint{axes}) {{\n    memory data = {self.line_of(t, 'volume(extent)')};\n"
                 f"    via {edge}Exchanged<{axes}>(extent) then {last}<{axes}>(exchanged(extent));\n}}")
-        return Structure(name, axes, t), text
+        return Structure(name, axes, t, folds=edge != ""), text
 
     def paged(self, name, axes, t):
         page = [self.random.between(2, 4) for _ in range(axes)]
@@ -210,8 +215,9 @@ class Structures:
                                           (f"    via Shifted<{axes}>(extent);\n", "extent")]) if axes > 1 else ("", "extent")
         outside = f"    otherwise made_{self.made_name(inner.element)}(5u);\n" if via and self.random.chance(40) else ""
         text = f"structure {name}(extent: {address}) {{\n    memory inner = {inner.name}({extent});\n{via}{outside}}}"
-        return Structure(name, axes, inner.element, each=inner.each, is_dense=inner.is_dense and "Shifted" not in via,
-                         buffer=inner.buffer), text
+        is_shifted = "Shifted" in via
+        return Structure(name, axes, inner.element, each=inner.each, is_dense=inner.is_dense and not is_shifted, buffer=inner.buffer,
+                         folds=not via and inner.folds, owns=inner.owns and not (is_shifted and inner.folds)), text
 
     def blocks(self, name, axes, t):
         """A structure over another one, of which kernels visit the listed blocks; their number lies on the device."""
@@ -226,7 +232,7 @@ class Structures:
                 f"        return delinearize(number, div_ceil(extent, {page})) * {page};\n    }}\n"
                 f"    block_size() {{ return {page}; }}\n}}")
         return Structure(name, axes, t, each=not inner or inner.each, is_dense=False, buffer=not inner or inner.buffer,
-                         block=sides), text
+                         block=sides, folds=bool(inner) and inner.folds, owns=not inner or inner.owns), text
 
     def made_name(self, t):
         return self.types.made(t, "").removeprefix("made_").removesuffix("()")
