@@ -372,7 +372,7 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index) {
     if (!constructor.parameters.empty())
         out.line((constructor.parameters.size() == 1 ? "explicit " : "") + type + "(" + constructor.text() + ");");
     if (has_parts(structure)) {
-        out.line("/// Over parts that exist already.");
+        out.line("/// Makes the structure of the given members and memories, instead of new ones.");
         out.line(type + "(" + constructor.text() + memory_parameters(unit, index, names) + ");");
     }
     out.gap();
@@ -386,7 +386,7 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index) {
         out.close();
     }
     print_accessors(unit, out, index, names);
-    out.line("/// True if the two were made with equal arguments.");
+    out.line("/// Whether both were made with equal arguments; kernels may then use the sizes of one for both.");
     out.line("bool same_state(const " + type + "& other) const;");
     if (has_transfers(structure)) {
         const bool is_written = structure.kind == StructureKind::stored;
@@ -400,12 +400,12 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index) {
         const std::string parameters = "(const glift::Commands& commands, const glift::Range<" + type +
                                        ">& range, const glift::Memory& box) const;";
         if (has_rows(unit.program, structure)) {
-            out.line("/// Where an element lies in row_memory(), in elements; the address is an affine function of the "
-                     "virtual one.");
+            out.line("/// The index of an element in row_memory(): an affine function of the element's address.");
             out.line("std::uint64_t place(" + unit.type(structure.domain_type, true) + " address) const;");
             out.line("const glift::Memory& row_memory() const { return " + rows_of(unit, index) + "; }");
         }
-        out.line("/// Elements of a box to a linear buffer, and back.");
+        out.line(is_written ? "/// Copy a box of elements to a linear buffer, the first axis fastest, and back."
+                            : "/// Copies a box of elements to a linear buffer, the first axis fastest.");
         out.line("void copy_out" + parameters);
         if (is_written) out.line("void copy_in" + parameters);
         print_list_declaration(unit, out, index);

@@ -47,12 +47,13 @@ void print_list_declaration(const Unit& unit, Writer& out, std::uint32_t index) 
     const ir::Structure& structure = unit.program.structures[index];
     if (!ir::has_resident_part(unit.program, structure)) return;
     const bool has_blocks = ir::blocks_of(unit.program, structure, {}).has_value();
-    out.line("/// Where addresses are translated to: in the structure's own memory.");
+    out.line("/// The type of the physical addresses to which addresses are translated.");
     out.line("using Place = " + place_type(unit, structure, true) + ";");
-    out.line("/// Whether it translates addresses itself; else its memory does.");
+    out.line("/// Whether the structure has translators itself; else its memory, a structure, translates.");
     out.line(std::string("static constexpr bool translates = ") + (structure.via.empty() ? "false;" : "true;"));
     out.line(std::string("static constexpr bool has_blocks = ") + (has_blocks ? "true" : "false") + ";");
-    out.line("/// What of a box is there, `most` at most, in no particular order: see read_resident.");
+    out.line(
+        "/// Counts the resident elements of a box, and lists at most `most` of them in any order: see read_resident.");
     out.line("void list" + list_parameters(unit.own_name(index)) + ";");
 }
 

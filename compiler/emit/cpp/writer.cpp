@@ -2,6 +2,7 @@
 
 #include "base/concat.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace gliftc::cpp {
@@ -119,24 +120,70 @@ std::string in_line(std::string_view text) {
     return result;
 }
 
-void write_doc(Writer& writer, std::string_view doc) {
+namespace {
+
+bool is_item(std::string_view line) {
+    return line.starts_with("- ") || line.starts_with("* ") || line.starts_with("+ ");
+}
+
+/// Whether a line of a documentation comment does not continue the paragraph before it: it is blank, indented, an item
+/// of a list, or begins with a mark of Markdown or Doxygen.
+bool stands_alone(std::string_view line) {
+    const auto begins = [&](const char* mark) { return line.starts_with(mark); };
+    const std::size_t digits = line.find_first_not_of("0123456789");
+    const bool is_numbered = digits > 0 && digits != std::string_view::npos && line.substr(digits).starts_with(". ");
+    return line.empty() || is_item(line) || is_numbered ||
+           std::ranges::any_of(std::initializer_list<const char*>{" ", "|", "#", ">", "```", "@", "\\"}, begins);
+}
+
+/// Writes a paragraph as lines that fit; those after the first begin with `hang`.
+void write_wrapped(Writer& writer, std::string_view text, std::string_view hang) {
     constexpr std::size_t room = 112;
+    std::string_view lead;
+    const auto put = [&](std::string_view line) {
+        // A backslash at the end would take the next line into the comment.
+        const bool goes_on = line.ends_with('\\') || line.ends_with("?\?/");
+        writer.line(line.empty() ? "///" : concat("/// ", lead, line, goes_on ? " ." : ""));
+    };
+    while (lead.size() + text.size() > room) {
+        const std::size_t start = text.find_first_not_of(' '), space = text.rfind(' ', room - lead.size());
+        if (space == std::string_view::npos || space <= start) break;
+        put(text.substr(0, space));
+        text.remove_prefix(space + 1);
+        lead = hang;
+    }
+    put(text);
+}
+
+}  // namespace
+
+void write_doc(Writer& writer, std::string_view doc) {
+    std::string paragraph;
+    bool is_open = false, is_code = false;  // the next line may continue the paragraph; it is between ``` and ```
+    bool has_any = false;
+    const auto finish = [&] {
+        if (has_any) write_wrapped(writer, paragraph, is_item(paragraph) ? "  " : "");
+    };
     while (!doc.empty()) {
         const std::size_t end = doc.find('\n');
         std::string_view line = doc.substr(0, end);
+        doc = end == std::string_view::npos ? std::string_view() : doc.substr(end + 1);
         while (line.ends_with(' ')) line.remove_suffix(1);
         if (line.starts_with(' ')) line.remove_prefix(1);
-        while (line.size() > room) {
-            std::size_t space = line.rfind(' ', room);
-            if (space == std::string_view::npos || space == 0) break;
-            writer.line("/// " + std::string(line.substr(0, space)));
-            line.remove_prefix(space + 1);
+        const bool is_fence = line.starts_with("```");
+        std::string_view rest = line;
+        if (is_item(paragraph) && rest.starts_with("  ")) rest.remove_prefix(2);
+        if (is_open && !is_code && !stands_alone(rest)) {
+            paragraph += concat(" ", rest);
+            continue;
         }
-        // A backslash at the end would take the next line into the comment.
-        const bool goes_on = line.ends_with('\\') || line.ends_with("?\?/");
-        writer.line(line.empty() ? "///" : concat("/// ", line, goes_on ? " ." : ""));
-        doc = end == std::string_view::npos ? std::string_view() : doc.substr(end + 1);
+        finish();
+        has_any = true;
+        paragraph = line;
+        is_code = is_code != is_fence;
+        is_open = !is_code && (!stands_alone(line) || is_item(line));
     }
+    finish();
 }
 
 }  // namespace gliftc::cpp

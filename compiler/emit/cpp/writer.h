@@ -45,7 +45,8 @@ std::string quoted(std::string_view text);
 /// and '\'.
 std::string in_line(std::string_view text);
 
-/// `/// ` lines for a documentation comment; nothing for an empty one.
+/// `/// ` lines for a documentation comment; nothing for an empty one. The lines of a paragraph, or of an item of a
+/// list, are joined and broken anew; blank, indented and other lines stay lines.
 void write_doc(Writer& writer, std::string_view doc);
 
 }  // namespace gliftc::cpp

@@ -102,6 +102,13 @@ void print_prologue(Printer& p, bool grouped) {
     }
 }
 
+const char* elements_text(const ir::Pass& pass) {
+    if (pass.of_blocks) return "// Each invocation takes several elements of a block, a workgroup's width apart.";
+    if (pass.rank == 1)
+        return "// Each invocation takes two elements: its own and, if there is one, that a workgroup's width further.";
+    return "// Each invocation takes two elements: its own and, if there is one, that in the next row.";
+}
+
 std::string main_text(Printer& p) {
     bool grouped = p.program.kernels[p.pass.kernel].grouped();
     line(p, "void main() {");
@@ -113,8 +120,7 @@ std::string main_text(Printer& p) {
     if (p.raster()) print_part_start(p);
     const ir::Variant& variant = variant_for(p.pass, ir::Devices::shaders);
     const bool is_coarsened = variant.assumes.elements != p.pass.plain().assumes.elements;
-    if (is_coarsened && p.options.lines == LineMarks::comments)
-        line(p, p.pass.of_blocks ? "// Several elements of the block." : "// Two elements at once.");
+    if (is_coarsened && p.options.lines == LineMarks::comments) line(p, elements_text(p.pass));
     print_body(p, p.body());
     p.indent = 0;
     p.names.leave();
@@ -141,9 +147,9 @@ std::string group_text(const ir::Pass& pass) {
 
 const char* form_text(ir::Form form) {
     switch (form) {
-    case ir::Form::direct: return "whole ranges, shared state";
-    case ir::Form::general: return "any ranges, a state for each structure";
-    case ir::Form::wide: return "any ranges, a state for each structure, buffers by 64-bit address";
+    case ir::Form::direct: return "direct form: whole structures, of equal sizes where declared with one type";
+    case ir::Form::general: return "general form: ranges may be parts of structures";
+    case ir::Form::wide: return "wide form: ranges may be parts of structures; physical addresses have 64 bits";
     }
     return "";
 }

@@ -339,7 +339,8 @@ std::string definition(Printer& p, const HelperUse& use) {
     case Helper::broadcast:
     case Helper::broadcast_first: return subgroup_definition(p, use);
     case Helper::skips_branches:
-        return "layout(constant_id = 104) const bool skips_branches = true;   // what no lane does costs nothing\n";
+        return "layout(constant_id = 104) const bool skips_branches = true;   // the device skips branches that no "
+               "lane takes\n";
     }
     throw std::logic_error("emit/glsl: unknown helper");
 }

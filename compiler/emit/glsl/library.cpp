@@ -105,16 +105,18 @@ std::string state_text(Printer& p, const std::string& name, const std::string& m
     if (p.pass.parameters.empty()) return "";
     const std::string text = "layout(scalar, set = " + macro + "_SET, binding = " + macro +
                              "_BINDING) readonly buffer " + name + "_state {\n" + parameter_members(p) + "};\n";
-    return "#ifndef " + macro + "_STATE  // define it where the members below are declared in a block of your own\n" +
-           text + "#endif\n\n";
+    return "#ifndef " + macro + "_STATE  // define it if you declare the members below in a block yourself\n" + text +
+           "#endif\n\n";
 }
 
 std::string heading(const Program& program, const Sources& sources, std::uint32_t structure, const std::string& macro) {
     const Structure& s = program.structures[structure];
     std::string text = "// " + s.display;
     if (s.span) text += ", " + file_name(sources[s.span.file].path) + ":" + std::to_string(sources.line_of(s.span));
-    return text + ".\n// Define before including: " + macro + "_BINDING (the state; memory k follows at + 1 + k)." +
-           " Where wanted: " + macro + "_SET, " + macro + "_STATE, " + macro + "_READONLY.\n";
+    return text + ".\n// Define " + macro +
+           "_BINDING before including. The structure's arguments are at that binding, memory k at " + macro +
+           "_BINDING + 1 + k.\n// Optional: " + macro + "_SET (the descriptor set, else 0), " + macro +
+           "_STATE (see below), " + macro + "_READONLY (nothing is written).\n";
 }
 
 /// `has_bindings`: something is bound even where the shader declares the state in a block of its own.

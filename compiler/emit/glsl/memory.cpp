@@ -116,7 +116,7 @@ std::string buffer_text(Printer& p, std::size_t index) {
     if (!binding.in_rows) return text;
     const std::string row = image_prefix(p, binding.element) + "vec4 " + (is_wide ? "at" : p.row_names[index] + "[]");
     return text + (is_wide ? by_address(row_bytes) : layout) + qualifiers + "buffer " + p.row_block_names[index] +
-           " { " + row + "; };   // the same, as vectors\n";
+           " { " + row + "; };   // the same memory, as vectors of four\n";
 }
 
 /// An element by its address, which is computed in 64 bits: the index of an array would have 32 bits, of which SPIR-V

@@ -109,9 +109,10 @@ std::string order_definitions(const Printer& p) {
     const bool are_images = !p.image_order.load.empty();
     const std::string storage =
         are_images ? "gl_StorageSemanticsBuffer | gl_StorageSemanticsImage" : "gl_StorageSemanticsBuffer";
-    return "layout(constant_id = 102) const bool " + p.fences +
-           " = false;   // a fence where not all subgroups come by cuts some off\n" +
-           operations(p, p.order, "place", storage) + operations(p, p.image_order, "image, at", storage) + "\n";
+    return "// True on lavapipe, where a fence ends the subgroups that do not reach it: none is used.\n"
+           "layout(constant_id = 102) const bool " +
+           p.fences + " = false;\n" + operations(p, p.order, "place", storage) +
+           operations(p, p.image_order, "image, at", storage) + "\n";
 }
 
 }  // namespace gliftc::glsl

@@ -26,7 +26,7 @@ std::string place_assigned(const Printer& p) {
 
 std::string report_definition(const Printer& p) {
     const std::string& status = p.status.block;
-    std::string text = "// An access outside a structure: the first one is told.\n";
+    std::string text = "// Reports an access outside a structure, unless another error is reported already.\n";
     text += "void " + p.status.report + "(" + place_parameters(p) + ", uint memory, uint rank, uvec4 address) {\n";
     text += "    if (atomicCompSwap(" + status + ".code, 0u, 2u) != 0u) return;\n    " + status + ".line = line;\n";
     if (names_files(p)) text += "    " + status + ".file = file;\n";
@@ -49,15 +49,16 @@ std::string count_text(const Printer& p) {
     const StatusNames& s = p.status;
     std::uint32_t group = p.pass.group[0] * p.pass.group[1] * p.pass.group[2];
     std::uint32_t subgroups = std::max(1u, (group + smallest_subgroup - 1) / smallest_subgroup);
-    std::string text = "layout(constant_id = 101) const uint " + s.limit +
-                       " = 0u;   // after so many rounds the device cuts loops off; 0: never\n";
+    std::string text = "// After this many iterations in all, the device ends the loops of an invocation; 0: never.\n"
+                       "layout(constant_id = 101) const uint " +
+                       s.limit + " = 0u;\n";
     if (p.raster()) text += "uint " + s.rounds + ";\n\n";
     else text += "shared uint " + s.rounds + "[" + s.limit + " == 0u ? 1u : " + std::to_string(subgroups) + "u];\n\n";
-    text += "// False, and reported, where the device would cut the loop off. Lanes run in step: a round of one is a "
-            "round of all.\n";
-    text +=
-        "// The device runs loops whatever the conditions around them say: the `idle_rounds` inside this one count, "
-        "too.\n";
+    text += "// Counts an iteration of a loop. False where the limit is reached; the first loop that reaches it is "
+            "reported.\n";
+    if (!p.raster())
+        text += "// A subgroup has one count: its lanes run in lockstep, so that an iteration of one is one of all.\n";
+    text += "// `idle_rounds`: iterations of loops inside this one that run with no lane active; they count, too.\n";
     text += "bool " + s.another_round + "(uint idle_rounds, " + place_parameters(p) + ") {\n";
     text += "    if (" + s.limit + " == 0u) return true;\n";
     text += "    uint rounds = " + rounds_place(p) + " + 1u + idle_rounds;\n";

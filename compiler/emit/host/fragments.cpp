@@ -128,7 +128,7 @@ void Part::print_invocations(const Stmt& loop) {
 void Part::print_statement(const Stmt& stmt, const std::function<void(const Stmt&)>& print_other) {
     if (stmt.op == StmtOp::keep) return declare_array(stmt.local);
     if (stmt.op == StmtOp::invocations) return print_invocations(stmt);
-    if (stmt.op == StmtOp::barrier) return p.out.line("// all pixels of a quad");
+    if (stmt.op == StmtOp::barrier) return p.out.line("// Derivatives: all pixels of each quad have the value now.");
     if (stmt.op == StmtOp::discard) {
         p.out.line("drawn &= ~(std::uint64_t{1} << pixel);");
         return print_leave(returns_in_loop);
@@ -202,7 +202,8 @@ std::string fragment_part(cpp::Globals& globals, const ir::Pass& pass, const std
 
     const ir::Kernel& kernel = globals.program.kernels[pass.kernel];
     cpp::Writer out;
-    out.line("// " + cpp::place_text(globals.sources, kernel.span) + ": " + kernel.display + ", some fragments.");
+    out.line("// " + cpp::place_text(globals.sources, kernel.span) + ": runs " + kernel.display +
+             " for the given fragments.");
     out.line("GLIFT_HOST_KERNEL");
     out.open("static void " + name + "_fragment(const void* pointer, const glift::host::Fragments& fragments)");
     out.line("[[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);");

@@ -101,7 +101,7 @@ void Groups::print_invocations(const std::vector<StmtId>& list) {
 void Groups::print_statement(const Stmt& stmt, const std::function<void(const Stmt&)>& print_other) {
     if (stmt.op == StmtOp::keep) return print_keep(stmt.local);
     if (stmt.op == StmtOp::invocations) return print_invocations(stmt.body);
-    if (stmt.op == StmtOp::barrier) return p.out.line("// barrier");
+    if (stmt.op == StmtOp::barrier) return p.out.line("// barrier: ends a loop over the invocations");
     print_other(stmt);
 }
 
@@ -128,7 +128,7 @@ std::string group_kernel(cpp::Globals& globals, const ir::Pass& pass, const std:
     const std::string extent =
         std::to_string(pass.group[0]) + ", " + std::to_string(pass.group[1]) + ", " + std::to_string(pass.group[2]);
     cpp::Writer out;
-    out.line("// " + cpp::place_text(globals.sources, kernel.span) + ": " + kernel.display + ", one workgroup.");
+    out.line("// " + cpp::place_text(globals.sources, kernel.span) + ": runs one workgroup of " + kernel.display + ".");
     out.line("GLIFT_HOST_KERNEL");
     out.open(
         "static void " + name +

@@ -397,11 +397,11 @@ void print_parts(Rows& rows) {
         "glift::host::interior_of(row, " + origin + ", " + domain + ", " + std::to_string(assumed.radius) + ")";
     out.line("const glift::host::Part interior = " + in_blocks_text(*inside, interior, "row.end") + ";");
     rows.open_sections("part", "row.begin", "interior", "row.end");
-    out.line("// All neighbours exist.");
+    out.line("// Interior: all neighbours of these elements are in the domain.");
     rows.print_loop(*inside, "part.begin", "part.end");
     out.dedent();
     out.open("} else");
-    out.line("// Near the sides of the domain.");
+    out.line("// Elsewhere: neighbours may be outside the domain.");
     rows.print_loop(variant, "part.begin", "part.end");
     rows.close_sections();
 }
@@ -420,7 +420,8 @@ std::string row_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::s
     const ir::Kernel& kernel = globals.program.kernels[pass.kernel];
     cpp::Writer out;
     out.reserve(text.size() + text.size() / 4);
-    out.line("// " + cpp::place_text(globals.sources, kernel.span) + ": " + kernel.display + ", some rows.");
+    out.line("// " + cpp::place_text(globals.sources, kernel.span) + ": runs " + kernel.display +
+             " for the given rows.");
     out.line("GLIFT_HOST_KERNEL");
     out.open("static void " + name + "_rows(const glift::HostCall& call, const glift::host::Rows& rows)");
     declare_used(rows.body, out, name);

@@ -1,7 +1,8 @@
 // Array<1, uint, none, buffer>, array.glift:20.
-// Define before including: NUMBERS_BINDING (the state; memory k follows at + 1 + k). Where wanted: NUMBERS_SET, NUMBERS_STATE, NUMBERS_READONLY.
+// Define NUMBERS_BINDING before including. The structure's arguments are at that binding, memory k at NUMBERS_BINDING + 1 + k.
+// Optional: NUMBERS_SET (the descriptor set, else 0), NUMBERS_STATE (see below), NUMBERS_READONLY (nothing is written).
 #ifndef GLIFT_NUMBERS
-#define GLIFT_NUMBERS 1489420975
+#define GLIFT_NUMBERS 727790397
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef NUMBERS_SET
@@ -16,7 +17,7 @@
 #define NUMBERS_ACCESS
 #endif
 
-#ifndef NUMBERS_STATE  // define it where the members below are declared in a block of your own
+#ifndef NUMBERS_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = NUMBERS_SET, binding = NUMBERS_BINDING) readonly buffer Numbers_state {
     uint Numbers_extent;
 };
@@ -41,6 +42,6 @@ void Numbers_write(uint address, uint value) {
     }
 }
 #endif
-#elif GLIFT_NUMBERS != 1489420975
+#elif GLIFT_NUMBERS != 727790397
 #error the functions of another structure called Numbers are included already
 #endif

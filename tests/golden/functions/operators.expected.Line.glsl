@@ -1,7 +1,8 @@
 // Array<1, uint, none, buffer>, array.glift:20.
-// Define before including: LINE_BINDING (the state; memory k follows at + 1 + k). Where wanted: LINE_SET, LINE_STATE, LINE_READONLY.
+// Define LINE_BINDING before including. The structure's arguments are at that binding, memory k at LINE_BINDING + 1 + k.
+// Optional: LINE_SET (the descriptor set, else 0), LINE_STATE (see below), LINE_READONLY (nothing is written).
 #ifndef GLIFT_LINE
-#define GLIFT_LINE 159017423
+#define GLIFT_LINE 577865505
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef LINE_SET
@@ -16,7 +17,7 @@
 #define LINE_ACCESS
 #endif
 
-#ifndef LINE_STATE  // define it where the members below are declared in a block of your own
+#ifndef LINE_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = LINE_SET, binding = LINE_BINDING) readonly buffer Line_state {
     uint Line_extent;
 };
@@ -41,6 +42,6 @@ void Line_write(uint address, uint value) {
     }
 }
 #endif
-#elif GLIFT_LINE != 159017423
+#elif GLIFT_LINE != 577865505
 #error the functions of another structure called Line are included already
 #endif

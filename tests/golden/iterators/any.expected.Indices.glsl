@@ -1,7 +1,8 @@
 // Array<1, uint, none, buffer>, array.glift:20.
-// Define before including: INDICES_BINDING (the state; memory k follows at + 1 + k). Where wanted: INDICES_SET, INDICES_STATE, INDICES_READONLY.
+// Define INDICES_BINDING before including. The structure's arguments are at that binding, memory k at INDICES_BINDING + 1 + k.
+// Optional: INDICES_SET (the descriptor set, else 0), INDICES_STATE (see below), INDICES_READONLY (nothing is written).
 #ifndef GLIFT_INDICES
-#define GLIFT_INDICES 658572325
+#define GLIFT_INDICES 550445139
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef INDICES_SET
@@ -16,7 +17,7 @@
 #define INDICES_ACCESS
 #endif
 
-#ifndef INDICES_STATE  // define it where the members below are declared in a block of your own
+#ifndef INDICES_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = INDICES_SET, binding = INDICES_BINDING) readonly buffer Indices_state {
     uint Indices_extent;
 };
@@ -41,6 +42,6 @@ void Indices_write(uint address, uint value) {
     }
 }
 #endif
-#elif GLIFT_INDICES != 658572325
+#elif GLIFT_INDICES != 550445139
 #error the functions of another structure called Indices are included already
 #endif

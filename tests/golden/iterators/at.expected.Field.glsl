@@ -1,7 +1,8 @@
 // Array<2, float, none, buffer>, array.glift:20.
-// Define before including: FIELD_BINDING (the state; memory k follows at + 1 + k). Where wanted: FIELD_SET, FIELD_STATE, FIELD_READONLY.
+// Define FIELD_BINDING before including. The structure's arguments are at that binding, memory k at FIELD_BINDING + 1 + k.
+// Optional: FIELD_SET (the descriptor set, else 0), FIELD_STATE (see below), FIELD_READONLY (nothing is written).
 #ifndef GLIFT_FIELD
-#define GLIFT_FIELD 834591167
+#define GLIFT_FIELD 2086711081
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef FIELD_SET
@@ -16,7 +17,7 @@
 #define FIELD_ACCESS
 #endif
 
-#ifndef FIELD_STATE  // define it where the members below are declared in a block of your own
+#ifndef FIELD_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = FIELD_SET, binding = FIELD_BINDING) readonly buffer Field_state {
     uvec2 Field_extent;
 };
@@ -42,6 +43,6 @@ void Field_write(uvec2 address, float value) {
     }
 }
 #endif
-#elif GLIFT_FIELD != 834591167
+#elif GLIFT_FIELD != 2086711081
 #error the functions of another structure called Field are included already
 #endif

@@ -1,5 +1,5 @@
 #version 460
-// ramp, at.glift:8: whole ranges, shared state.
+// ramp, at.glift:8: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(local_size_x = 32, local_size_y = 8) in;
@@ -14,7 +14,7 @@ void main() {
     // at.glift:8
     uvec2 address = gl_GlobalInvocationID.xy * uvec2(1u, 2u);
     if (any(greaterThanEqual(address, a_extent))) return;
-    // Two elements at once.
+    // Each invocation takes two elements: its own and, if there is one, that in the next row.
     uint value = address.y + 1u;
     bool has_next = value < a_extent.y;
     uint next_y = has_next ? value : address.y;

@@ -18,7 +18,7 @@ struct smooth_direct_parameters {
 };
 static_assert(offsetof(smooth_direct_parameters, f_extent) == 0);
 
-// near.glift:9: smooth, some rows.
+// near.glift:9: runs smooth for the given rows.
 GLIFT_HOST_KERNEL
 static void smooth_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const smooth_direct_parameters*>(call.parameters);
@@ -30,7 +30,7 @@ static void smooth_direct_rows(const glift::HostCall& call, const glift::host::R
             row.end);
         for (const glift::host::Section& part : glift::host::sections(row.begin, interior, row.end)) {
             if (part.is_middle) {
-                // All neighbours exist.
+                // Interior: all neighbours of these elements are in the domain.
                 if (part.begin < part.end) {
                     const uint3 address{part.begin, row.y, row.z};
                     // near.glift:9
@@ -62,7 +62,7 @@ static void smooth_direct_rows(const glift::HostCall& call, const glift::host::R
                     }
                 }
             } else {
-                // Near the sides of the domain.
+                // Elsewhere: neighbours may be outside the domain.
                 if (part.begin < part.end) {
                     const uint3 address{part.begin, row.y, row.z};
                     // near.glift:9
@@ -132,7 +132,7 @@ static_assert(offsetof(smooth_general_parameters, g_origin) == 24);
 static_assert(offsetof(smooth_general_parameters, f_extent) == 36);
 static_assert(offsetof(smooth_general_parameters, g_extent) == 48);
 
-// near.glift:9: smooth, some rows.
+// near.glift:9: runs smooth for the given rows.
 GLIFT_HOST_KERNEL
 static void smooth_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const smooth_general_parameters*>(call.parameters);
@@ -147,7 +147,7 @@ static void smooth_general_rows(const glift::HostCall& call, const glift::host::
             row.end);
         for (const glift::host::Section& part : glift::host::sections(row.begin, interior, row.end)) {
             if (part.is_middle) {
-                // All neighbours exist.
+                // Interior: all neighbours of these elements are in the domain.
                 if (part.begin < part.end) {
                     const uint3 address{part.begin, row.y, row.z};
                     // near.glift:9
@@ -186,7 +186,7 @@ static void smooth_general_rows(const glift::HostCall& call, const glift::host::
                     }
                 }
             } else {
-                // Near the sides of the domain.
+                // Elsewhere: neighbours may be outside the domain.
                 if (part.begin < part.end) {
                     const uint3 address{part.begin, row.y, row.z};
                     // near.glift:9
@@ -277,7 +277,7 @@ static_assert(offsetof(smooth_wide_parameters, f_extent) == 80);
 static_assert(offsetof(smooth_wide_parameters, f_data_address) == 96);
 static_assert(offsetof(smooth_wide_parameters, g_data_address) == 104);
 
-// near.glift:9: smooth, some rows.
+// near.glift:9: runs smooth for the given rows.
 GLIFT_HOST_KERNEL
 static void smooth_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const smooth_wide_parameters*>(call.parameters);

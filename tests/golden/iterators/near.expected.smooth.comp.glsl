@@ -1,5 +1,5 @@
 #version 460
-// smooth, near.glift:9: whole ranges, shared state.
+// smooth, near.glift:9: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(local_size_x = 32, local_size_y = 4, local_size_z = 2) in;
@@ -15,7 +15,7 @@ void main() {
     // near.glift:9
     uvec3 address = gl_GlobalInvocationID * uvec3(1u, 2u, 1u);
     if (any(greaterThanEqual(address, f_extent))) return;
-    // Two elements at once.
+    // Each invocation takes two elements: its own and, if there is one, that in the next row.
     uint f_extent_yx = f_extent.y * f_extent.x;
     bool has_next = address.y + 1u < f_extent.y;
     uint f_at = (address.z * f_extent.y + address.y) * f_extent.x + address.x;

@@ -1,7 +1,8 @@
 // Array<1, uint, none, buffer>, array.glift:20.
-// Define before including: BINS_BINDING (the state; memory k follows at + 1 + k). Where wanted: BINS_SET, BINS_STATE, BINS_READONLY.
+// Define BINS_BINDING before including. The structure's arguments are at that binding, memory k at BINS_BINDING + 1 + k.
+// Optional: BINS_SET (the descriptor set, else 0), BINS_STATE (see below), BINS_READONLY (nothing is written).
 #ifndef GLIFT_BINS
-#define GLIFT_BINS 840872263
+#define GLIFT_BINS 204953009
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef BINS_SET
@@ -16,7 +17,7 @@
 #define BINS_ACCESS
 #endif
 
-#ifndef BINS_STATE  // define it where the members below are declared in a block of your own
+#ifndef BINS_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = BINS_SET, binding = BINS_BINDING) readonly buffer Bins_state {
     uint Bins_extent;
 };
@@ -41,6 +42,6 @@ void Bins_write(uint address, uint value) {
     }
 }
 #endif
-#elif GLIFT_BINS != 840872263
+#elif GLIFT_BINS != 204953009
 #error the functions of another structure called Bins are included already
 #endif

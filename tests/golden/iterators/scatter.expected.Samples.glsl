@@ -1,7 +1,8 @@
 // Array<1, uint, none, buffer>, array.glift:20.
-// Define before including: SAMPLES_BINDING (the state; memory k follows at + 1 + k). Where wanted: SAMPLES_SET, SAMPLES_STATE, SAMPLES_READONLY.
+// Define SAMPLES_BINDING before including. The structure's arguments are at that binding, memory k at SAMPLES_BINDING + 1 + k.
+// Optional: SAMPLES_SET (the descriptor set, else 0), SAMPLES_STATE (see below), SAMPLES_READONLY (nothing is written).
 #ifndef GLIFT_SAMPLES
-#define GLIFT_SAMPLES 757895941
+#define GLIFT_SAMPLES 1196286467
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef SAMPLES_SET
@@ -16,7 +17,7 @@
 #define SAMPLES_ACCESS
 #endif
 
-#ifndef SAMPLES_STATE  // define it where the members below are declared in a block of your own
+#ifndef SAMPLES_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = SAMPLES_SET, binding = SAMPLES_BINDING) readonly buffer Samples_state {
     uint Samples_extent;
 };
@@ -41,6 +42,6 @@ void Samples_write(uint address, uint value) {
     }
 }
 #endif
-#elif GLIFT_SAMPLES != 757895941
+#elif GLIFT_SAMPLES != 1196286467
 #error the functions of another structure called Samples are included already
 #endif

@@ -1,5 +1,5 @@
 #version 460
-// scale, blocks.glift:21: whole ranges, shared state.
+// scale, blocks.glift:21: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_scalar_block_layout : require
 
@@ -37,7 +37,7 @@ layout(scalar, set = 0, binding = 3) readonly buffer F_frames_data { float f_fra
 layout(scalar, set = 0, binding = 4) readonly buffer G_table_data { uint g_table_data[]; };
 layout(scalar, set = 0, binding = 5) writeonly buffer G_frames_data { float g_frames_data[]; };
 
-layout(constant_id = 104) const bool skips_branches = true;   // what no lane does costs nothing
+layout(constant_id = 104) const bool skips_branches = true;   // the device skips branches that no lane takes
 
 void main() {
     if (copies_parameters) {
@@ -56,7 +56,7 @@ void main() {
     uvec2 address = uvec2(gl_WorkGroupID.x * 512u + gl_LocalInvocationID.x, gl_WorkGroupID.z
         * gl_NumWorkGroups.y + gl_GlobalInvocationID.y);
     if (any(greaterThanEqual(address, parameter(size)))) return;
-    // Several elements of the block.
+    // Each invocation takes several elements of a block, a workgroup's width apart.
     bool g_active_value_inside = address.y < parameter(f_active_extent);
     uint g_active_value = g_active_data[g_active_value_inside ? address.y : 0u];
     uint rest = g_active_value_inside ? g_active_value : 0u;

@@ -1,5 +1,5 @@
 #version 460
-// push_even, calls.glift:29: whole ranges, shared state.
+// push_even, calls.glift:29: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_memory_scope_semantics : require
 
@@ -18,7 +18,8 @@ layout(scalar, set = 0, binding = 3) coherent buffer Bag_top_data { uint bag_top
 layout(scalar, set = 0, binding = 4) writeonly buffer Bag_items_data { uint bag_items_data[]; };
 layout(scalar, set = 0, binding = 5) buffer Lost_data { uint lost_data[]; };
 
-layout(constant_id = 102) const bool fences_are_barriers = false;   // a fence where not all subgroups come by cuts some off
+// True on lavapipe, where a fence ends the subgroups that do not reach it: none is used.
+layout(constant_id = 102) const bool fences_are_barriers = false;
 #define load_acquire(place) (fences_are_barriers ? atomicOr(place, 0) : atomicLoad(place, gl_ScopeDevice, gl_StorageSemanticsBuffer, gl_SemanticsAcquire))
 #define store_release(place, value) if (fences_are_barriers) atomicExchange(place, value); else atomicStore(place, value, gl_ScopeDevice, gl_StorageSemanticsBuffer, gl_SemanticsRelease)
 #define ordered(operation, place, value) (fences_are_barriers ? operation(place, value) : operation(place, value, gl_ScopeDevice, gl_StorageSemanticsBuffer, gl_SemanticsAcquireRelease))

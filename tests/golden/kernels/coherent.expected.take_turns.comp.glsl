@@ -1,5 +1,5 @@
 #version 460
-// take_turns, coherent.glift:8: whole ranges, shared state.
+// take_turns, coherent.glift:8: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_memory_scope_semantics : require
 
@@ -14,7 +14,8 @@ layout(push_constant, scalar) uniform Parameters {
 layout(scalar, set = 0, binding = 1) coherent buffer State_data { uint state_data[]; };
 layout(scalar, set = 0, binding = 2) writeonly buffer To_data { uint to_data[]; };
 
-layout(constant_id = 102) const bool fences_are_barriers = false;   // a fence where not all subgroups come by cuts some off
+// True on lavapipe, where a fence ends the subgroups that do not reach it: none is used.
+layout(constant_id = 102) const bool fences_are_barriers = false;
 #define load_acquire(place) (fences_are_barriers ? atomicOr(place, 0) : atomicLoad(place, gl_ScopeDevice, gl_StorageSemanticsBuffer, gl_SemanticsAcquire))
 #define store_release(place, value) if (fences_are_barriers) atomicExchange(place, value); else atomicStore(place, value, gl_ScopeDevice, gl_StorageSemanticsBuffer, gl_SemanticsRelease)
 #define ordered(operation, place, value) (fences_are_barriers ? operation(place, value) : operation(place, value, gl_ScopeDevice, gl_StorageSemanticsBuffer, gl_SemanticsAcquireRelease))

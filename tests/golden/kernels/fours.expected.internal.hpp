@@ -14,7 +14,7 @@ public:
 
     Box_1_uint() = default;
     Box_1_uint(const glift::Commands& commands, glift::uint extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Box_1_uint(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -22,16 +22,16 @@ public:
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Box_1_uint& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Box_1_uint>& range);
-    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Box_1_uint>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Box_1_uint>& range,

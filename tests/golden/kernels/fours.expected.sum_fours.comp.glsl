@@ -1,5 +1,5 @@
 #version 460
-// sum_fours, fours.glift:8: whole ranges, shared state.
+// sum_fours, fours.glift:8: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_scalar_block_layout : require
 
@@ -11,9 +11,9 @@ layout(push_constant, scalar) uniform Parameters {
 };
 
 layout(scalar, set = 0, binding = 1) readonly buffer From_data { uint from_data[]; };
-layout(scalar, set = 0, binding = 1) readonly buffer From_data_rows { uvec4 from_data_rows[]; };   // the same, as vectors
+layout(scalar, set = 0, binding = 1) readonly buffer From_data_rows { uvec4 from_data_rows[]; };   // the same memory, as vectors of four
 layout(scalar, set = 0, binding = 2) writeonly buffer To_data { uint to_data[]; };
-layout(scalar, set = 0, binding = 2) writeonly buffer To_data_rows { uvec4 to_data_rows[]; };   // the same, as vectors
+layout(scalar, set = 0, binding = 2) writeonly buffer To_data_rows { uvec4 to_data_rows[]; };   // the same memory, as vectors of four
 
 void main() {
     // fours.glift:8

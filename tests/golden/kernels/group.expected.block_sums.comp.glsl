@@ -1,5 +1,5 @@
 #version 460
-// block_sums, group.glift:8: whole ranges, shared state.
+// block_sums, group.glift:8: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require
 
@@ -18,11 +18,13 @@ layout(scalar, set = 0, binding = 3) buffer Status {
     uint code, line, rank, memory, address[4], file;
 } status;
 
-layout(constant_id = 101) const uint loop_round_limit = 0u;   // after so many rounds the device cuts loops off; 0: never
+// After this many iterations in all, the device ends the loops of an invocation; 0: never.
+layout(constant_id = 101) const uint loop_round_limit = 0u;
 shared uint loop_rounds[loop_round_limit == 0u ? 1u : 16u];
 
-// False, and reported, where the device would cut the loop off. Lanes run in step: a round of one is a round of all.
-// The device runs loops whatever the conditions around them say: the `idle_rounds` inside this one count, too.
+// Counts an iteration of a loop. False where the limit is reached; the first loop that reaches it is reported.
+// A subgroup has one count: its lanes run in lockstep, so that an iteration of one is one of all.
+// `idle_rounds`: iterations of loops inside this one that run with no lane active; they count, too.
 bool another_round(uint idle_rounds, uint line) {
     if (loop_round_limit == 0u) return true;
     uint rounds = loop_rounds[gl_SubgroupID] + 1u + idle_rounds;

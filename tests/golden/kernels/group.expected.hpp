@@ -13,15 +13,15 @@ namespace std_array {
 #ifndef GLIFT_std_array_HAS_Array_1_uint_none_buffer
 #define GLIFT_std_array_HAS_Array_1_uint_none_buffer
 /// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
-/// `edge`: by default reads give zero and
-/// writes go nowhere. Thesis section 9.1.
+/// `edge`: by default reads give zero and writes go nowhere. Lefohn's thesis (Glift: Generic Data Structures for
+/// Graphics Hardware, 2006), section 9.1.
 class Array_1_uint_none_buffer : public glift::Structure<Array_1_uint_none_buffer, glift::uint, glift::uint> {
 public:
     static constexpr const char* type_name = "Array<1, uint, none, buffer>";
 
     Array_1_uint_none_buffer() = default;
     Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -29,16 +29,16 @@ public:
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_uint_none_buffer& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Array_1_uint_none_buffer>& range);
-    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,

@@ -18,7 +18,7 @@ struct block_sums_direct_parameters {
 };
 static_assert(offsetof(block_sums_direct_parameters, value_extent) == 0);
 
-// group.glift:8: block_sums, one workgroup.
+// group.glift:8: runs one workgroup of block_sums.
 GLIFT_HOST_KERNEL
 static void block_sums_direct_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -48,7 +48,7 @@ static void block_sums_direct_group(const glift::HostCall& call, [[maybe_unused]
         part_2[i_2[local_index]] = value_value;
     }
     // group.glift:12
-    // barrier
+    // barrier: ends a loop over the invocations
     for (uint local_index = 0; local_index < 64; ++local_index) {
         // group.glift:13
         step[local_index] = 32u;
@@ -62,7 +62,7 @@ static void block_sums_direct_group(const glift::HostCall& call, [[maybe_unused]
             }
         }
         // group.glift:16
-        // barrier
+        // barrier: ends a loop over the invocations
         for (uint local_index = 0; local_index < 64; ++local_index) {
             // group.glift:17
             step[local_index] = step[local_index] / 2u;
@@ -96,7 +96,7 @@ static_assert(offsetof(block_sums_general_parameters, value_origin) == 4);
 static_assert(offsetof(block_sums_general_parameters, sums_origin) == 8);
 static_assert(offsetof(block_sums_general_parameters, sums_size) == 12);
 
-// group.glift:8: block_sums, one workgroup.
+// group.glift:8: runs one workgroup of block_sums.
 GLIFT_HOST_KERNEL
 static void block_sums_general_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -131,7 +131,7 @@ static void block_sums_general_group(const glift::HostCall& call, [[maybe_unused
         part_2[i_2[local_index]] = value_value;
     }
     // group.glift:12
-    // barrier
+    // barrier: ends a loop over the invocations
     for (uint local_index = 0; local_index < 64; ++local_index) {
         // group.glift:13
         step[local_index] = 32u;
@@ -145,7 +145,7 @@ static void block_sums_general_group(const glift::HostCall& call, [[maybe_unused
             }
         }
         // group.glift:16
-        // barrier
+        // barrier: ends a loop over the invocations
         for (uint local_index = 0; local_index < 64; ++local_index) {
             // group.glift:17
             step[local_index] = step[local_index] / 2u;
@@ -184,7 +184,7 @@ static_assert(offsetof(block_sums_wide_parameters, sums_size) == 12);
 static_assert(offsetof(block_sums_wide_parameters, value_data_address) == 16);
 static_assert(offsetof(block_sums_wide_parameters, sums_data_address) == 24);
 
-// group.glift:8: block_sums, one workgroup.
+// group.glift:8: runs one workgroup of block_sums.
 GLIFT_HOST_KERNEL
 static void block_sums_wide_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -221,7 +221,7 @@ static void block_sums_wide_group(const glift::HostCall& call, [[maybe_unused]] 
         part_2[i_2[local_index]] = value_value;
     }
     // group.glift:12
-    // barrier
+    // barrier: ends a loop over the invocations
     for (uint local_index = 0; local_index < 64; ++local_index) {
         // group.glift:13
         step[local_index] = 32u;
@@ -235,7 +235,7 @@ static void block_sums_wide_group(const glift::HostCall& call, [[maybe_unused]] 
             }
         }
         // group.glift:16
-        // barrier
+        // barrier: ends a loop over the invocations
         for (uint local_index = 0; local_index < 64; ++local_index) {
             // group.glift:17
             step[local_index] = step[local_index] / 2u;

@@ -1,5 +1,5 @@
 #version 460
-// add_far, guards.glift:20: whole ranges, shared state.
+// add_far, guards.glift:20: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(local_size_x = 256) in;

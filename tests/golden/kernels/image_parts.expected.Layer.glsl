@@ -1,7 +1,8 @@
 // ImageLayer<rgba8>, image.glift:28.
-// Define before including: LAYER_BINDING (the state; memory k follows at + 1 + k). Where wanted: LAYER_SET, LAYER_STATE, LAYER_READONLY.
+// Define LAYER_BINDING before including. The structure's arguments are at that binding, memory k at LAYER_BINDING + 1 + k.
+// Optional: LAYER_SET (the descriptor set, else 0), LAYER_STATE (see below), LAYER_READONLY (nothing is written).
 #ifndef GLIFT_LAYER
-#define GLIFT_LAYER 69027495
+#define GLIFT_LAYER 375282449
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef LAYER_SET
@@ -16,7 +17,7 @@
 #define LAYER_ACCESS
 #endif
 
-#ifndef LAYER_STATE  // define it where the members below are declared in a block of your own
+#ifndef LAYER_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = LAYER_SET, binding = LAYER_BINDING) readonly buffer Layer_state {
     uvec2 Layer_data_extent;
 };
@@ -41,6 +42,6 @@ void Layer_write(uvec2 address, vec4 value) {
     }
 }
 #endif
-#elif GLIFT_LAYER != 69027495
+#elif GLIFT_LAYER != 375282449
 #error the functions of another structure called Layer are included already
 #endif

@@ -1,7 +1,8 @@
 // ImageLayers<rgba8>, image.glift:22.
-// Define before including: LAYERS_BINDING (the state; memory k follows at + 1 + k). Where wanted: LAYERS_SET, LAYERS_STATE, LAYERS_READONLY.
+// Define LAYERS_BINDING before including. The structure's arguments are at that binding, memory k at LAYERS_BINDING + 1 + k.
+// Optional: LAYERS_SET (the descriptor set, else 0), LAYERS_STATE (see below), LAYERS_READONLY (nothing is written).
 #ifndef GLIFT_LAYERS
-#define GLIFT_LAYERS 71639373
+#define GLIFT_LAYERS 1266878079
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef LAYERS_SET
@@ -16,7 +17,7 @@
 #define LAYERS_ACCESS
 #endif
 
-#ifndef LAYERS_STATE  // define it where the members below are declared in a block of your own
+#ifndef LAYERS_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = LAYERS_SET, binding = LAYERS_BINDING) readonly buffer Layers_state {
     uvec2 Layers_extent;
     uint Layers_layers;
@@ -42,6 +43,6 @@ void Layers_write(uvec3 address, vec4 value) {
     }
 }
 #endif
-#elif GLIFT_LAYERS != 71639373
+#elif GLIFT_LAYERS != 1266878079
 #error the functions of another structure called Layers are included already
 #endif

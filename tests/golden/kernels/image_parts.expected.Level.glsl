@@ -1,7 +1,8 @@
 // ImageLevel<r32f>, image.glift:42.
-// Define before including: LEVEL_BINDING (the state; memory k follows at + 1 + k). Where wanted: LEVEL_SET, LEVEL_STATE, LEVEL_READONLY.
+// Define LEVEL_BINDING before including. The structure's arguments are at that binding, memory k at LEVEL_BINDING + 1 + k.
+// Optional: LEVEL_SET (the descriptor set, else 0), LEVEL_STATE (see below), LEVEL_READONLY (nothing is written).
 #ifndef GLIFT_LEVEL
-#define GLIFT_LEVEL 375798255
+#define GLIFT_LEVEL 146590233
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef LEVEL_SET
@@ -16,7 +17,7 @@
 #define LEVEL_ACCESS
 #endif
 
-#ifndef LEVEL_STATE  // define it where the members below are declared in a block of your own
+#ifndef LEVEL_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = LEVEL_SET, binding = LEVEL_BINDING) readonly buffer Level_state {
     uvec2 Level_data_extent;
 };
@@ -41,6 +42,6 @@ void Level_write(uvec2 address, float value) {
     }
 }
 #endif
-#elif GLIFT_LEVEL != 375798255
+#elif GLIFT_LEVEL != 146590233
 #error the functions of another structure called Level are included already
 #endif

@@ -1,7 +1,8 @@
 // ImageLevels<r32f>, image.glift:36.
-// Define before including: LEVELS_BINDING (the state; memory k follows at + 1 + k). Where wanted: LEVELS_SET, LEVELS_STATE, LEVELS_READONLY.
+// Define LEVELS_BINDING before including. The structure's arguments are at that binding, memory k at LEVELS_BINDING + 1 + k.
+// Optional: LEVELS_SET (the descriptor set, else 0), LEVELS_STATE (see below), LEVELS_READONLY (nothing is written).
 #ifndef GLIFT_LEVELS
-#define GLIFT_LEVELS 1433708555
+#define GLIFT_LEVELS 59129377
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef LEVELS_SET
@@ -16,7 +17,7 @@
 #define LEVELS_ACCESS
 #endif
 
-#ifndef LEVELS_STATE  // define it where the members below are declared in a block of your own
+#ifndef LEVELS_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = LEVELS_SET, binding = LEVELS_BINDING) readonly buffer Levels_state {
     uvec2 Levels_extent;
 };
@@ -41,6 +42,6 @@ void Levels_write(uvec2 address, float value) {
     }
 }
 #endif
-#elif GLIFT_LEVELS != 1433708555
+#elif GLIFT_LEVELS != 59129377
 #error the functions of another structure called Levels are included already
 #endif

@@ -11,17 +11,15 @@ namespace std_image {
 #ifndef GLIFT_std_image_HAS_ImageLevels_r32f
 #define GLIFT_std_image_HAS_ImageLevels_r32f
 /// ImageLevels<r32f>. A 2-D image with levels, each of half the extent of the one before, rounded down and no less
-/// than a texel: at most
-/// 1 + log2 of the larger side. Elements are those of level 0; `sample(x, level)` is filtered within a level, x in
-/// texels of level
-/// 0, the last level where `level` is larger.
+/// than a texel: at most 1 + log2 of the larger side. Elements are those of level 0; `sample(x, level)` is filtered
+/// within a level, x in texels of level 0, the last level where `level` is larger.
 class ImageLevels_r32f : public glift::Structure<ImageLevels_r32f, glift::uint2, float> {
 public:
     static constexpr const char* type_name = "ImageLevels<r32f>";
 
     ImageLevels_r32f() = default;
     ImageLevels_r32f(const glift::Commands& commands, glift::uint2 extent, glift::uint levels);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     ImageLevels_r32f(const glift::Commands& commands, glift::uint2 extent, glift::uint levels, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -30,13 +28,13 @@ public:
     glift::uint levels() const { return levels_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const ImageLevels_r32f& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(float value);
     void fill(float value, const glift::Range<ImageLevels_r32f>& range);
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<ImageLevels_r32f>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLevels_r32f>& range,
@@ -85,13 +83,13 @@ public:
     ImageLevels_r32f& of() { return of_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const ImageLevel_r32f& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(float value);
     void fill(float value, const glift::Range<ImageLevel_r32f>& range);
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<ImageLevel_r32f>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLevel_r32f>& range,
@@ -125,15 +123,14 @@ namespace std_image {
 #ifndef GLIFT_std_image_HAS_ImageLayers_rgba8
 #define GLIFT_std_image_HAS_ImageLayers_rgba8
 /// ImageLayers<rgba8>. `layers` 2-D images of one extent; the third component of an address is the layer.
-/// `sample(x)` is filtered within the layer
-/// in which x lies: layer l from l to l + 1.
+/// `sample(x)` is filtered within the layer in which x lies: layer l from l to l + 1.
 class ImageLayers_rgba8 : public glift::Structure<ImageLayers_rgba8, glift::uint3, glift::float4> {
 public:
     static constexpr const char* type_name = "ImageLayers<rgba8>";
 
     ImageLayers_rgba8() = default;
     ImageLayers_rgba8(const glift::Commands& commands, glift::uint2 extent, glift::uint layers);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     ImageLayers_rgba8(const glift::Commands& commands, glift::uint2 extent, glift::uint layers, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -142,13 +139,13 @@ public:
     glift::uint layers() const { return layers_; }
     const glift::Memory& data() const { return data_; }
     glift::uint3 data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const ImageLayers_rgba8& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(glift::float4 value);
     void fill(glift::float4 value, const glift::Range<ImageLayers_rgba8>& range);
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<ImageLayers_rgba8>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLayers_rgba8>& range,
@@ -196,13 +193,13 @@ public:
     ImageLayers_rgba8& of() { return of_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const ImageLayer_rgba8& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(glift::float4 value);
     void fill(glift::float4 value, const glift::Range<ImageLayer_rgba8>& range);
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<ImageLayer_rgba8>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLayer_rgba8>& range,

@@ -1,5 +1,5 @@
 #version 460
-// resample, image_parts.glift:13: whole ranges, shared state.
+// resample, image_parts.glift:13: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(local_size_x = 32, local_size_y = 8) in;
@@ -20,7 +20,7 @@ void main() {
     // image_parts.glift:13
     uvec2 address = gl_GlobalInvocationID.xy * uvec2(1u, 2u);
     if (any(greaterThanEqual(address, a_data_extent))) return;
-    // Two elements at once.
+    // Each invocation takes two elements: its own and, if there is one, that in the next row.
     uint value = address.y + 1u;
     bool has_next = value < a_data_extent.y;
     uint next_y = has_next ? value : address.y;

@@ -1,7 +1,8 @@
 // Array<1, uint, none, buffer>, array.glift:20.
-// Define before including: VALUES_BINDING (the state; memory k follows at + 1 + k). Where wanted: VALUES_SET, VALUES_STATE, VALUES_READONLY.
+// Define VALUES_BINDING before including. The structure's arguments are at that binding, memory k at VALUES_BINDING + 1 + k.
+// Optional: VALUES_SET (the descriptor set, else 0), VALUES_STATE (see below), VALUES_READONLY (nothing is written).
 #ifndef GLIFT_VALUES
-#define GLIFT_VALUES 280060139
+#define GLIFT_VALUES 545566925
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef VALUES_SET
@@ -16,7 +17,7 @@
 #define VALUES_ACCESS
 #endif
 
-#ifndef VALUES_STATE  // define it where the members below are declared in a block of your own
+#ifndef VALUES_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = VALUES_SET, binding = VALUES_BINDING) readonly buffer Values_state {
     uint Values_extent;
 };
@@ -41,6 +42,6 @@ void Values_write(uint address, uint value) {
     }
 }
 #endif
-#elif GLIFT_VALUES != 280060139
+#elif GLIFT_VALUES != 545566925
 #error the functions of another structure called Values are included already
 #endif

@@ -1,5 +1,5 @@
 #version 460
-// corners, large_arrays.glift:19: whole ranges, shared state.
+// corners, large_arrays.glift:19: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_scalar_block_layout : require
 

@@ -13,15 +13,15 @@ namespace std_array {
 #ifndef GLIFT_std_array_HAS_Array_1_uint_none_buffer
 #define GLIFT_std_array_HAS_Array_1_uint_none_buffer
 /// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
-/// `edge`: by default reads give zero and
-/// writes go nowhere. Thesis section 9.1.
+/// `edge`: by default reads give zero and writes go nowhere. Lefohn's thesis (Glift: Generic Data Structures for
+/// Graphics Hardware, 2006), section 9.1.
 class Array_1_uint_none_buffer : public glift::Structure<Array_1_uint_none_buffer, glift::uint, glift::uint> {
 public:
     static constexpr const char* type_name = "Array<1, uint, none, buffer>";
 
     Array_1_uint_none_buffer() = default;
     Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -29,16 +29,16 @@ public:
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_uint_none_buffer& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Array_1_uint_none_buffer>& range);
-    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
@@ -70,15 +70,15 @@ namespace std_array {
 #ifndef GLIFT_std_array_HAS_Array_2_float_none_buffer
 #define GLIFT_std_array_HAS_Array_2_float_none_buffer
 /// Array<2, float, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
-/// `edge`: by default reads give zero and
-/// writes go nowhere. Thesis section 9.1.
+/// `edge`: by default reads give zero and writes go nowhere. Lefohn's thesis (Glift: Generic Data Structures for
+/// Graphics Hardware, 2006), section 9.1.
 class Array_2_float_none_buffer : public glift::Structure<Array_2_float_none_buffer, glift::uint2, float> {
 public:
     static constexpr const char* type_name = "Array<2, float, none, buffer>";
 
     Array_2_float_none_buffer() = default;
     Array_2_float_none_buffer(const glift::Commands& commands, glift::uint2 extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Array_2_float_none_buffer(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -86,16 +86,16 @@ public:
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_2_float_none_buffer& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(float value);
     void fill(float value, const glift::Range<Array_2_float_none_buffer>& range);
-    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint2 address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_2_float_none_buffer>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_2_float_none_buffer>& range,
@@ -120,7 +120,7 @@ namespace near_blocks {
 
 #ifndef GLIFT_near_blocks_HAS_Listed
 #define GLIFT_near_blocks_HAS_Listed
-/// Pages that are in a list.
+/// Paged memory. Its blocks are the pages in the list `active`.
 class Listed : public glift::Structure<Listed, glift::uint2, float> {
 public:
     static constexpr const char* type_name = "Listed";
@@ -128,7 +128,7 @@ public:
     Listed() = default;
     Listed(const glift::Commands& commands, const Numbers& table, const Numbers& active, glift::uint2 extent,
         glift::uint capacity);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Listed(const glift::Commands& commands, const Numbers& table, const Numbers& active, glift::uint2 extent,
         glift::uint capacity, ::std_array::Array_2_float_none_buffer frames);
 
@@ -142,21 +142,21 @@ public:
     Numbers& active() { return active_; }
     const ::std_array::Array_2_float_none_buffer& frames() const { return frames_; }
     ::std_array::Array_2_float_none_buffer& frames() { return frames_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Listed& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(float value);
     void fill(float value, const glift::Range<Listed>& range);
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Listed>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Listed>& range, const glift::Memory& box) const;
-    /// Where addresses are translated to: in the structure's own memory.
+    /// The type of the physical addresses to which addresses are translated.
     using Place = glift::uint2;
-    /// Whether it translates addresses itself; else its memory does.
+    /// Whether the structure has translators itself; else its memory, a structure, translates.
     static constexpr bool translates = true;
     static constexpr bool has_blocks = true;
-    /// What of a box is there, `most` at most, in no particular order: see read_resident.
+    /// Counts the resident elements of a box, and lists at most `most` of them in any order: see read_resident.
     void list(const glift::Commands& commands, const glift::Range<Listed>& range, glift::uint most,
         const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
         const glift::Memory& values) const;

@@ -1,5 +1,5 @@
 #version 460
-// right, near_blocks.glift:20: whole ranges, shared state.
+// right, near_blocks.glift:20: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(local_size_x = 64) in;

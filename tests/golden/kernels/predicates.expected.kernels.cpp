@@ -20,7 +20,7 @@ struct shift_direct_parameters {
 static_assert(offsetof(shift_direct_parameters, x_extent) == 0);
 static_assert(offsetof(shift_direct_parameters, by) == 4);
 
-// predicates.glift:10: shift, one workgroup.
+// predicates.glift:10: runs one workgroup of shift.
 GLIFT_HOST_KERNEL
 static void shift_direct_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -69,7 +69,7 @@ static void shift_direct_group(const glift::HostCall& call, [[maybe_unused]] uin
         part_2[local_index] = x_value + next[local_index];
     }
     // predicates.glift:16
-    // barrier
+    // barrier: ends a loop over the invocations
     for (uint local_index = 0; local_index < 64; ++local_index) {
         // predicates.glift:17
         uint x_value = 0u;
@@ -104,7 +104,7 @@ static_assert(offsetof(shift_general_parameters, x_origin) == 12);
 static_assert(offsetof(shift_general_parameters, to_origin) == 16);
 static_assert(offsetof(shift_general_parameters, by) == 20);
 
-// predicates.glift:10: shift, one workgroup.
+// predicates.glift:10: runs one workgroup of shift.
 GLIFT_HOST_KERNEL
 static void shift_general_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -164,7 +164,7 @@ static void shift_general_group(const glift::HostCall& call, [[maybe_unused]] ui
         part_2[local_index] = x_value + next[local_index];
     }
     // predicates.glift:16
-    // barrier
+    // barrier: ends a loop over the invocations
     for (uint local_index = 0; local_index < 64; ++local_index) {
         // predicates.glift:17
         uint x_value = 0u;
@@ -205,7 +205,7 @@ static_assert(offsetof(shift_wide_parameters, from_data_address) == 24);
 static_assert(offsetof(shift_wide_parameters, x_data_address) == 32);
 static_assert(offsetof(shift_wide_parameters, to_data_address) == 40);
 
-// predicates.glift:10: shift, one workgroup.
+// predicates.glift:10: runs one workgroup of shift.
 GLIFT_HOST_KERNEL
 static void shift_wide_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -271,7 +271,7 @@ static void shift_wide_group(const glift::HostCall& call, [[maybe_unused]] uint3
         part_2[local_index] = x_value + next[local_index];
     }
     // predicates.glift:16
-    // barrier
+    // barrier: ends a loop over the invocations
     for (uint local_index = 0; local_index < 64; ++local_index) {
         // predicates.glift:17
         uint x_value = 0u;
@@ -330,7 +330,7 @@ struct pick_direct_parameters {
 };
 static_assert(offsetof(pick_direct_parameters, x_extent) == 0);
 
-// predicates.glift:21: pick, one workgroup.
+// predicates.glift:21: runs one workgroup of pick.
 GLIFT_HOST_KERNEL
 static void pick_direct_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -379,7 +379,7 @@ static void pick_direct_group(const glift::HostCall& call, [[maybe_unused]] uint
         second[local_index] = result_2;
     }
     // predicates.glift:25
-    // barrier
+    // barrier: ends a loop over the invocations
     for (uint local_index = 0; local_index < 64; ++local_index) {
         // predicates.glift:26
         if (in_range[local_index]) {
@@ -403,7 +403,7 @@ static_assert(offsetof(pick_general_parameters, size) == 0);
 static_assert(offsetof(pick_general_parameters, x_origin) == 4);
 static_assert(offsetof(pick_general_parameters, to_origin) == 8);
 
-// predicates.glift:21: pick, one workgroup.
+// predicates.glift:21: runs one workgroup of pick.
 GLIFT_HOST_KERNEL
 static void pick_general_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -458,7 +458,7 @@ static void pick_general_group(const glift::HostCall& call, [[maybe_unused]] uin
         second[local_index] = result_2;
     }
     // predicates.glift:25
-    // barrier
+    // barrier: ends a loop over the invocations
     for (uint local_index = 0; local_index < 64; ++local_index) {
         // predicates.glift:26
         if (in_range[local_index]) {
@@ -486,7 +486,7 @@ static_assert(offsetof(pick_wide_parameters, to_origin) == 8);
 static_assert(offsetof(pick_wide_parameters, x_data_address) == 16);
 static_assert(offsetof(pick_wide_parameters, to_data_address) == 24);
 
-// predicates.glift:21: pick, one workgroup.
+// predicates.glift:21: runs one workgroup of pick.
 GLIFT_HOST_KERNEL
 static void pick_wide_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -545,7 +545,7 @@ static void pick_wide_group(const glift::HostCall& call, [[maybe_unused]] uint3 
         second[local_index] = result_2;
     }
     // predicates.glift:25
-    // barrier
+    // barrier: ends a loop over the invocations
     for (uint local_index = 0; local_index < 64; ++local_index) {
         // predicates.glift:26
         if (in_range[local_index]) {

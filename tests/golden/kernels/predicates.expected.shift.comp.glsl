@@ -1,5 +1,5 @@
 #version 460
-// shift, predicates.glift:10: whole ranges, shared state.
+// shift, predicates.glift:10: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(local_size_x = 64) in;

@@ -33,7 +33,7 @@ struct best_of_subgroup_direct_parameters {
 };
 static_assert(offsetof(best_of_subgroup_direct_parameters, from_extent) == 0);
 
-// subgroups.glift:21: best_of_subgroup, one workgroup.
+// subgroups.glift:21: runs one workgroup of best_of_subgroup.
 GLIFT_HOST_KERNEL
 static void best_of_subgroup_direct_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -93,7 +93,7 @@ static_assert(offsetof(best_of_subgroup_general_parameters, size) == 0);
 static_assert(offsetof(best_of_subgroup_general_parameters, from_origin) == 4);
 static_assert(offsetof(best_of_subgroup_general_parameters, to_origin) == 8);
 
-// subgroups.glift:21: best_of_subgroup, one workgroup.
+// subgroups.glift:21: runs one workgroup of best_of_subgroup.
 GLIFT_HOST_KERNEL
 static void best_of_subgroup_general_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -163,7 +163,7 @@ static_assert(offsetof(best_of_subgroup_wide_parameters, to_origin) == 8);
 static_assert(offsetof(best_of_subgroup_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(best_of_subgroup_wide_parameters, to_data_address) == 24);
 
-// subgroups.glift:21: best_of_subgroup, one workgroup.
+// subgroups.glift:21: runs one workgroup of best_of_subgroup.
 GLIFT_HOST_KERNEL
 static void best_of_subgroup_wide_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -261,7 +261,7 @@ struct turn_subgroups_direct_parameters {
 };
 static_assert(offsetof(turn_subgroups_direct_parameters, from_extent) == 0);
 
-// subgroups.glift:35: turn_subgroups, one workgroup.
+// subgroups.glift:35: runs one workgroup of turn_subgroups.
 GLIFT_HOST_KERNEL
 static void turn_subgroups_direct_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -307,7 +307,7 @@ static_assert(offsetof(turn_subgroups_general_parameters, size) == 0);
 static_assert(offsetof(turn_subgroups_general_parameters, from_origin) == 4);
 static_assert(offsetof(turn_subgroups_general_parameters, to_origin) == 8);
 
-// subgroups.glift:35: turn_subgroups, one workgroup.
+// subgroups.glift:35: runs one workgroup of turn_subgroups.
 GLIFT_HOST_KERNEL
 static void turn_subgroups_general_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -363,7 +363,7 @@ static_assert(offsetof(turn_subgroups_wide_parameters, to_origin) == 8);
 static_assert(offsetof(turn_subgroups_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(turn_subgroups_wide_parameters, to_data_address) == 24);
 
-// subgroups.glift:35: turn_subgroups, one workgroup.
+// subgroups.glift:35: runs one workgroup of turn_subgroups.
 GLIFT_HOST_KERNEL
 static void turn_subgroups_wide_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {

@@ -1,5 +1,5 @@
 #version 460
-// turn_subgroups, subgroups.glift:35: whole ranges, shared state.
+// turn_subgroups, subgroups.glift:35: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_memory_scope_semantics : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -15,7 +15,8 @@ layout(scalar, set = 0, binding = 2) writeonly buffer To_data { uint to_data[]; 
 
 shared uint values[64];
 
-layout(constant_id = 102) const bool fences_are_barriers = false;   // a fence where not all subgroups come by cuts some off
+// True on lavapipe, where a fence ends the subgroups that do not reach it: none is used.
+layout(constant_id = 102) const bool fences_are_barriers = false;
 
 void main() {
     // subgroups.glift:35

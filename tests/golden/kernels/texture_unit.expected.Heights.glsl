@@ -1,7 +1,8 @@
 // Heights, texture_unit.glift:12.
-// Define before including: HEIGHTS_BINDING (the state; memory k follows at + 1 + k). Where wanted: HEIGHTS_SET, HEIGHTS_STATE, HEIGHTS_READONLY.
+// Define HEIGHTS_BINDING before including. The structure's arguments are at that binding, memory k at HEIGHTS_BINDING + 1 + k.
+// Optional: HEIGHTS_SET (the descriptor set, else 0), HEIGHTS_STATE (see below), HEIGHTS_READONLY (nothing is written).
 #ifndef GLIFT_HEIGHTS
-#define GLIFT_HEIGHTS 726117560
+#define GLIFT_HEIGHTS 937736942
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef HEIGHTS_SET
@@ -16,7 +17,7 @@
 #define HEIGHTS_ACCESS
 #endif
 
-#ifndef HEIGHTS_STATE  // define it where the members below are declared in a block of your own
+#ifndef HEIGHTS_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = HEIGHTS_SET, binding = HEIGHTS_BINDING) readonly buffer Heights_state {
     uvec2 Heights_extent;
 };
@@ -41,6 +42,6 @@ void Heights_write(uvec2 address, float value) {
     }
 }
 #endif
-#elif GLIFT_HEIGHTS != 726117560
+#elif GLIFT_HEIGHTS != 937736942
 #error the functions of another structure called Heights are included already
 #endif

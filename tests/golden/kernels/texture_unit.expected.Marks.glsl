@@ -1,7 +1,8 @@
 // Array<2, uint, none, image2d>, array.glift:20.
-// Define before including: MARKS_BINDING (the state; memory k follows at + 1 + k). Where wanted: MARKS_SET, MARKS_STATE, MARKS_READONLY.
+// Define MARKS_BINDING before including. The structure's arguments are at that binding, memory k at MARKS_BINDING + 1 + k.
+// Optional: MARKS_SET (the descriptor set, else 0), MARKS_STATE (see below), MARKS_READONLY (nothing is written).
 #ifndef GLIFT_MARKS
-#define GLIFT_MARKS 1573040510
+#define GLIFT_MARKS 928160100
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef MARKS_SET
@@ -16,7 +17,7 @@
 #define MARKS_ACCESS
 #endif
 
-#ifndef MARKS_STATE  // define it where the members below are declared in a block of your own
+#ifndef MARKS_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = MARKS_SET, binding = MARKS_BINDING) readonly buffer Marks_state {
     uvec2 Marks_extent;
     uvec2 Marks_data_extent;
@@ -50,6 +51,6 @@ void Marks_write(uvec2 address, uint value) {
     }
 }
 #endif
-#elif GLIFT_MARKS != 1573040510
+#elif GLIFT_MARKS != 928160100
 #error the functions of another structure called Marks are included already
 #endif

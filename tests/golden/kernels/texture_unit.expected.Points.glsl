@@ -1,7 +1,8 @@
 // Array<1, float3, none, buffer>, array.glift:20.
-// Define before including: POINTS_BINDING (the state; memory k follows at + 1 + k). Where wanted: POINTS_SET, POINTS_STATE, POINTS_READONLY.
+// Define POINTS_BINDING before including. The structure's arguments are at that binding, memory k at POINTS_BINDING + 1 + k.
+// Optional: POINTS_SET (the descriptor set, else 0), POINTS_STATE (see below), POINTS_READONLY (nothing is written).
 #ifndef GLIFT_POINTS
-#define GLIFT_POINTS 687205202
+#define GLIFT_POINTS 646964856
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef POINTS_SET
@@ -16,7 +17,7 @@
 #define POINTS_ACCESS
 #endif
 
-#ifndef POINTS_STATE  // define it where the members below are declared in a block of your own
+#ifndef POINTS_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = POINTS_SET, binding = POINTS_BINDING) readonly buffer Points_state {
     uint Points_extent;
 };
@@ -41,6 +42,6 @@ void Points_write(uint address, vec3 value) {
     }
 }
 #endif
-#elif GLIFT_POINTS != 687205202
+#elif GLIFT_POINTS != 646964856
 #error the functions of another structure called Points are included already
 #endif

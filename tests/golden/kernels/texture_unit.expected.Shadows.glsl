@@ -1,7 +1,8 @@
 // Shadows, texture_unit.glift:7.
-// Define before including: SHADOWS_BINDING (the state; memory k follows at + 1 + k). Where wanted: SHADOWS_SET, SHADOWS_STATE, SHADOWS_READONLY.
+// Define SHADOWS_BINDING before including. The structure's arguments are at that binding, memory k at SHADOWS_BINDING + 1 + k.
+// Optional: SHADOWS_SET (the descriptor set, else 0), SHADOWS_STATE (see below), SHADOWS_READONLY (nothing is written).
 #ifndef GLIFT_SHADOWS
-#define GLIFT_SHADOWS 2097275441
+#define GLIFT_SHADOWS 997448171
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef SHADOWS_SET
@@ -16,7 +17,7 @@
 #define SHADOWS_ACCESS
 #endif
 
-#ifndef SHADOWS_STATE  // define it where the members below are declared in a block of your own
+#ifndef SHADOWS_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = SHADOWS_SET, binding = SHADOWS_BINDING) readonly buffer Shadows_state {
     uvec2 Shadows_extent;
     uint Shadows_layers;
@@ -42,6 +43,6 @@ void Shadows_write(uvec3 address, float value) {
     }
 }
 #endif
-#elif GLIFT_SHADOWS != 2097275441
+#elif GLIFT_SHADOWS != 997448171
 #error the functions of another structure called Shadows are included already
 #endif

@@ -19,7 +19,7 @@ public:
 
     Shadows() = default;
     Shadows(const glift::Commands& commands, glift::uint2 extent, glift::uint layers);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Shadows(const glift::Commands& commands, glift::uint2 extent, glift::uint layers, glift::Memory depths);
 
     /// The extent of the virtual domain.
@@ -28,13 +28,13 @@ public:
     glift::uint layers() const { return layers_; }
     const glift::Memory& depths() const { return depths_; }
     glift::uint3 depths_extent() const { return depths_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Shadows& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(float value);
     void fill(float value, const glift::Range<Shadows>& range);
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Shadows>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Shadows>& range, const glift::Memory& box) const;
 
@@ -62,7 +62,7 @@ public:
 
     Heights() = default;
     Heights(const glift::Commands& commands, glift::uint2 extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Heights(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -70,13 +70,13 @@ public:
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Heights& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(float value);
     void fill(float value, const glift::Range<Heights>& range);
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Heights>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Heights>& range, const glift::Memory& box) const;
 
@@ -100,15 +100,15 @@ namespace std_array {
 #ifndef GLIFT_std_array_HAS_Array_2_uint_none_image2d
 #define GLIFT_std_array_HAS_Array_2_uint_none_image2d
 /// Array<2, uint, none, image2d>. A dense N-D array. Memory: one element an address. What lies outside is up to
-/// `edge`: by default reads give zero and
-/// writes go nowhere. Thesis section 9.1.
+/// `edge`: by default reads give zero and writes go nowhere. Lefohn's thesis (Glift: Generic Data Structures for
+/// Graphics Hardware, 2006), section 9.1.
 class Array_2_uint_none_image2d : public glift::Structure<Array_2_uint_none_image2d, glift::uint2, glift::uint> {
 public:
     static constexpr const char* type_name = "Array<2, uint, none, image2d>";
 
     Array_2_uint_none_image2d() = default;
     Array_2_uint_none_image2d(const glift::Commands& commands, glift::uint2 extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Array_2_uint_none_image2d(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -116,13 +116,13 @@ public:
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_2_uint_none_image2d& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Array_2_uint_none_image2d>& range);
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_2_uint_none_image2d>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_2_uint_none_image2d>& range,
@@ -154,15 +154,15 @@ namespace std_array {
 #ifndef GLIFT_std_array_HAS_Array_1_float3_none_buffer
 #define GLIFT_std_array_HAS_Array_1_float3_none_buffer
 /// Array<1, float3, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
-/// `edge`: by default reads give zero and
-/// writes go nowhere. Thesis section 9.1.
+/// `edge`: by default reads give zero and writes go nowhere. Lefohn's thesis (Glift: Generic Data Structures for
+/// Graphics Hardware, 2006), section 9.1.
 class Array_1_float3_none_buffer : public glift::Structure<Array_1_float3_none_buffer, glift::uint, glift::float3> {
 public:
     static constexpr const char* type_name = "Array<1, float3, none, buffer>";
 
     Array_1_float3_none_buffer() = default;
     Array_1_float3_none_buffer(const glift::Commands& commands, glift::uint extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Array_1_float3_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -170,16 +170,16 @@ public:
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_float3_none_buffer& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(glift::float3 value);
     void fill(glift::float3 value, const glift::Range<Array_1_float3_none_buffer>& range);
-    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float3_none_buffer>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float3_none_buffer>& range,
@@ -211,15 +211,15 @@ namespace std_array {
 #ifndef GLIFT_std_array_HAS_Array_1_float_none_buffer
 #define GLIFT_std_array_HAS_Array_1_float_none_buffer
 /// Array<1, float, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
-/// `edge`: by default reads give zero and
-/// writes go nowhere. Thesis section 9.1.
+/// `edge`: by default reads give zero and writes go nowhere. Lefohn's thesis (Glift: Generic Data Structures for
+/// Graphics Hardware, 2006), section 9.1.
 class Array_1_float_none_buffer : public glift::Structure<Array_1_float_none_buffer, glift::uint, float> {
 public:
     static constexpr const char* type_name = "Array<1, float, none, buffer>";
 
     Array_1_float_none_buffer() = default;
     Array_1_float_none_buffer(const glift::Commands& commands, glift::uint extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Array_1_float_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -227,16 +227,16 @@ public:
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_float_none_buffer& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(float value);
     void fill(float value, const glift::Range<Array_1_float_none_buffer>& range);
-    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float_none_buffer>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float_none_buffer>& range,

@@ -1,5 +1,5 @@
 #version 460
-// splat, texture_unit.glift:20: whole ranges, shared state.
+// splat, texture_unit.glift:20: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_memory_scope_semantics : require
 
@@ -18,7 +18,8 @@ layout(set = 0, binding = 2, r32i) uniform iimage2D nearest_data;
 layout(scalar, set = 0, binding = 3) buffer Farthest_data { int farthest_data[]; };
 layout(set = 0, binding = 4, r32ui) coherent uniform uimage2D marks_data;
 
-layout(constant_id = 102) const bool fences_are_barriers = false;   // a fence where not all subgroups come by cuts some off
+// True on lavapipe, where a fence ends the subgroups that do not reach it: none is used.
+layout(constant_id = 102) const bool fences_are_barriers = false;
 #define texel_load_acquire(image, at) (fences_are_barriers ? imageAtomicOr(image, at, 0) : imageAtomicLoad(image, at, gl_ScopeDevice, gl_StorageSemanticsBuffer | gl_StorageSemanticsImage, gl_SemanticsAcquire))
 #define texel_store_release(image, at, value) if (fences_are_barriers) imageAtomicExchange(image, at, value); else imageAtomicStore(image, at, value, gl_ScopeDevice, gl_StorageSemanticsBuffer | gl_StorageSemanticsImage, gl_SemanticsRelease)
 #define texel_ordered(operation, image, at, value) (fences_are_barriers ? operation(image, at, value) : operation(image, at, value, gl_ScopeDevice, gl_StorageSemanticsBuffer | gl_StorageSemanticsImage, gl_SemanticsAcquireRelease))

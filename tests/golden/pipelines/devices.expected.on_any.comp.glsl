@@ -1,5 +1,5 @@
 #version 460
-// on_any, devices.glift:8: whole ranges, shared state.
+// on_any, devices.glift:8: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(local_size_x = 256) in;
@@ -14,7 +14,7 @@ void main() {
     // devices.glift:8
     uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= to_extent) return;
-    // Two elements at once.
+    // Each invocation takes two elements: its own and, if there is one, that a workgroup's width further.
     uint value = address + 256u;
     bool has_next = value < to_extent;
     uint next = has_next ? value : address;

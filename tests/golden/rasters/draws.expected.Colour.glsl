@@ -1,7 +1,8 @@
 // Image<rgba8>, image.glift:9.
-// Define before including: COLOUR_BINDING (the state; memory k follows at + 1 + k). Where wanted: COLOUR_SET, COLOUR_STATE, COLOUR_READONLY.
+// Define COLOUR_BINDING before including. The structure's arguments are at that binding, memory k at COLOUR_BINDING + 1 + k.
+// Optional: COLOUR_SET (the descriptor set, else 0), COLOUR_STATE (see below), COLOUR_READONLY (nothing is written).
 #ifndef GLIFT_COLOUR
-#define GLIFT_COLOUR 1468926147
+#define GLIFT_COLOUR 783947071
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef COLOUR_SET
@@ -16,7 +17,7 @@
 #define COLOUR_ACCESS
 #endif
 
-#ifndef COLOUR_STATE  // define it where the members below are declared in a block of your own
+#ifndef COLOUR_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = COLOUR_SET, binding = COLOUR_BINDING) readonly buffer Colour_state {
     uvec2 Colour_extent;
 };
@@ -39,6 +40,6 @@ void Colour_write(uvec2 address, vec4 value) {
     }
 }
 #endif
-#elif GLIFT_COLOUR != 1468926147
+#elif GLIFT_COLOUR != 783947071
 #error the functions of another structure called Colour are included already
 #endif

@@ -1,7 +1,8 @@
 // Array<1, uint, none, buffer>, array.glift:20.
-// Define before including: CORNERS_BINDING (the state; memory k follows at + 1 + k). Where wanted: CORNERS_SET, CORNERS_STATE, CORNERS_READONLY.
+// Define CORNERS_BINDING before including. The structure's arguments are at that binding, memory k at CORNERS_BINDING + 1 + k.
+// Optional: CORNERS_SET (the descriptor set, else 0), CORNERS_STATE (see below), CORNERS_READONLY (nothing is written).
 #ifndef GLIFT_CORNERS
-#define GLIFT_CORNERS 1507448036
+#define GLIFT_CORNERS 1078005844
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef CORNERS_SET
@@ -16,7 +17,7 @@
 #define CORNERS_ACCESS
 #endif
 
-#ifndef CORNERS_STATE  // define it where the members below are declared in a block of your own
+#ifndef CORNERS_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = CORNERS_SET, binding = CORNERS_BINDING) readonly buffer Corners_state {
     uint Corners_extent;
 };
@@ -39,6 +40,6 @@ void Corners_write(uint address, uint value) {
     }
 }
 #endif
-#elif GLIFT_CORNERS != 1507448036
+#elif GLIFT_CORNERS != 1078005844
 #error the functions of another structure called Corners are included already
 #endif

@@ -1,7 +1,8 @@
 // Array<2, uint, none, buffer>, array.glift:20.
-// Define before including: COUNTS_BINDING (the state; memory k follows at + 1 + k). Where wanted: COUNTS_SET, COUNTS_STATE, COUNTS_READONLY.
+// Define COUNTS_BINDING before including. The structure's arguments are at that binding, memory k at COUNTS_BINDING + 1 + k.
+// Optional: COUNTS_SET (the descriptor set, else 0), COUNTS_STATE (see below), COUNTS_READONLY (nothing is written).
 #ifndef GLIFT_COUNTS
-#define GLIFT_COUNTS 966465795
+#define GLIFT_COUNTS 1763712359
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef COUNTS_SET
@@ -16,7 +17,7 @@
 #define COUNTS_ACCESS
 #endif
 
-#ifndef COUNTS_STATE  // define it where the members below are declared in a block of your own
+#ifndef COUNTS_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = COUNTS_SET, binding = COUNTS_BINDING) readonly buffer Counts_state {
     uvec2 Counts_extent;
 };
@@ -40,6 +41,6 @@ void Counts_write(uvec2 address, uint value) {
     }
 }
 #endif
-#elif GLIFT_COUNTS != 966465795
+#elif GLIFT_COUNTS != 1763712359
 #error the functions of another structure called Counts are included already
 #endif

@@ -1,7 +1,8 @@
 // Image<d32>, image.glift:9.
-// Define before including: DEPTH_BINDING (the state; memory k follows at + 1 + k). Where wanted: DEPTH_SET, DEPTH_STATE, DEPTH_READONLY.
+// Define DEPTH_BINDING before including. The structure's arguments are at that binding, memory k at DEPTH_BINDING + 1 + k.
+// Optional: DEPTH_SET (the descriptor set, else 0), DEPTH_STATE (see below), DEPTH_READONLY (nothing is written).
 #ifndef GLIFT_DEPTH
-#define GLIFT_DEPTH 119172645
+#define GLIFT_DEPTH 2055772795
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef DEPTH_SET
@@ -16,7 +17,7 @@
 #define DEPTH_ACCESS
 #endif
 
-#ifndef DEPTH_STATE  // define it where the members below are declared in a block of your own
+#ifndef DEPTH_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = DEPTH_SET, binding = DEPTH_BINDING) readonly buffer Depth_state {
     uvec2 Depth_extent;
 };
@@ -39,6 +40,6 @@ void Depth_write(uvec2 address, float value) {
     }
 }
 #endif
-#elif GLIFT_DEPTH != 119172645
+#elif GLIFT_DEPTH != 2055772795
 #error the functions of another structure called Depth are included already
 #endif

@@ -1,5 +1,5 @@
 #version 460
-// dots, fragment part, draws.glift:74: whole ranges, shared state.
+// dots, fragment part, draws.glift:74: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(location = 0) out vec4 image;

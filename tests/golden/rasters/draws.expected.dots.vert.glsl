@@ -1,5 +1,5 @@
 #version 460
-// dots, vertex part, draws.glift:74: whole ranges, shared state.
+// dots, vertex part, draws.glift:74: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(scalar, set = 0, binding = 1) readonly buffer Corner_data { vec3 corner_data[]; };

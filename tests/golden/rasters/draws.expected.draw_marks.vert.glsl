@@ -1,5 +1,5 @@
 #version 460
-// draw_marks, vertex part, draws.glift:34: whole ranges, shared state.
+// draw_marks, vertex part, draws.glift:34: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(location = 0) noperspective out vec2 inside;

@@ -1,5 +1,5 @@
 #version 460
-// draw_mesh, fragment part, draws.glift:14: whole ranges, shared state.
+// draw_mesh, fragment part, draws.glift:14: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(location = 0) smooth in vec3 world;

@@ -1,5 +1,5 @@
 #version 460
-// even, fragment part, draws.glift:67: whole ranges, shared state.
+// even, fragment part, draws.glift:67: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(location = 0) out vec4 image;

@@ -13,15 +13,15 @@ namespace std_array {
 #ifndef GLIFT_std_array_HAS_Array_1_float3_none_buffer
 #define GLIFT_std_array_HAS_Array_1_float3_none_buffer
 /// Array<1, float3, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
-/// `edge`: by default reads give zero and
-/// writes go nowhere. Thesis section 9.1.
+/// `edge`: by default reads give zero and writes go nowhere. Lefohn's thesis (Glift: Generic Data Structures for
+/// Graphics Hardware, 2006), section 9.1.
 class Array_1_float3_none_buffer : public glift::Structure<Array_1_float3_none_buffer, glift::uint, glift::float3> {
 public:
     static constexpr const char* type_name = "Array<1, float3, none, buffer>";
 
     Array_1_float3_none_buffer() = default;
     Array_1_float3_none_buffer(const glift::Commands& commands, glift::uint extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Array_1_float3_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -29,16 +29,16 @@ public:
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_float3_none_buffer& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(glift::float3 value);
     void fill(glift::float3 value, const glift::Range<Array_1_float3_none_buffer>& range);
-    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float3_none_buffer>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float3_none_buffer>& range,
@@ -70,15 +70,15 @@ namespace std_array {
 #ifndef GLIFT_std_array_HAS_Array_1_uint_none_buffer
 #define GLIFT_std_array_HAS_Array_1_uint_none_buffer
 /// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
-/// `edge`: by default reads give zero and
-/// writes go nowhere. Thesis section 9.1.
+/// `edge`: by default reads give zero and writes go nowhere. Lefohn's thesis (Glift: Generic Data Structures for
+/// Graphics Hardware, 2006), section 9.1.
 class Array_1_uint_none_buffer : public glift::Structure<Array_1_uint_none_buffer, glift::uint, glift::uint> {
 public:
     static constexpr const char* type_name = "Array<1, uint, none, buffer>";
 
     Array_1_uint_none_buffer() = default;
     Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -86,16 +86,16 @@ public:
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_uint_none_buffer& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Array_1_uint_none_buffer>& range);
-    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
@@ -127,16 +127,15 @@ namespace std_image {
 #ifndef GLIFT_std_image_HAS_Image_rgba8
 #define GLIFT_std_image_HAS_Image_rgba8
 /// Image<rgba8>. A 2-D image of texel format or type F, filtered linearly by `sample`. Coordinates of `sample` are
-/// in texels, the centre of
-/// texel (0, 0) at (0.5, 0.5); beyond the edge the nearest texel counts. Reads outside give zero, writes there go
-/// nowhere.
+/// in texels, the centre of texel (0, 0) at (0.5, 0.5); beyond the edge the nearest texel counts. Reads outside
+/// give zero, writes there go nowhere.
 class Image_rgba8 : public glift::Structure<Image_rgba8, glift::uint2, glift::float4> {
 public:
     static constexpr const char* type_name = "Image<rgba8>";
 
     Image_rgba8() = default;
     Image_rgba8(const glift::Commands& commands, glift::uint2 extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Image_rgba8(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -144,13 +143,13 @@ public:
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Image_rgba8& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(glift::float4 value);
     void fill(glift::float4 value, const glift::Range<Image_rgba8>& range);
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Image_rgba8>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Image_rgba8>& range,
@@ -182,16 +181,15 @@ namespace std_image {
 #ifndef GLIFT_std_image_HAS_Image_d32
 #define GLIFT_std_image_HAS_Image_d32
 /// Image<d32>. A 2-D image of texel format or type F, filtered linearly by `sample`. Coordinates of `sample` are in
-/// texels, the centre of
-/// texel (0, 0) at (0.5, 0.5); beyond the edge the nearest texel counts. Reads outside give zero, writes there go
-/// nowhere.
+/// texels, the centre of texel (0, 0) at (0.5, 0.5); beyond the edge the nearest texel counts. Reads outside give
+/// zero, writes there go nowhere.
 class Image_d32 : public glift::Structure<Image_d32, glift::uint2, float> {
 public:
     static constexpr const char* type_name = "Image<d32>";
 
     Image_d32() = default;
     Image_d32(const glift::Commands& commands, glift::uint2 extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Image_d32(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -199,13 +197,13 @@ public:
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Image_d32& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(float value);
     void fill(float value, const glift::Range<Image_d32>& range);
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Image_d32>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Image_d32>& range, const glift::Memory& box) const;
@@ -236,15 +234,15 @@ namespace std_array {
 #ifndef GLIFT_std_array_HAS_Array_2_uint_none_buffer
 #define GLIFT_std_array_HAS_Array_2_uint_none_buffer
 /// Array<2, uint, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
-/// `edge`: by default reads give zero and
-/// writes go nowhere. Thesis section 9.1.
+/// `edge`: by default reads give zero and writes go nowhere. Lefohn's thesis (Glift: Generic Data Structures for
+/// Graphics Hardware, 2006), section 9.1.
 class Array_2_uint_none_buffer : public glift::Structure<Array_2_uint_none_buffer, glift::uint2, glift::uint> {
 public:
     static constexpr const char* type_name = "Array<2, uint, none, buffer>";
 
     Array_2_uint_none_buffer() = default;
     Array_2_uint_none_buffer(const glift::Commands& commands, glift::uint2 extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Array_2_uint_none_buffer(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -252,16 +250,16 @@ public:
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_2_uint_none_buffer& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Array_2_uint_none_buffer>& range);
-    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint2 address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_2_uint_none_buffer>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_2_uint_none_buffer>& range,
@@ -290,15 +288,15 @@ using Counts = ::std_array::Array_2_uint_none_buffer;
 void draw_mesh(const glift::Commands& commands, const glift::Range<Corners>& corner, const glift::Range<Points>& points,
     glift::float4x4 camera, const glift::Range<Colour>& colour, const glift::Range<Depth>& depth);
 
-/// A triangle an instance.
+/// Draws the triangles once for each mark (instances), blended over the image.
 void draw_marks(const glift::Commands& commands, const glift::Range<Points>& corner, const glift::Range<Points>& mark,
     const glift::Range<Colour>& image, const glift::Range<Depth>& depth);
 
-/// Derivatives of what is the same in all pixels.
+/// Derivatives of uniform values, which are zero.
 void even(const glift::Commands& commands, const glift::Range<Points>& corner, float factor,
     const glift::Range<Colour>& image);
 
-/// A pass like any other.
+/// Draws are called like kernels.
 void frame(const glift::Commands& commands, const Corners& corners, const Points& points, glift::float4x4 camera,
     const Points& marks, const Corners& number, const Colour& image);
 

@@ -14,7 +14,7 @@ public:
 
     Box_1_float3() = default;
     Box_1_float3(const glift::Commands& commands, glift::uint extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Box_1_float3(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -22,16 +22,16 @@ public:
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Box_1_float3& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(glift::float3 value);
     void fill(glift::float3 value, const glift::Range<Box_1_float3>& range);
-    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Box_1_float3>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Box_1_float3>& range,
@@ -59,7 +59,7 @@ public:
 
     Box_1_uint() = default;
     Box_1_uint(const glift::Commands& commands, glift::uint extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Box_1_uint(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -67,16 +67,16 @@ public:
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Box_1_uint& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Box_1_uint>& range);
-    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Box_1_uint>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Box_1_uint>& range,
@@ -104,7 +104,7 @@ public:
 
     Box_2_float4() = default;
     Box_2_float4(const glift::Commands& commands, glift::uint2 extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Box_2_float4(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -112,16 +112,16 @@ public:
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Box_2_float4& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(glift::float4 value);
     void fill(glift::float4 value, const glift::Range<Box_2_float4>& range);
-    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint2 address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Box_2_float4>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Box_2_float4>& range,
@@ -149,7 +149,7 @@ public:
 
     Box_2_float() = default;
     Box_2_float(const glift::Commands& commands, glift::uint2 extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Box_2_float(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -157,16 +157,16 @@ public:
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Box_2_float& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(float value);
     void fill(float value, const glift::Range<Box_2_float>& range);
-    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint2 address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Box_2_float>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Box_2_float>& range,
@@ -194,7 +194,7 @@ public:
 
     Box_2_uint() = default;
     Box_2_uint(const glift::Commands& commands, glift::uint2 extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Box_2_uint(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -202,16 +202,16 @@ public:
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Box_2_uint& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Box_2_uint>& range);
-    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint2 address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Box_2_uint>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Box_2_uint>& range,
@@ -247,10 +247,10 @@ public:
     /// The extent of the virtual domain.
     glift::uint domain() const;
     glift::uint count() const { return count_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Everything& other) const;
 
-    /// Elements of a box to a linear buffer, and back.
+    /// Copies a box of elements to a linear buffer, the first axis fastest.
     void copy_out(const glift::Commands& commands, const glift::Range<Everything>& range,
         const glift::Memory& box) const;
 

@@ -22,7 +22,7 @@ struct draw_mesh_direct_parameters {
 static_assert(offsetof(draw_mesh_direct_parameters, points_extent) == 0);
 static_assert(offsetof(draw_mesh_direct_parameters, camera) == 4);
 
-// draws.glift:14: draw_mesh, some corners.
+// draws.glift:14: runs draw_mesh for the given corners.
 GLIFT_HOST_KERNEL
 static void draw_mesh_direct_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
     [[maybe_unused]] std::uint32_t instance, float* corners) {
@@ -49,7 +49,7 @@ static void draw_mesh_direct_vertex(const void* pointer, std::uint64_t first, st
     }
 }
 
-// draws.glift:14: draw_mesh, some fragments.
+// draws.glift:14: runs draw_mesh for the given fragments.
 GLIFT_HOST_KERNEL
 static void draw_mesh_direct_fragment(const void* pointer, const glift::host::Fragments& fragments) {
     [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
@@ -63,7 +63,7 @@ static void draw_mesh_direct_fragment(const void* pointer, const glift::host::Fr
         // draws.glift:25
         derived[pixel] = world;
     }
-    // all pixels of a quad
+    // Derivatives: all pixels of each quad have the value now.
     for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
         [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
         const float3 normal = glift::normalize(glift::cross(glift::host::dFdx(derived, pixel),
@@ -115,7 +115,7 @@ static_assert(offsetof(draw_mesh_general_parameters, points_size) == 16);
 static_assert(offsetof(draw_mesh_general_parameters, colour_origin) == 20);
 static_assert(offsetof(draw_mesh_general_parameters, camera) == 28);
 
-// draws.glift:14: draw_mesh, some corners.
+// draws.glift:14: runs draw_mesh for the given corners.
 GLIFT_HOST_KERNEL
 static void draw_mesh_general_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
     [[maybe_unused]] std::uint32_t instance, float* corners) {
@@ -146,7 +146,7 @@ static void draw_mesh_general_vertex(const void* pointer, std::uint64_t first, s
     }
 }
 
-// draws.glift:14: draw_mesh, some fragments.
+// draws.glift:14: runs draw_mesh for the given fragments.
 GLIFT_HOST_KERNEL
 static void draw_mesh_general_fragment(const void* pointer, const glift::host::Fragments& fragments) {
     [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
@@ -160,7 +160,7 @@ static void draw_mesh_general_fragment(const void* pointer, const glift::host::F
         // draws.glift:25
         derived[pixel] = world;
     }
-    // all pixels of a quad
+    // Derivatives: all pixels of each quad have the value now.
     for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
         [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
         const float3 normal = glift::normalize(glift::cross(glift::host::dFdx(derived, pixel),
@@ -216,7 +216,7 @@ static_assert(offsetof(draw_mesh_wide_parameters, camera) == 28);
 static_assert(offsetof(draw_mesh_wide_parameters, corner_data_address) == 96);
 static_assert(offsetof(draw_mesh_wide_parameters, points_data_address) == 104);
 
-// draws.glift:14: draw_mesh, some corners.
+// draws.glift:14: runs draw_mesh for the given corners.
 GLIFT_HOST_KERNEL
 static void draw_mesh_wide_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
     [[maybe_unused]] std::uint32_t instance, float* corners) {
@@ -251,7 +251,7 @@ static void draw_mesh_wide_vertex(const void* pointer, std::uint64_t first, std:
     }
 }
 
-// draws.glift:14: draw_mesh, some fragments.
+// draws.glift:14: runs draw_mesh for the given fragments.
 GLIFT_HOST_KERNEL
 static void draw_mesh_wide_fragment(const void* pointer, const glift::host::Fragments& fragments) {
     [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
@@ -265,7 +265,7 @@ static void draw_mesh_wide_fragment(const void* pointer, const glift::host::Frag
         // draws.glift:25
         derived[pixel] = world;
     }
-    // all pixels of a quad
+    // Derivatives: all pixels of each quad have the value now.
     for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
         [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
         const float3 normal = glift::normalize(glift::cross(glift::host::dFdx(derived, pixel),
@@ -339,7 +339,7 @@ const glift::Kernel draw_mesh_kernel = {
 // draws.glift:34: draw_marks
 
 namespace {
-// draws.glift:34: draw_marks, some corners.
+// draws.glift:34: runs draw_marks for the given corners.
 GLIFT_HOST_KERNEL
 static void draw_marks_direct_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
     [[maybe_unused]] std::uint32_t instance, float* corners) {
@@ -366,7 +366,7 @@ static void draw_marks_direct_vertex(const void* pointer, std::uint64_t first, s
     }
 }
 
-// draws.glift:34: draw_marks, some fragments.
+// draws.glift:34: runs draw_marks for the given fragments.
 GLIFT_HOST_KERNEL
 static void draw_marks_direct_fragment(const void* pointer, const glift::host::Fragments& fragments) {
     [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
@@ -411,7 +411,7 @@ static_assert(offsetof(draw_marks_general_parameters, corner_origin) == 8);
 static_assert(offsetof(draw_marks_general_parameters, mark_origin) == 12);
 static_assert(offsetof(draw_marks_general_parameters, image_origin) == 16);
 
-// draws.glift:34: draw_marks, some corners.
+// draws.glift:34: runs draw_marks for the given corners.
 GLIFT_HOST_KERNEL
 static void draw_marks_general_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
     [[maybe_unused]] std::uint32_t instance, float* corners) {
@@ -445,7 +445,7 @@ static void draw_marks_general_vertex(const void* pointer, std::uint64_t first, 
     }
 }
 
-// draws.glift:34: draw_marks, some fragments.
+// draws.glift:34: runs draw_marks for the given fragments.
 GLIFT_HOST_KERNEL
 static void draw_marks_general_fragment(const void* pointer, const glift::host::Fragments& fragments) {
     [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
@@ -494,7 +494,7 @@ static_assert(offsetof(draw_marks_wide_parameters, image_origin) == 16);
 static_assert(offsetof(draw_marks_wide_parameters, corner_data_address) == 24);
 static_assert(offsetof(draw_marks_wide_parameters, mark_data_address) == 32);
 
-// draws.glift:34: draw_marks, some corners.
+// draws.glift:34: runs draw_marks for the given corners.
 GLIFT_HOST_KERNEL
 static void draw_marks_wide_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
     [[maybe_unused]] std::uint32_t instance, float* corners) {
@@ -532,7 +532,7 @@ static void draw_marks_wide_vertex(const void* pointer, std::uint64_t first, std
     }
 }
 
-// draws.glift:34: draw_marks, some fragments.
+// draws.glift:34: runs draw_marks for the given fragments.
 GLIFT_HOST_KERNEL
 static void draw_marks_wide_fragment(const void* pointer, const glift::host::Fragments& fragments) {
     [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
@@ -605,7 +605,7 @@ struct even_direct_parameters {
 static_assert(offsetof(even_direct_parameters, factor) == 0);
 static_assert(offsetof(even_direct_parameters, factor_2) == 4);
 
-// draws.glift:67: even, some corners.
+// draws.glift:67: runs even for the given corners.
 GLIFT_HOST_KERNEL
 static void even_direct_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
     [[maybe_unused]] std::uint32_t instance, float* corners) {
@@ -621,7 +621,7 @@ static void even_direct_vertex(const void* pointer, std::uint64_t first, std::ui
     }
 }
 
-// draws.glift:67: even, some fragments.
+// draws.glift:67: runs even for the given fragments.
 GLIFT_HOST_KERNEL
 static void even_direct_fragment(const void* pointer, const glift::host::Fragments& fragments) {
     [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
@@ -641,7 +641,7 @@ static void even_direct_fragment(const void* pointer, const glift::host::Fragmen
         derived_2[pixel] = factor;
         derived_3[pixel] = factor_2;
     }
-    // all pixels of a quad
+    // Derivatives: all pixels of each quad have the value now.
     for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
         [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
         image[pixel] = float4(glift::host::dFdx(derived, pixel), glift::host::dFdy(derived_2, pixel),
@@ -677,7 +677,7 @@ static_assert(offsetof(even_general_parameters, image_origin) == 12);
 static_assert(offsetof(even_general_parameters, factor) == 20);
 static_assert(offsetof(even_general_parameters, factor_2) == 24);
 
-// draws.glift:67: even, some corners.
+// draws.glift:67: runs even for the given corners.
 GLIFT_HOST_KERNEL
 static void even_general_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
     [[maybe_unused]] std::uint32_t instance, float* corners) {
@@ -696,7 +696,7 @@ static void even_general_vertex(const void* pointer, std::uint64_t first, std::u
     }
 }
 
-// draws.glift:67: even, some fragments.
+// draws.glift:67: runs even for the given fragments.
 GLIFT_HOST_KERNEL
 static void even_general_fragment(const void* pointer, const glift::host::Fragments& fragments) {
     [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
@@ -716,7 +716,7 @@ static void even_general_fragment(const void* pointer, const glift::host::Fragme
         derived_2[pixel] = factor;
         derived_3[pixel] = factor_2;
     }
-    // all pixels of a quad
+    // Derivatives: all pixels of each quad have the value now.
     for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
         [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
         image[pixel] = float4(glift::host::dFdx(derived, pixel), glift::host::dFdy(derived_2, pixel),
@@ -754,7 +754,7 @@ static_assert(offsetof(even_wide_parameters, factor) == 20);
 static_assert(offsetof(even_wide_parameters, factor_2) == 24);
 static_assert(offsetof(even_wide_parameters, corner_data_address) == 32);
 
-// draws.glift:67: even, some corners.
+// draws.glift:67: runs even for the given corners.
 GLIFT_HOST_KERNEL
 static void even_wide_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
     [[maybe_unused]] std::uint32_t instance, float* corners) {
@@ -776,7 +776,7 @@ static void even_wide_vertex(const void* pointer, std::uint64_t first, std::uint
     }
 }
 
-// draws.glift:67: even, some fragments.
+// draws.glift:67: runs even for the given fragments.
 GLIFT_HOST_KERNEL
 static void even_wide_fragment(const void* pointer, const glift::host::Fragments& fragments) {
     [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
@@ -796,7 +796,7 @@ static void even_wide_fragment(const void* pointer, const glift::host::Fragments
         derived_2[pixel] = factor;
         derived_3[pixel] = factor_2;
     }
-    // all pixels of a quad
+    // Derivatives: all pixels of each quad have the value now.
     for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
         [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
         image[pixel] = float4(glift::host::dFdx(derived, pixel), glift::host::dFdy(derived_2, pixel),

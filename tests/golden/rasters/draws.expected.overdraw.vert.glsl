@@ -1,5 +1,5 @@
 #version 460
-// overdraw, vertex part, draws.glift:49: whole ranges, shared state.
+// overdraw, vertex part, draws.glift:49: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 out float gl_ClipDistance[1];

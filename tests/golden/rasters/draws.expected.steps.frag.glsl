@@ -1,5 +1,5 @@
 #version 460
-// steps, fragment part, draws.glift:60: whole ranges, shared state.
+// steps, fragment part, draws.glift:60: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 void main() {

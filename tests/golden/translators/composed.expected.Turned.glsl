@@ -1,7 +1,8 @@
 // Turned, composed.glift:19.
-// Define before including: TURNED_BINDING (the state; memory k follows at + 1 + k). Where wanted: TURNED_SET, TURNED_STATE, TURNED_READONLY.
+// Define TURNED_BINDING before including. The structure's arguments are at that binding, memory k at TURNED_BINDING + 1 + k.
+// Optional: TURNED_SET (the descriptor set, else 0), TURNED_STATE (see below), TURNED_READONLY (nothing is written).
 #ifndef GLIFT_TURNED
-#define GLIFT_TURNED 340955886
+#define GLIFT_TURNED 1348606716
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef TURNED_SET
@@ -16,7 +17,7 @@
 #define TURNED_ACCESS
 #endif
 
-#ifndef TURNED_STATE  // define it where the members below are declared in a block of your own
+#ifndef TURNED_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = TURNED_SET, binding = TURNED_BINDING) readonly buffer Turned_state {
     uvec2 Turned_extent;
 };
@@ -42,6 +43,6 @@ void Turned_write(uvec2 address, float value) {
     }
 }
 #endif
-#elif GLIFT_TURNED != 340955886
+#elif GLIFT_TURNED != 1348606716
 #error the functions of another structure called Turned are included already
 #endif

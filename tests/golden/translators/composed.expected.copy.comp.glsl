@@ -1,5 +1,5 @@
 #version 460
-// copy, composed.glift:24: whole ranges, shared state.
+// copy, composed.glift:24: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(local_size_x = 32, local_size_y = 8) in;
@@ -15,7 +15,7 @@ void main() {
     // composed.glift:24
     uvec2 address = gl_GlobalInvocationID.xy * uvec2(1u, 2u);
     if (any(greaterThanEqual(address, f_extent))) return;
-    // Two elements at once.
+    // Each invocation takes two elements: its own and, if there is one, that in the next row.
     bool has_next = address.y + 1u < f_extent.y;
     uint f_at = address.x * f_extent.y + address.y;
     float g = f_data[f_at];

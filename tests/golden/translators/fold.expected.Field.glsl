@@ -1,7 +1,8 @@
 // Field, fold.glift:26.
-// Define before including: FIELD_BINDING (the state; memory k follows at + 1 + k). Where wanted: FIELD_SET, FIELD_STATE, FIELD_READONLY.
+// Define FIELD_BINDING before including. The structure's arguments are at that binding, memory k at FIELD_BINDING + 1 + k.
+// Optional: FIELD_SET (the descriptor set, else 0), FIELD_STATE (see below), FIELD_READONLY (nothing is written).
 #ifndef GLIFT_FIELD
-#define GLIFT_FIELD 1532627036
+#define GLIFT_FIELD 1901467074
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef FIELD_SET
@@ -16,7 +17,7 @@
 #define FIELD_ACCESS
 #endif
 
-#ifndef FIELD_STATE  // define it where the members below are declared in a block of your own
+#ifndef FIELD_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = FIELD_SET, binding = FIELD_BINDING) readonly buffer Field_state {
     uvec3 Field_extent;
 };
@@ -45,6 +46,6 @@ void Field_write(uvec3 address, float value) {
     }
 }
 #endif
-#elif GLIFT_FIELD != 1532627036
+#elif GLIFT_FIELD != 1901467074
 #error the functions of another structure called Field are included already
 #endif

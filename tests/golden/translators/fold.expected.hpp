@@ -19,7 +19,7 @@ public:
 
     Field() = default;
     Field(const glift::Commands& commands, glift::uint3 extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Field(const glift::Commands& commands, glift::uint3 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -27,13 +27,13 @@ public:
     glift::uint3 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Field& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(float value);
     void fill(float value, const glift::Range<Field>& range);
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Field>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Field>& range, const glift::Memory& box) const;
 

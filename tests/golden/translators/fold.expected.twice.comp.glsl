@@ -1,5 +1,5 @@
 #version 460
-// twice, fold.glift:31: whole ranges, shared state.
+// twice, fold.glift:31: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(local_size_x = 32, local_size_y = 4, local_size_z = 2) in;
@@ -14,7 +14,7 @@ void main() {
     // fold.glift:31
     uvec3 address = gl_GlobalInvocationID * uvec3(1u, 2u, 1u);
     if (any(greaterThanEqual(address, f_extent))) return;
-    // Two elements at once.
+    // Each invocation takes two elements: its own and, if there is one, that in the next row.
     bool has_next = address.y + 1u < f_extent.y;
     uint f_i = (address.z * f_extent.y + address.y) * f_extent.x + address.x;
     uvec2 f_at = uvec2(f_i % 64u, f_i / 64u);

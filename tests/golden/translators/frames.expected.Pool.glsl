@@ -1,7 +1,8 @@
 // Pool, frames.glift:27.
-// Define before including: POOL_BINDING (the state; memory k follows at + 1 + k). Where wanted: POOL_SET, POOL_STATE, POOL_READONLY.
+// Define POOL_BINDING before including. The structure's arguments are at that binding, memory k at POOL_BINDING + 1 + k.
+// Optional: POOL_SET (the descriptor set, else 0), POOL_STATE (see below), POOL_READONLY (nothing is written).
 #ifndef GLIFT_POOL
-#define GLIFT_POOL 1368256460
+#define GLIFT_POOL 1797404086
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef POOL_SET
@@ -16,7 +17,7 @@
 #define POOL_ACCESS
 #endif
 
-#ifndef POOL_STATE  // define it where the members below are declared in a block of your own
+#ifndef POOL_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = POOL_SET, binding = POOL_BINDING) readonly buffer Pool_state {
     uint Pool_frames_n;
     uint Pool_data_extent;
@@ -66,6 +67,6 @@ void Pool_write(uint address, float value) {
     }
 }
 #endif
-#elif GLIFT_POOL != 1368256460
+#elif GLIFT_POOL != 1797404086
 #error the functions of another structure called Pool are included already
 #endif

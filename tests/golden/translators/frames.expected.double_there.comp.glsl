@@ -1,5 +1,5 @@
 #version 460
-// double_there, frames.glift:34: whole ranges, shared state.
+// double_there, frames.glift:34: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(local_size_x = 256) in;
@@ -18,7 +18,7 @@ void main() {
     // frames.glift:34
     uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= s_frames_n * 4u) return;
-    // Two elements at once.
+    // Each invocation takes two elements: its own and, if there is one, that a workgroup's width further.
     uint value = address + 256u;
     bool has_next = value < s_frames_n * 4u;
     uint next = has_next ? value : address;

@@ -6,7 +6,7 @@
 #include <glift/glift.h>
 #include <glift/structure.h>
 
-/// Physical addresses that come from memory are compared with what they lead to; those of the table itself are not.
+/// Physical addresses from a table are checked against the extent of the memory; in the table the domain is enough.
 
 namespace frames {
 
@@ -19,7 +19,7 @@ public:
 
     Frames() = default;
     Frames(const glift::Commands& commands, glift::uint n);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Frames(const glift::Commands& commands, glift::uint n, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -27,24 +27,24 @@ public:
     glift::uint n() const { return n_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Frames& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Frames>& range);
-    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Frames>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Frames>& range, const glift::Memory& box) const;
-    /// Where addresses are translated to: in the structure's own memory.
+    /// The type of the physical addresses to which addresses are translated.
     using Place = glift::uint;
-    /// Whether it translates addresses itself; else its memory does.
+    /// Whether the structure has translators itself; else its memory, a structure, translates.
     static constexpr bool translates = true;
     static constexpr bool has_blocks = false;
-    /// What of a box is there, `most` at most, in no particular order: see read_resident.
+    /// Counts the resident elements of a box, and lists at most `most` of them in any order: see read_resident.
     void list(const glift::Commands& commands, const glift::Range<Frames>& range, glift::uint most,
         const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
         const glift::Memory& values) const;
@@ -71,7 +71,7 @@ public:
 
     Pool() = default;
     Pool(const glift::Commands& commands, glift::uint pages, glift::uint capacity);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Pool(const glift::Commands& commands, glift::uint pages, glift::uint capacity, Frames frames, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -81,21 +81,21 @@ public:
     const Frames& frames() const { return frames_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Pool& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(float value);
     void fill(float value, const glift::Range<Pool>& range);
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Pool>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Pool>& range, const glift::Memory& box) const;
-    /// Where addresses are translated to: in the structure's own memory.
+    /// The type of the physical addresses to which addresses are translated.
     using Place = glift::uint;
-    /// Whether it translates addresses itself; else its memory does.
+    /// Whether the structure has translators itself; else its memory, a structure, translates.
     static constexpr bool translates = true;
     static constexpr bool has_blocks = false;
-    /// What of a box is there, `most` at most, in no particular order: see read_resident.
+    /// Counts the resident elements of a box, and lists at most `most` of them in any order: see read_resident.
     void list(const glift::Commands& commands, const glift::Range<Pool>& range, glift::uint most,
         const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
         const glift::Memory& values) const;

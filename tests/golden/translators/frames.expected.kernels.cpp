@@ -20,7 +20,7 @@ struct double_there_direct_parameters {
 static_assert(offsetof(double_there_direct_parameters, s_frames_n) == 0);
 static_assert(offsetof(double_there_direct_parameters, s_data_extent) == 4);
 
-// frames.glift:34: double_there, some rows.
+// frames.glift:34: runs double_there for the given rows.
 GLIFT_HOST_KERNEL
 static void double_there_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const double_there_direct_parameters*>(call.parameters);
@@ -78,7 +78,7 @@ static_assert(offsetof(double_there_general_parameters, g_data_extent) == 16);
 static_assert(offsetof(double_there_general_parameters, s_frames_n) == 20);
 static_assert(offsetof(double_there_general_parameters, s_data_extent) == 24);
 
-// frames.glift:34: double_there, some rows.
+// frames.glift:34: runs double_there for the given rows.
 GLIFT_HOST_KERNEL
 static void double_there_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const double_there_general_parameters*>(call.parameters);
@@ -150,7 +150,7 @@ static_assert(offsetof(double_there_wide_parameters, g_data_address) == 48);
 static_assert(offsetof(double_there_wide_parameters, s_frames_data_address) == 56);
 static_assert(offsetof(double_there_wide_parameters, s_data_address) == 64);
 
-// frames.glift:34: double_there, some rows.
+// frames.glift:34: runs double_there for the given rows.
 GLIFT_HOST_KERNEL
 static void double_there_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const double_there_wide_parameters*>(call.parameters);

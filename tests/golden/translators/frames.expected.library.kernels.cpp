@@ -21,7 +21,7 @@ struct read_box_1f848e0d_direct_parameters {
 static_assert(offsetof(read_box_1f848e0d_direct_parameters, from_frames_n) == 0);
 static_assert(offsetof(read_box_1f848e0d_direct_parameters, from_data_extent) == 4);
 
-// transfer.glift:15: read_box<Pool, Box<1, float>>, some rows.
+// transfer.glift:15: runs read_box<Pool, Box<1, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_1f848e0d_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_1f848e0d_direct_parameters*>(call.parameters);
@@ -69,7 +69,7 @@ static_assert(offsetof(read_box_1f848e0d_general_parameters, to_origin) == 8);
 static_assert(offsetof(read_box_1f848e0d_general_parameters, from_frames_n) == 12);
 static_assert(offsetof(read_box_1f848e0d_general_parameters, from_data_extent) == 16);
 
-// transfer.glift:15: read_box<Pool, Box<1, float>>, some rows.
+// transfer.glift:15: runs read_box<Pool, Box<1, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_1f848e0d_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_1f848e0d_general_parameters*>(call.parameters);
@@ -130,7 +130,7 @@ static_assert(offsetof(read_box_1f848e0d_wide_parameters, from_frames_data_addre
 static_assert(offsetof(read_box_1f848e0d_wide_parameters, from_data_address) == 32);
 static_assert(offsetof(read_box_1f848e0d_wide_parameters, to_data_address) == 40);
 
-// transfer.glift:15: read_box<Pool, Box<1, float>>, some rows.
+// transfer.glift:15: runs read_box<Pool, Box<1, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_1f848e0d_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_1f848e0d_wide_parameters*>(call.parameters);
@@ -214,7 +214,7 @@ static_assert(offsetof(write_box_31432b0a_direct_parameters, from_extent) == 0);
 static_assert(offsetof(write_box_31432b0a_direct_parameters, to_frames_n) == 4);
 static_assert(offsetof(write_box_31432b0a_direct_parameters, to_data_extent) == 8);
 
-// transfer.glift:20: write_box<Box<1, float>, Pool>, some rows.
+// transfer.glift:20: runs write_box<Box<1, float>, Pool> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_31432b0a_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_31432b0a_direct_parameters*>(call.parameters);
@@ -260,7 +260,7 @@ static_assert(offsetof(write_box_31432b0a_general_parameters, to_origin) == 8);
 static_assert(offsetof(write_box_31432b0a_general_parameters, to_frames_n) == 12);
 static_assert(offsetof(write_box_31432b0a_general_parameters, to_data_extent) == 16);
 
-// transfer.glift:20: write_box<Box<1, float>, Pool>, some rows.
+// transfer.glift:20: runs write_box<Box<1, float>, Pool> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_31432b0a_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_31432b0a_general_parameters*>(call.parameters);
@@ -317,7 +317,7 @@ static_assert(offsetof(write_box_31432b0a_wide_parameters, from_data_address) ==
 static_assert(offsetof(write_box_31432b0a_wide_parameters, to_frames_data_address) == 32);
 static_assert(offsetof(write_box_31432b0a_wide_parameters, to_data_address) == 40);
 
-// transfer.glift:20: write_box<Box<1, float>, Pool>, some rows.
+// transfer.glift:20: runs write_box<Box<1, float>, Pool> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_31432b0a_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_31432b0a_wide_parameters*>(call.parameters);
@@ -402,7 +402,7 @@ static_assert(offsetof(fill_box_frames_Pool_float_direct_parameters, to_frames_n
 static_assert(offsetof(fill_box_frames_Pool_float_direct_parameters, to_data_extent) == 4);
 static_assert(offsetof(fill_box_frames_Pool_float_direct_parameters, value) == 8);
 
-// transfer.glift:25: fill_box<Pool, float>, some rows.
+// transfer.glift:25: runs fill_box<Pool, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_frames_Pool_float_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_frames_Pool_float_direct_parameters*>(call.parameters);
@@ -448,7 +448,7 @@ static_assert(offsetof(fill_box_frames_Pool_float_general_parameters, to_frames_
 static_assert(offsetof(fill_box_frames_Pool_float_general_parameters, to_data_extent) == 12);
 static_assert(offsetof(fill_box_frames_Pool_float_general_parameters, value) == 16);
 
-// transfer.glift:25: fill_box<Pool, float>, some rows.
+// transfer.glift:25: runs fill_box<Pool, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_frames_Pool_float_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_frames_Pool_float_general_parameters*>(call.parameters);
@@ -501,7 +501,7 @@ static_assert(offsetof(fill_box_frames_Pool_float_wide_parameters, value) == 24)
 static_assert(offsetof(fill_box_frames_Pool_float_wide_parameters, to_frames_data_address) == 32);
 static_assert(offsetof(fill_box_frames_Pool_float_wide_parameters, to_data_address) == 40);
 
-// transfer.glift:25: fill_box<Pool, float>, some rows.
+// transfer.glift:25: runs fill_box<Pool, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_frames_Pool_float_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_frames_Pool_float_wide_parameters*>(call.parameters);
@@ -590,7 +590,7 @@ static_assert(offsetof(list_there_d62ad97a_direct_parameters, translated_frames_
 static_assert(offsetof(list_there_d62ad97a_direct_parameters, translated_data_extent) == 24);
 static_assert(offsetof(list_there_d62ad97a_direct_parameters, places_extent) == 28);
 
-// transfer.glift:32: list_there<Pool, Pool, Box<1, uint>, Box<1, uint>, Box<1, float>, Box<1, uint>>, some rows.
+// transfer.glift:32: runs list_there<Pool, Pool, Box<1, uint>, Box<1, uint>, Box<1, float>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_d62ad97a_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_d62ad97a_direct_parameters*>(call.parameters);
@@ -704,7 +704,7 @@ static_assert(offsetof(list_there_d62ad97a_general_parameters, from_data_extent)
 static_assert(offsetof(list_there_d62ad97a_general_parameters, translated_frames_n) == 56);
 static_assert(offsetof(list_there_d62ad97a_general_parameters, translated_data_extent) == 60);
 
-// transfer.glift:32: list_there<Pool, Pool, Box<1, uint>, Box<1, uint>, Box<1, float>, Box<1, uint>>, some rows.
+// transfer.glift:32: runs list_there<Pool, Pool, Box<1, uint>, Box<1, uint>, Box<1, float>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_d62ad97a_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_d62ad97a_general_parameters*>(call.parameters);
@@ -845,7 +845,7 @@ static_assert(offsetof(list_there_d62ad97a_wide_parameters, values_data_address)
 static_assert(offsetof(list_there_d62ad97a_wide_parameters, translated_frames_data_address) == 120);
 static_assert(offsetof(list_there_d62ad97a_wide_parameters, places_data_address) == 128);
 
-// transfer.glift:32: list_there<Pool, Pool, Box<1, uint>, Box<1, uint>, Box<1, float>, Box<1, uint>>, some rows.
+// transfer.glift:32: runs list_there<Pool, Pool, Box<1, uint>, Box<1, uint>, Box<1, float>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_d62ad97a_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_d62ad97a_wide_parameters*>(call.parameters);
@@ -993,7 +993,7 @@ struct read_box_c62e930d_direct_parameters {
 };
 static_assert(offsetof(read_box_c62e930d_direct_parameters, from_n) == 0);
 
-// transfer.glift:15: read_box<Frames, Box<1, uint>>, some rows.
+// transfer.glift:15: runs read_box<Frames, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_c62e930d_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
@@ -1025,7 +1025,7 @@ static_assert(offsetof(read_box_c62e930d_general_parameters, size) == 0);
 static_assert(offsetof(read_box_c62e930d_general_parameters, from_origin) == 4);
 static_assert(offsetof(read_box_c62e930d_general_parameters, to_origin) == 8);
 
-// transfer.glift:15: read_box<Frames, Box<1, uint>>, some rows.
+// transfer.glift:15: runs read_box<Frames, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_c62e930d_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_c62e930d_general_parameters*>(call.parameters);
@@ -1068,7 +1068,7 @@ static_assert(offsetof(read_box_c62e930d_wide_parameters, to_origin) == 8);
 static_assert(offsetof(read_box_c62e930d_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(read_box_c62e930d_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:15: read_box<Frames, Box<1, uint>>, some rows.
+// transfer.glift:15: runs read_box<Frames, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_c62e930d_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_c62e930d_wide_parameters*>(call.parameters);
@@ -1131,7 +1131,7 @@ struct write_box_32448ca0_direct_parameters {
 };
 static_assert(offsetof(write_box_32448ca0_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: write_box<Box<1, uint>, Frames>, some rows.
+// transfer.glift:20: runs write_box<Box<1, uint>, Frames> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_32448ca0_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
@@ -1164,7 +1164,7 @@ static_assert(offsetof(write_box_32448ca0_general_parameters, size) == 0);
 static_assert(offsetof(write_box_32448ca0_general_parameters, from_origin) == 4);
 static_assert(offsetof(write_box_32448ca0_general_parameters, to_origin) == 8);
 
-// transfer.glift:20: write_box<Box<1, uint>, Frames>, some rows.
+// transfer.glift:20: runs write_box<Box<1, uint>, Frames> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_32448ca0_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_32448ca0_general_parameters*>(call.parameters);
@@ -1207,7 +1207,7 @@ static_assert(offsetof(write_box_32448ca0_wide_parameters, to_origin) == 8);
 static_assert(offsetof(write_box_32448ca0_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(write_box_32448ca0_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:20: write_box<Box<1, uint>, Frames>, some rows.
+// transfer.glift:20: runs write_box<Box<1, uint>, Frames> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_32448ca0_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_32448ca0_wide_parameters*>(call.parameters);
@@ -1272,7 +1272,7 @@ struct fill_box_frames_Frames_uint_direct_parameters {
 static_assert(offsetof(fill_box_frames_Frames_uint_direct_parameters, to_n) == 0);
 static_assert(offsetof(fill_box_frames_Frames_uint_direct_parameters, value) == 4);
 
-// transfer.glift:25: fill_box<Frames, uint>, some rows.
+// transfer.glift:25: runs fill_box<Frames, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_frames_Frames_uint_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_frames_Frames_uint_direct_parameters*>(call.parameters);
@@ -1305,7 +1305,7 @@ static_assert(offsetof(fill_box_frames_Frames_uint_general_parameters, size) == 
 static_assert(offsetof(fill_box_frames_Frames_uint_general_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_frames_Frames_uint_general_parameters, value) == 8);
 
-// transfer.glift:25: fill_box<Frames, uint>, some rows.
+// transfer.glift:25: runs fill_box<Frames, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_frames_Frames_uint_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_frames_Frames_uint_general_parameters*>(call.parameters);
@@ -1343,7 +1343,7 @@ static_assert(offsetof(fill_box_frames_Frames_uint_wide_parameters, to_origin) =
 static_assert(offsetof(fill_box_frames_Frames_uint_wide_parameters, value) == 8);
 static_assert(offsetof(fill_box_frames_Frames_uint_wide_parameters, to_data_address) == 16);
 
-// transfer.glift:25: fill_box<Frames, uint>, some rows.
+// transfer.glift:25: runs fill_box<Frames, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_frames_Frames_uint_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_frames_Frames_uint_wide_parameters*>(call.parameters);
@@ -1411,7 +1411,7 @@ static_assert(offsetof(list_there_ba0d4190_direct_parameters, values_extent) == 
 static_assert(offsetof(list_there_ba0d4190_direct_parameters, translated_n) == 16);
 static_assert(offsetof(list_there_ba0d4190_direct_parameters, places_extent) == 20);
 
-// transfer.glift:32: list_there<Frames, Frames, Box<1, uint>, Box<1, uint>, Box<1, uint>, Box<1, uint>>, some rows.
+// transfer.glift:32: runs list_there<Frames, Frames, Box<1, uint>, Box<1, uint>, Box<1, uint>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_ba0d4190_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_ba0d4190_direct_parameters*>(call.parameters);
@@ -1504,7 +1504,7 @@ static_assert(offsetof(list_there_ba0d4190_general_parameters, translated_size) 
 static_assert(offsetof(list_there_ba0d4190_general_parameters, places_origin) == 48);
 static_assert(offsetof(list_there_ba0d4190_general_parameters, places_size) == 52);
 
-// transfer.glift:32: list_there<Frames, Frames, Box<1, uint>, Box<1, uint>, Box<1, uint>, Box<1, uint>>, some rows.
+// transfer.glift:32: runs list_there<Frames, Frames, Box<1, uint>, Box<1, uint>, Box<1, uint>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_ba0d4190_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_ba0d4190_general_parameters*>(call.parameters);
@@ -1622,7 +1622,7 @@ static_assert(offsetof(list_there_ba0d4190_wide_parameters, addresses_data_addre
 static_assert(offsetof(list_there_ba0d4190_wide_parameters, values_data_address) == 80);
 static_assert(offsetof(list_there_ba0d4190_wide_parameters, places_data_address) == 88);
 
-// transfer.glift:32: list_there<Frames, Frames, Box<1, uint>, Box<1, uint>, Box<1, uint>, Box<1, uint>>, some rows.
+// transfer.glift:32: runs list_there<Frames, Frames, Box<1, uint>, Box<1, uint>, Box<1, uint>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_ba0d4190_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_ba0d4190_wide_parameters*>(call.parameters);

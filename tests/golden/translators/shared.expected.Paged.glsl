@@ -1,7 +1,8 @@
 // Paged, shared.glift:26.
-// Define before including: PAGED_BINDING (the state; memory k follows at + 1 + k). Where wanted: PAGED_SET, PAGED_STATE, PAGED_READONLY.
+// Define PAGED_BINDING before including. The structure's arguments are at that binding, memory k at PAGED_BINDING + 1 + k.
+// Optional: PAGED_SET (the descriptor set, else 0), PAGED_STATE (see below), PAGED_READONLY (nothing is written).
 #ifndef GLIFT_PAGED
-#define GLIFT_PAGED 332934530
+#define GLIFT_PAGED 124841848
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef PAGED_SET
@@ -16,7 +17,7 @@
 #define PAGED_ACCESS
 #endif
 
-#ifndef PAGED_STATE  // define it where the members below are declared in a block of your own
+#ifndef PAGED_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = PAGED_SET, binding = PAGED_BINDING) readonly buffer Paged_state {
     uint Paged_extent;
     uint Paged_table_extent;
@@ -125,6 +126,6 @@ void Paged_write(uint address, float value) {
     }
 }
 #endif
-#elif GLIFT_PAGED != 332934530
+#elif GLIFT_PAGED != 124841848
 #error the functions of another structure called Paged are included already
 #endif

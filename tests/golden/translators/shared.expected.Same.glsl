@@ -1,7 +1,8 @@
 // Same, shared.glift:33.
-// Define before including: SAME_BINDING (the state; memory k follows at + 1 + k). Where wanted: SAME_SET, SAME_STATE, SAME_READONLY.
+// Define SAME_BINDING before including. The structure's arguments are at that binding, memory k at SAME_BINDING + 1 + k.
+// Optional: SAME_SET (the descriptor set, else 0), SAME_STATE (see below), SAME_READONLY (nothing is written).
 #ifndef GLIFT_SAME
-#define GLIFT_SAME 1132900471
+#define GLIFT_SAME 550763677
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef SAME_SET
@@ -16,7 +17,7 @@
 #define SAME_ACCESS
 #endif
 
-#ifndef SAME_STATE  // define it where the members below are declared in a block of your own
+#ifndef SAME_STATE  // define it if you declare the members below in a block yourself
 layout(scalar, set = SAME_SET, binding = SAME_BINDING) readonly buffer Same_state {
     uint Same_field_extent;
     uint Same_field_table_extent;
@@ -119,6 +120,6 @@ void Same_write(uint address, float value) {
     }
 }
 #endif
-#elif GLIFT_SAME != 1132900471
+#elif GLIFT_SAME != 550763677
 #error the functions of another structure called Same are included already
 #endif

@@ -6,24 +6,23 @@
 #include <glift/glift.h>
 #include <glift/structure.h>
 
-/// Memory that is a structure: made there, or shared with what has a name. One field is over a table that another
-/// one has, too;
-/// what lies beyond the frames maps nowhere, along the axis where the table decides.
+/// Memory that is a structure: made for the one that has it (as in `Paged`), or a given one (as in `Same`). A frame
+/// that the table gives may be beyond the memory: its elements are absent. Only this axis, y, is checked.
 
 namespace std_array {
 
 #ifndef GLIFT_std_array_HAS_Array_1_uint_none_buffer
 #define GLIFT_std_array_HAS_Array_1_uint_none_buffer
 /// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
-/// `edge`: by default reads give zero and
-/// writes go nowhere. Thesis section 9.1.
+/// `edge`: by default reads give zero and writes go nowhere. Lefohn's thesis (Glift: Generic Data Structures for
+/// Graphics Hardware, 2006), section 9.1.
 class Array_1_uint_none_buffer : public glift::Structure<Array_1_uint_none_buffer, glift::uint, glift::uint> {
 public:
     static constexpr const char* type_name = "Array<1, uint, none, buffer>";
 
     Array_1_uint_none_buffer() = default;
     Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -31,16 +30,16 @@ public:
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_uint_none_buffer& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Array_1_uint_none_buffer>& range);
-    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
@@ -72,15 +71,15 @@ namespace std_array {
 #ifndef GLIFT_std_array_HAS_Array_2_float_none_buffer
 #define GLIFT_std_array_HAS_Array_2_float_none_buffer
 /// Array<2, float, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
-/// `edge`: by default reads give zero and
-/// writes go nowhere. Thesis section 9.1.
+/// `edge`: by default reads give zero and writes go nowhere. Lefohn's thesis (Glift: Generic Data Structures for
+/// Graphics Hardware, 2006), section 9.1.
 class Array_2_float_none_buffer : public glift::Structure<Array_2_float_none_buffer, glift::uint2, float> {
 public:
     static constexpr const char* type_name = "Array<2, float, none, buffer>";
 
     Array_2_float_none_buffer() = default;
     Array_2_float_none_buffer(const glift::Commands& commands, glift::uint2 extent);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Array_2_float_none_buffer(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -88,16 +87,16 @@ public:
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_2_float_none_buffer& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(float value);
     void fill(float value, const glift::Range<Array_2_float_none_buffer>& range);
-    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint2 address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_2_float_none_buffer>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_2_float_none_buffer>& range,
@@ -131,7 +130,7 @@ public:
 
     Paged() = default;
     Paged(const glift::Commands& commands, const Table& table, glift::uint extent, glift::uint capacity);
-    /// Over parts that exist already.
+    /// Makes the structure of the given members and memories, instead of new ones.
     Paged(const glift::Commands& commands, const Table& table, glift::uint extent, glift::uint capacity, Plane frames);
 
     /// The extent of the virtual domain.
@@ -142,21 +141,21 @@ public:
     Table& table() { return table_; }
     const Plane& frames() const { return frames_; }
     Plane& frames() { return frames_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Paged& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(float value);
     void fill(float value, const glift::Range<Paged>& range);
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Paged>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Paged>& range, const glift::Memory& box) const;
-    /// Where addresses are translated to: in the structure's own memory.
+    /// The type of the physical addresses to which addresses are translated.
     using Place = glift::uint2;
-    /// Whether it translates addresses itself; else its memory does.
+    /// Whether the structure has translators itself; else its memory, a structure, translates.
     static constexpr bool translates = true;
     static constexpr bool has_blocks = false;
-    /// What of a box is there, `most` at most, in no particular order: see read_resident.
+    /// Counts the resident elements of a box, and lists at most `most` of them in any order: see read_resident.
     void list(const glift::Commands& commands, const glift::Range<Paged>& range, glift::uint most,
         const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
         const glift::Memory& values) const;
@@ -193,21 +192,21 @@ public:
     Paged& field() { return field_; }
     const Paged& elements() const { return field_; }
     Paged& elements() { return field_; }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Same& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(float value);
     void fill(float value, const glift::Range<Same>& range);
-    /// Elements of a box to a linear buffer, and back.
+    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Same>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Same>& range, const glift::Memory& box) const;
-    /// Where addresses are translated to: in the structure's own memory.
+    /// The type of the physical addresses to which addresses are translated.
     using Place = glift::uint2;
-    /// Whether it translates addresses itself; else its memory does.
+    /// Whether the structure has translators itself; else its memory, a structure, translates.
     static constexpr bool translates = false;
     static constexpr bool has_blocks = false;
-    /// What of a box is there, `most` at most, in no particular order: see read_resident.
+    /// Counts the resident elements of a box, and lists at most `most` of them in any order: see read_resident.
     void list(const glift::Commands& commands, const glift::Range<Same>& range, glift::uint most,
         const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
         const glift::Memory& values) const;
@@ -240,7 +239,7 @@ public:
     const Plane& frames() const { return frames_.get(); }
     Plane& frames() { return frames_.get(); }
     glift::uint capacity() const { return capacity_.get(); }
-    /// True if the two were made with equal arguments.
+    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Growing& other) const;
 
     /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.

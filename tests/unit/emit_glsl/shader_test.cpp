@@ -36,7 +36,7 @@ TEST(Shader, IsReadable) {
     b.here = b.line(5);
     b.pass.plain().body.push_back(b.store(out, address, b.use(sum)));
     EXPECT_EQ(proved(b), R"(#version 460
-// sample, sample.glift:3: whole ranges, shared state.
+// sample, sample.glift:3: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(local_size_x = 64) in;
