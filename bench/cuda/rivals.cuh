@@ -1,9 +1,9 @@
 // Shared by the CUDA rivals: device memory, input, timing, rows of results.
 //
-// Times are device times: CUDA events around one run, the median of many. Before each run a kernel blocks the stream
-// until the host has launched the whole run, so that launch latency is hidden; before that kernel comes `refill`, which
-// restores input that a run overwrites and is not timed. All runs use the same memories, so that data that fits into
-// the caches is read from there, as in the benches of Glift.
+// Times are device times: CUDA events around one run, the median of many. Before each run a kernel occupies the stream
+// for about 100 microseconds, longer than the host takes to launch any run, so that launch latency is hidden; before that
+// kernel comes `refill`, which restores input that a run overwrites and is not timed. All runs use the same memories, so
+// that data that fits into the caches is read from there, as in the benches of Glift.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -132,7 +132,7 @@ struct Row {
     double seconds;             ///< median
     std::uint64_t bytes_moved;  ///< the minimum traffic: input read once, output written once
     int runs;
-    double error = -1;  ///< largest relative error; negative: results are exact
+    double error = -1;  ///< largest relative error of the results; negative: not measured
 };
 
 /// The sizes and the number of runs that were asked for, and the results. All work is put into the default stream.

@@ -439,7 +439,6 @@ TEST_P(Adaptive, GrowsToWhatALargeOneIs) {
             ASSERT_EQ(grown.status(device()).resident, n);
             ASSERT_LT(grown.status(device()).capacity, std::max(2 * n, 9U));
             ASSERT_TRUE(property::equal(round, large.best().read(), grown.best().read(), "best"));
-            ASSERT_TRUE(property::equal(round, large.best().read(), grown.best().read(), "best"));
             ASSERT_TRUE(property::equal(round, large.frames().read({0, 0}, {25, n}),
                                         grown.frames().read({0, 0}, {25, n}), "frames"));
         }
