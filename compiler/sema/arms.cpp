@@ -19,8 +19,8 @@ std::size_t depth_of(const Body& body, ir::LocalId local) {
     return found == body.depths.end() ? 0 : found->second;
 }
 
-/// The conjunction of the conditions of the arms from `depth` on, as an expression for a pass to compute
-/// (sema/values.h).
+/// Whether all arms from number `depth` on run: the conjunction of their conditions, each negated where its arm runs if
+/// it is false. An open expression, for a pass to compute (sema/values.h).
 ir::ExprId runs(Body& body, std::size_t depth, Span span) {
     ir::Program& p = body.program();
     ir::ExprId all;
@@ -35,8 +35,8 @@ ir::ExprId runs(Body& body, std::size_t depth, Span span) {
     return all;
 }
 
-/// Whether the value calls a function. Other values are computed even where the arm does not run, and then discarded
-/// by a `select`. A call must not be: its operands may be unset there, and a loop in it might not end. So it gets a
+/// Whether the value calls a function. Other values are computed even where the arm does not run, and then discarded by
+/// a `select`. A call must not be: its operands may be unset there, and a loop in it might not end. So the value gets a
 /// pass of its own in the arm, dispatched over nothing where the arm does not run.
 bool calls_functions(Body& body, ir::ExprId value) {
     bool found = false;

@@ -1,6 +1,7 @@
 // Pipelines: `if` and loops whose condition is a value on the device, which the host does not know. The host records
 // both branches of such an `if`, its arms; the passes of the arm that is not taken are dispatched over nothing. Also
-// the variables that lie on the device because of such conditions.
+// assignments to variables, which lie on the device where such a condition or a value on the device decides what they
+// hold.
 #pragma once
 
 #include "sema/body.h"
@@ -10,12 +11,12 @@ namespace gliftc::sema {
 /// `if c { … } else { … }` where c lies on the device: emits StmtOp::arms.
 void check_arms(Body&, const ast::Stmt&, ir::ExprId condition);
 /// Checks c and the body of `for i in a..b while c { … }`, and emits both into the loop. If c lies on the device,
-/// `before` gets the declaration of a variable there, which says whether the loop goes on.
+/// `before` gets the declaration of a variable on the device, which says whether the loop goes on.
 void check_rounds(Body&, const ast::Stmt&, std::vector<ir::StmtId>& before);
 
-/// Checks and emits `target = value;`, `target += value;` for a variable of a pipeline. Where this shows that the
-/// variable must lie on the device, its declaration is added to Body::device_variables instead, and the pipeline is
-/// then checked again (check_pipeline_body).
+/// Checks and emits `target = value;`, `target += value;` and the like for a variable of a pipeline. Where this shows
+/// that the variable must lie on the device, its declaration is added to Body::device_variables instead, and the
+/// pipeline is then checked again (check_pipeline_body).
 void check_variable(Body&, const ast::Stmt&, ir::ExprId target);
 /// Records how many arms are around the declaration of the variable (Body::depths).
 void declare_variable(Body&, ir::LocalId);
@@ -24,7 +25,8 @@ bool lies_on_device_later(const Body&, Span name);
 
 /// Whether the code being checked is in an arm, which must not contain `what`; reports it with the remedy.
 bool is_refused_in_arm(Body&, std::string_view what, Span, std::string remedy);
-/// Records that the pipeline cannot be called in an arm, since at `span` it waits for the device or changes host state.
+/// Records that the pipeline cannot be called in an arm, since at `span` it waits for the device, changes host state or
+/// gives a member other memory, or calls a pipeline that does.
 void needs_host(Body&, Span);
 
 }  // namespace gliftc::sema

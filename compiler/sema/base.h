@@ -1,5 +1,5 @@
 // Structures whose memory is itself a structure, called the base: one that the declaration constructs, `memory name =
-// Type(…);`, or one that has a name there, `memory name = pool;`.
+// Type(…);`, or one that is named there, `memory name = pool;` or `= pool.part;`.
 #pragma once
 
 #include "sema/body.h"
@@ -9,15 +9,15 @@ namespace gliftc::sema {
 /// Whether the structure already has a memory; reports `another` then, since a structure has only one.
 bool has_memory(Body&, std::uint32_t structure, const ast::Item& another);
 
-/// Whether the expression in `memory name = …` is a structure, constructed there or named, rather than a buffer or an
-/// image.
+/// Whether the expression in `memory name = …` has the form of a structure, constructed there or named, rather than of
+/// a buffer or an image. add_base() checks that it is one.
 bool is_structure_memory(Body&, ast::ExprId);
 
 /// Sets the memory of the structure to the structure that the item names or constructs.
 void add_base(Body&, std::uint32_t structure, const ast::Item&);
 
-/// Brings the name of the base into scope. Nothing to do where the declaration constructs the base, which is then a
-/// member of that name.
+/// Brings the name of the base into scope. Nothing to do if there is no base, or if it is a member of that name, as
+/// where the declaration constructs it.
 void declare_base(Body&, std::uint32_t structure);
 
 /// The domain of the base, as an expression over the structure whose memory it is.

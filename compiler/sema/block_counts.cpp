@@ -10,7 +10,8 @@ namespace gliftc::sema {
 
 namespace {
 
-/// Whether the value is an element of a structure that is stored, at a constant address of one dimension.
+/// Whether the value is a uint that is an element of a stored structure, a member of `owner` or inside one, at a
+/// constant address of one dimension.
 bool is_stored_element(const ir::Program& p, const ir::Structure& owner, ir::ExprId id) {
     const ir::Expr& read = p.exprs[id];
     if (read.op != ir::Op::read || read.operands.size() != 1 || read.place.root != 0 || read.place.members.empty())
@@ -20,8 +21,8 @@ bool is_stored_element(const ir::Program& p, const ir::Structure& owner, ir::Exp
            read.type == p.types.uint && ir::evaluate(p, read.operands[0]);
 }
 
-/// The element that is the number of blocks wherever it is no larger than their bound: `state[0]` of
-/// `min(state[0], capacity)`, and of `state[0]` alone. Absent: the number is another value.
+/// The element that is the number of blocks, wherever it is no larger than their bound if they have one: `state[0]` of
+/// `min(state[0], capacity)`, and `state[0]` that is returned alone. Absent: the number is another value.
 ir::ExprId counted_element(const ir::Program& p, const ir::Structure& owner) {
     const ir::Blocks& blocks = *owner.blocks;
     const ir::ExprId value = single_return(p, blocks.count);

@@ -20,7 +20,7 @@ bool says_none(const Context& c, ast::ExprId id) {
     return std::ranges::any_of(c[id].operands, [&](ast::ExprId operand) { return says_none(c, operand); });
 }
 
-/// Whether some statement returns `none`.
+/// Whether the value of some `return` contains `none`.
 bool returns_none(const Context& c, const std::vector<ast::StmtId>& body) {
     return std::ranges::any_of(body, [&](ast::StmtId id) {
         const ast::Stmt& stmt = c[id];
@@ -29,8 +29,8 @@ bool returns_none(const Context& c, const std::vector<ast::StmtId>& body) {
     });
 }
 
-/// Checks a function that a structure declares, whose types are fixed by the language, so that its parameters are
-/// written without them.
+/// Makes the function blocks(), block(i) or block_size() of a structure. The language fixes their types, so that
+/// parameters are written without. Absent after an error.
 ir::FunctionId make_function(Context& c, const Env& env, std::uint32_t index, ast::DeclId id,
                              const std::vector<ir::TypeId>& params, ir::TypeId result) {
     const ast::Decl& decl = c[id];

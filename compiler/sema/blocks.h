@@ -1,5 +1,6 @@
-// Blocks: boxes of one size in a structure's domain. Where a structure declares blocks, kernels visit their elements
-// and no others. Also which parameter's blocks a kernel visits.
+// Blocks: boxes of one size in a structure's domain. Where a structure declares blocks, kernels over it visit their
+// elements and no others, except the kernels that find_space() leaves out. Also which parameter's blocks a kernel
+// visits.
 #pragma once
 
 #include "sema/body.h"
@@ -17,8 +18,8 @@ struct BlockItems {
 /// Checks the declarations and sets Structure::blocks. To be called once the structure has its domain.
 void add_blocks(Context&, const Env&, std::uint32_t structure, const BlockItems&);
 
-/// A call of `s.blocks()`, `s.block(i)` or `s.block_size()`; a structure that declares no blocks has one, its domain.
-/// Absent if the method has another name.
+/// A call of `s.blocks()`, `s.block(i)` or `s.block_size()`; a structure without blocks, its own or those of its memory
+/// (ir::blocks_of), has one: its domain. Absent if the method has another name.
 std::optional<Operand> call_of_blocks(Body&, const Operand& self, ast::Identifier method, const ast::Expr& call);
 
 /// Finds the blocks that a kernel visits. The parameters that decide are those written by `each`; if there are none,

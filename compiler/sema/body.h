@@ -19,7 +19,8 @@ enum class BodyKind : std::uint8_t {
     pipeline,  // tests too
 };
 
-/// `member` is a value among the structure's constructor parameters; the structures that it is made of are `structure`.
+/// `member`: a value among the constructor parameters of the structure that is in scope. `structure`: a member, base or
+/// structure in a translator's state, or a structure parameter of a function or kernel that is no `iterator`.
 enum class SymbolKind : std::uint8_t { local, structure, state, member, memory, iterator, host_state };
 
 /// How code may access a structure through one name. `any`: reads by address. `scatter`: writes to any address, and no
@@ -77,12 +78,12 @@ struct Body {
     const Env& env;
     BodyKind kind = BodyKind::function;
     std::vector<std::unordered_map<Name, Symbol>> scopes = {{}};
-    ir::Definitions lets;  ///< initialisers of immutable locals
+    ir::Definitions lets;  ///< values of the locals of `let` and `const`, but for made structures and `if let`
     /// Pipelines: the constructor arguments of each structure that the pipeline makes.
     std::unordered_map<ir::LocalId, ir::Operands> made;
     std::vector<ir::StmtId>* block = nullptr;  ///< the list to which statements are added; null: expressions only
     ir::TypeId result;                         ///< the type that `return` gives
-    unsigned loops = 0;  ///< the loops around the statement within its innermost arm; 0: no `break`
+    unsigned loops = 0;  ///< the loops around the statement within its innermost arm; 0: no `break`, no `continue`
     unsigned depth = 0;  ///< how deeply the statement is nested
     ir::Kernel* kernel = nullptr;
     ir::Part part = ir::Part::whole;  ///< the vertex or the fragment part of a draw; whole: the kernel does not draw
@@ -90,14 +91,16 @@ struct Body {
     /// Its members are in scope; their Place::root is 0.
     std::optional<std::uint32_t> container;
     std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< the workgroup size that the declaration gives; all 0: none
-    std::vector<ir::LocalId>* shared = nullptr;      ///< the arrays in workgroup memory (`shared`) declared so far
+    std::vector<ir::LocalId>* shared = nullptr;      ///< the locals in workgroup memory (`shared`) declared so far
     /// Functions with a workgroup: the last statement of the body, or of the side of a constant `if` that is checked.
-    /// Only it may be a return, since all invocations must reach every barrier.
+    /// Only it may be a return, since all invocations must reach every barrier. Kernels with a workgroup: empty, so
+    /// that no statement may.
     Span last;
-    std::vector<std::uint32_t> structures;       ///< functions: the structures that calls pass, by Place::root
-    std::vector<ir::Place> coherent;             ///< the places that are accessed by the pattern coherent
-    std::vector<ir::Effect>* effects = nullptr;  ///< functions: what they and called functions write; kernels: what
-                                                 ///< called functions write
+    std::vector<std::uint32_t> structures;  ///< functions: the structures that calls pass, by Place::root
+    std::vector<ir::Place> coherent;        ///< the places that are accessed by the pattern coherent
+    /// Functions: what they and called functions write; kernels: what called functions write; null: calls of functions
+    /// that write are errors.
+    std::vector<ir::Effect>* effects = nullptr;
     /// Pipelines: whether the returned values seen so far lie on the host or on the device.
     enum class Returns : std::uint8_t { nothing, host, device } returns = Returns::nothing;
     std::optional<ir::TypeId> range_result;  ///< pipelines that return a range: its type, known from the first return
@@ -120,7 +123,8 @@ struct Body {
                                                           ///< each variable
     std::vector<Span> device_variables;  ///< declarations of variables that must lie on the device; if checking adds
                                          ///< one, the pipeline is checked again (check_variable in sema/arms.h)
-    Span host_needed;  ///< where the pipeline first waits for the device or changes host state; empty: nowhere
+    Span host_needed;  ///< where the pipeline first waits for the device, changes host state or gives a member other
+                       ///< memory; empty: nowhere
     /// A statement `member = temporary;`.
     struct Replacement {
         std::uint32_t member;
@@ -144,10 +148,10 @@ void close_scope(Body&);                       ///< warns about unused variables
 void declare(Body&, ast::Identifier, Symbol);  ///< reports duplicates in the same scope
 Symbol* find_symbol(Body&, Name);
 ir::LocalId declare_local(Body&, ast::Identifier, ir::TypeId, bool is_mutable, bool warn_unused = true);
-/// A compiler-made local with this value.
+/// Emits the declaration of a new local with this value, which the source does not name; returns the local.
 ir::LocalId emit_temporary(Body&, std::string_view name, ir::ExprId value, Span);
 void emit(Body&, ir::StmtId);
-/// The value of an expression if it is known at compile time; the initialisers of immutable locals are followed.
+/// The value of an expression if it is known at compile time; locals in Body::lets have the values given there.
 std::optional<ir::Value> known_value(Body&, ir::ExprId);
 /// The environment for a compile-time expression in the body, with bindings for the names in scope that it uses.
 const Env& env_for(Body&, ast::ExprId);
@@ -220,7 +224,8 @@ void check_block(Body&, const std::vector<ast::StmtId>&);
 void check_statement(Body&, ast::StmtId);
 /// Checks `statements` in a new scope; returns the statements of the IR that they emit.
 std::vector<ir::StmtId> check_nested(Body&, const std::vector<ast::StmtId>&);
-/// Does every path through the list end in return?
+/// Whether every path through the list ends in a return. Conditions and loops count as unknown: a return inside a loop,
+/// or on one side of an `if` alone, does not suffice.
 bool always_returns(const ir::Program&, const std::vector<ir::StmtId>&);
 
 // kernels

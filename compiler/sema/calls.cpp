@@ -38,7 +38,7 @@ std::vector<ast::ExprId> arguments_of(const ast::Expr& call) {
     return {call.operands.begin() + 1, call.operands.end()};
 }
 
-/// A call of a function that is built into the language; absent if the name is none.
+/// A call of a function that is built into the language; absent if no such function has the name.
 std::optional<Operand> call_builtin(Body& body, const std::string& name, const ast::Expr& call, ir::TypeId wanted) {
     if (name == "select") return call_select(body, call, wanted);
     if (auto called = call_in_raster(body, name, call)) return called;
@@ -160,7 +160,7 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
     return value_operand(body, add(body.program(), ir::Op::construct, id, call.span, std::move(operands)), call.span);
 }
 
-/// `let x: T[4] = s.load(a)` and `s.store(a, x)`: consecutive elements along x; `s.load(a, step)` and
+/// `let x: T[4] = s.load(a)` and `s.store(a, x)`: consecutive elements along the first axis; `s.load(a, step)` and
 /// `s.store(a, step, x)`: rows of four, `step` addresses apart.
 static Operand several_elements(Body& body, const Operand& self, ast::Identifier method, const ast::Expr& call,
                                 ir::TypeId wanted) {
@@ -270,7 +270,8 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         c.error(Diag::argument_count, call.span, {name, "1", std::to_string(arguments.size())});
         return error_value(body, call.span);
     };
-    // Functions of the declaration itself come before built-in ones: a structure may define its own `find`.
+    // Functions of the declaration itself come before built-in ones: a structure may define its own `find`. Not so
+    // `domain` and `at`, which have operations, and those of blocks, which call_of_blocks() has handled.
     const std::vector<ast::Item>& items = items_of(c, self.structure);
     std::vector<ast::DeclId> overloads, pipelines;
     for (const ast::Item& item : items) {
@@ -332,8 +333,8 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
     return error_operand(call.span);
 }
 
-/// Where a module was called like a function: adds a note that lists some of its public functions, kernels and
-/// pipelines.
+/// Where a module was called like a function: adds a note with the first six, by name, of its public functions, kernels
+/// and pipelines.
 static void note_functions(const Context& c, Diagnostic& diagnostic, const Meta& meta, Span span) {
     if (meta.kind != MetaKind::module) return;
     std::vector<std::string> names;

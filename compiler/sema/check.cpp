@@ -84,8 +84,8 @@ void check_adaptor_pipelines(Context& c, std::uint32_t index) {
     });
 }
 
-/// Checks the types, translators and constants of a module, before any pipelines: pipelines over ranges need all public
-/// structures.
+/// Checks the types, translators, constants and aliases of a module that have no generic parameters. Done for all root
+/// modules before any pipelines: those over ranges need all public structures.
 void check_types(Context& c, std::uint32_t module, const std::vector<ast::DeclId>& decls) {
     for (ast::DeclId id : decls) {
         const ast::Decl& decl = c[id];

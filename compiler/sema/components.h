@@ -10,15 +10,15 @@ ir::TypeId make_structure(Context&, ast::DeclId, const Env&);
 ir::TypeId make_view(Context&, ast::DeclId, const Env&);
 ir::TypeId make_adaptor(Context&, ast::DeclId, const Env&);
 
-/// Declares the names in scope in a structure's own functions: constructor arguments, members, memories, host state,
-/// with Place root 0.
+/// Declares the names in scope in a structure's own functions: constructor arguments, members, the base, memories, host
+/// state, with Place root 0. Sets Body::container.
 void bring_members_into_scope(Body&, std::uint32_t structure);
 
 /// Adds value parameters of the constructor as locals of the structure, and structure parameters as members by
 /// reference.
 void add_constructor(Context&, const Env&, const std::vector<ast::Param>&, ir::Structure&);
 
-/// Adds `structure name = Type(arguments)`, and declares its name. False, after an error, if Type is no structure.
+/// Adds `structure name = Type(arguments)`, and declares its name. False, after an error, if that makes no structure.
 bool add_member(Body&, std::uint32_t structure, const ast::Item&);
 
 /// Calls visit(item) for each item; for an `if`, for the items that its constant condition selects.
@@ -44,7 +44,8 @@ ir::ExprId single_return(const ir::Program&, ir::FunctionId);
 /// An instance of the structure of std.transfer that holds a box of elements, with that many dimensions, in a buffer.
 std::optional<std::uint32_t> box_of(Context&, std::uint32_t dimensions, ir::TypeId element, Span use);
 
-/// Whether the statements read elements of a structure, directly or in functions that they call.
+/// Whether the statements contain operations of Level::structure, such as reads of elements and translations of
+/// addresses, directly or in functions that they call.
 bool reads_memory(const ir::Program&, const std::vector<ir::StmtId>&);
 
 /// A pipeline that calls the function in a pass of one invocation and returns the result, which stays on the device.

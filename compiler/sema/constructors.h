@@ -11,8 +11,9 @@ const std::vector<ast::Param>* constructor_of(const ast::Decl&);
 /// The items in the body of the declaration of a structure, view or adaptor.
 const std::vector<ast::Item>& items_of(const ast::Decl&);
 
-/// The type that `Name<…>(arguments)` constructs. Generic arguments that are not written are inferred from the
-/// arguments that are named structures.
+/// What `Name<…>` means in the call `Name<…>(arguments)`: where it constructs something, a type. Generic arguments that
+/// are not written are inferred from the arguments that are structures, given by a name or a path of members. Kind none
+/// after an error.
 Meta constructed_type(Body&, const ast::Expr& call);
 
 }  // namespace gliftc::sema

@@ -18,7 +18,7 @@ enum class MetaKind : std::uint8_t {
     none,
     type,          // a concrete type; structures too
     value,         // a value known at compile time
-    translator,    // one or more translator instances, composed in order
+    translator,    // one or more translator instances; the first takes the virtual address
     declarations,  // what modules declare by the name, not instantiated yet: overloads, a type, a constant, …
     module,        // a module's name
     format,        // a texel format
@@ -42,7 +42,7 @@ struct Meta {
     Constraint constraint = Constraint::type;
 };
 
-/// An environment, in which names are looked up: those bound here, then the declarations of a module.
+/// An environment, in which names are looked up: those bound here, then what is visible in a module (find_meta).
 struct Env {
     std::uint32_t module = 0;
     std::vector<std::pair<Name, Meta>> bindings;  ///< generic arguments of an instance; names in scope in a body
@@ -60,7 +60,8 @@ struct ModuleScope {
     std::vector<std::uint32_t> imports;
 };
 
-/// An instance of a declaration, complete or in progress. `index`: in the Program's table of its kind.
+/// An instance of a declaration: complete, in progress or failed. `index`: in the Program's table of structs,
+/// translators, functions, kernels or pipelines. `type`: the type, if the declaration is one.
 struct Instance {
     enum class State : std::uint8_t { in_progress, done, failed } state = State::in_progress;
     std::uint32_t index = 0;
@@ -87,8 +88,8 @@ struct Context {
     std::unordered_map<std::string, Instance> instances;
     std::unordered_map<ast::DeclId, ir::ExprId> constants;  ///< values of the `const`s checked so far
     std::vector<ast::DeclId> constants_under_way;           ///< being checked, to detect cycles
-    std::vector<std::string> interfaces_under_way;  ///< types being checked against an interface, to detect cycles
-    std::vector<Request> requests;                  ///< the stack of instantiations, outermost first
+    std::vector<std::string> interfaces_under_way;          ///< keys of interface checks in progress, to detect cycles
+    std::vector<Request> requests;                          ///< the stack of instantiations, outermost first
     std::vector<std::unique_ptr<Env>> environments;
     /// By index in Program::structures, translators or structs: the environment, declaration and generic arguments of
     /// each instance.
@@ -109,7 +110,8 @@ struct Context {
     const ast::Stmt& operator[](ast::StmtId id) const { return tree.stmts[id]; }
     const ast::Decl& operator[](ast::DeclId id) const { return tree.decls[id]; }
 
-    /// Reports an error, with a note for each instantiation in progress that has generic arguments.
+    /// Reports an error or warning, with a note for each instantiation in progress that has generic arguments,
+    /// innermost first; instantiations asked for at `span` itself are left out.
     Diagnostic& error(Diag id, Span span, std::initializer_list<std::string_view> arguments = {});
     /// A new environment, without bindings, that lives as long as the context.
     Env& new_env(std::uint32_t module);

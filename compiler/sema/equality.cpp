@@ -1,4 +1,4 @@
-// `==` of structs: expanded member by member to comparisons of scalars and vectors.
+// `==` and `!=` of structs: expanded member by member to comparisons of scalars, enums and vectors.
 #include "sema/body.h"
 #include "sema/values.h"
 

@@ -8,7 +8,8 @@ namespace gliftc::sema {
 
 namespace {
 
-/// Whether the constraint is one on types rather than values.
+/// Whether the constraint is built in or an interface, so that the argument is a type, structure, format or translator
+/// rather than a value.
 bool takes_type(Context& c, const Env& env, ast::ExprId constraint) {
     const ast::Expr& expr = c[constraint];
     const ast::Expr& name = expr.kind == ast::ExprKind::generic ? c[expr.operands[0]] : expr;

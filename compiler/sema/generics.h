@@ -28,7 +28,8 @@ struct Arguments {
     void infer_value(ast::ExprId pattern, const ir::Value& actual);
     void infer_structure(ast::ExprId pattern, std::uint32_t structure);
 
-    /// Fills in defaults, checks constraints, adds bindings to env. `quiet`: returns false without reporting.
+    /// Fills in defaults, checks constraints, adds bindings to env. False if an argument is missing or violates its
+    /// constraint, which is reported unless `quiet`, and after an error in a default.
     bool finish(bool quiet = false);
 };
 

@@ -50,6 +50,7 @@ void emit_temp(Body& body, ir::LocalId local, ir::Operands arguments, Span span)
 }
 
 /// If the operand constructs a structure (mostly a view) within an expression: declares a temporary, and gives that.
+/// Any other operand is returned as it is.
 Operand declared(Body& body, const Operand& operand) {
     if (operand.kind != OperandKind::value || body.types().kind(operand.type) != ir::TypeKind::structure)
         return operand;
@@ -105,7 +106,8 @@ std::optional<ir::Operands> kernel_arguments(Body& body, std::uint32_t kernel_in
         Span span = c[arguments[i].written].span;
         if (param.pattern == ir::Pattern::value) {
             values.push_back(value_argument(body, arguments[i], body.program().locals[param.local].type));
-            // Values that take a pass are computed in the order in which they are written, before the kernel.
+            // Values on the device that are not locals yet get one here: elements are read and passes run in the order
+            // in which the arguments are written, before the kernel.
             if (is_on_device(body, values.back()) && body.program().exprs[values.back()].op != ir::Op::local)
                 values.back() =
                     make_local(body.program(), emit_temporary(body, c.text(param.name), values.back(), span), span);
@@ -485,8 +487,8 @@ bool check_pipeline_statement(Body& body, const ast::Stmt& stmt) {
     switch (stmt.kind) {
     case ast::StmtKind::temp: return check_structure_declaration(body, stmt);
     case ast::StmtKind::let:
-        // Of a call, which may give a structure, or of a slice, with no type after the name. Any other `let` is checked
-        // as in functions.
+        // Only `let` and `var` of a call, which may give a structure, or of a slice, with no type after the name. Any
+        // other declaration is checked as in functions.
         if (stmt.type || !stmt.value || stmt.binding == ast::Binding::const_ || !is_structure_value(body, stmt.value))
             return false;
         return check_structure_declaration(body, stmt);

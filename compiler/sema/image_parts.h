@@ -6,7 +6,8 @@
 
 namespace gliftc::sema {
 
-/// Whether the expression in `memory name = …` is `….mip(n)` or `….layer(n)` of a memory.
+/// Whether the expression in `memory name = …` has the form `a.b.mip(n)` or `a.b.layer(n)`. add_image_part() checks
+/// that `a.b` is an image.
 bool is_image_part(Body&, ast::ExprId);
 
 void add_image_part(Body&, std::uint32_t structure, const ast::Item&);

@@ -1,4 +1,4 @@
-// Instances of structs, enums and functions, and the depth limit of instantiation.
+// Instances of types (structs and enums are made here) and functions, and the depth limit of instantiation.
 #include "sema/instances.h"
 
 #include "sema/body.h"

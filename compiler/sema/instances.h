@@ -8,8 +8,8 @@ namespace gliftc::sema {
 /// The type of a struct, enum, structure, view or adaptor with the generic arguments in `env`, which have been checked.
 ir::TypeId instantiate_type(Context&, ast::DeclId, const Env&, Span use);
 
-/// The instance of a translator, an index in Program::translators. A list of one, since what an alias `A then B`
-/// denotes is several.
+/// The instance of a translator, an index in Program::translators, as a list of one: aliases such as `A then B` denote
+/// several, and are handled alike (Meta::translators).
 std::optional<std::vector<std::uint32_t>> instantiate_translator(Context&, ast::DeclId, const Env&, Span use);
 
 /// `structures`: the instances passed for the function's structure parameters; of a function that a structure declares,
@@ -33,12 +33,13 @@ inline constexpr std::uint32_t lies_on_device = 0xffffffffu;
 
 /// Instantiates the kernels that move boxes of the structure between host and device, and adds them to
 /// Program::transfers, unless they are there. Does the same for the structure's members; of an adaptor, for them alone.
+/// Nothing to do for a view without a domain.
 void require_transfers(Context&, std::uint32_t structure, Span use);
 
 void instantiate_test(Context&, ast::DeclId);
 
-/// RAII for one instantiation: adds a Request to the stack, and reports an instantiation depth that only infinite
-/// recursion reaches.
+/// RAII for one instantiation: adds a Request to the stack, and reports a depth of more than 64, taken for infinite
+/// recursion.
 class InstantiationScope {
 public:
     InstantiationScope(Context& context, std::string display, Span use);

@@ -76,7 +76,8 @@ bool satisfies_interface(Context& c, const Env& env, ast::DeclId id, const ast::
     bool given = constraint.kind != ast::ExprKind::generic || arguments.give(env, constraint.operands, 1);
     if (!given || !arguments.finish()) return true;  // reported
 
-    // A cycle: the interface requires a function whose own constraint is that the same type satisfies this interface.
+    // A cycle: the interface requires a function whose own constraints, directly or by way of other functions, ask
+    // again whether the same type satisfies this interface.
     std::string key = key_of(c, id, inside) + "@" + std::to_string(type.index) + "@" + std::to_string(env.module);
     if (std::find(c.interfaces_under_way.begin(), c.interfaces_under_way.end(), key) != c.interfaces_under_way.end()) {
         why = "this depends on itself";

@@ -15,7 +15,7 @@ namespace {
 /// One parameter of a signature. `letter`: the types that it takes, as ir/intrinsics.def explains.
 struct Shape {
     char letter;
-    bool or_scalar;  // "Nn": a scalar of the vector's element type is accepted, too
+    bool or_scalar;  // "Nn", "Fn": a scalar of the vector's element type is accepted, too
 };
 
 struct Signature {

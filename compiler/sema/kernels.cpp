@@ -82,8 +82,8 @@ void check_depth_written(Context& c, const ast::Param& param, const ir::KernelPa
          "a raster writes depths, to an 'inout target<S, always>' for instance; clear_depth of std.image fills all");
 }
 
-/// Whether a kernel can access a parameter of this type by this pattern. An adaptor has no elements: `any` reads its
-/// members, `calls` calls its functions.
+/// Whether a kernel can access a parameter of this type by this pattern; reports one that it cannot. An adaptor has no
+/// elements: `any` reads its members, `calls` calls its functions.
 bool is_touched(Context& c, const ast::Param& param, ir::Pattern pattern, ir::TypeId type) {
     if (c.types().kind(type) != ir::TypeKind::structure) {
         if (type != c.types().error) c.error(Diag::pattern_needs_structure, c[param.type].span, {c.text(type)});
@@ -161,7 +161,8 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
     if (made.pattern == ir::Pattern::target) add_target(body, param, made, index);
 }
 
-/// Finds the address type of the domain that the kernel runs over, which all its each and at parameters share.
+/// Finds the address type of the domain that the kernel runs over. Reports `each`, `at` and `near` parameters with
+/// another one, and a kernel that has neither `each` nor `at`.
 void find_domain(Context& c, const ast::Kernel& written, ir::Kernel& kernel, bool parameters_are_good) {
     const ir::KernelParam* first = nullptr;
     for (const ir::KernelParam& param : kernel.params) {
@@ -194,8 +195,8 @@ void find_domain(Context& c, const ast::Kernel& written, ir::Kernel& kernel, boo
 }
 
 /// Whether two parameters of one structure type are likely to get arguments of the same size, so that they can share
-/// their parameters and address arithmetic: they are visited together, or declared by the same type name (`S` and `S`,
-/// not `S` and `D`).
+/// pass parameters and address arithmetic: both ranges have the size of the visited one, or both are declared by the
+/// same type text (`S` and `S`, not `S` and `D`).
 bool are_alike(const Context& c, const ast::Kernel& written, const ir::Kernel& kernel, std::size_t i, std::size_t k) {
     const ir::KernelParam &one = kernel.params[i], &other = kernel.params[k];
     if (one.pattern == ir::Pattern::value || other.pattern == ir::Pattern::value) return false;

@@ -20,7 +20,7 @@ bool is_function(const Context&, const std::vector<ast::DeclId>&);
 bool some_module_has_function(const Context&, Name);
 
 /// Argument-dependent lookup: adds the functions of this name, public or not, in the modules of the structs and enums
-/// among `types`.
+/// among `types`, or among the elements of arrays and optionals there.
 void add_functions_of_types(Context&, Name, const std::vector<ir::TypeId>& types, std::vector<ast::DeclId>& functions);
 
 }  // namespace gliftc::sema

@@ -6,18 +6,20 @@
 namespace gliftc::sema {
 
 /// The declarations of `name` in a module: its own, else the public ones of its imports. Reports ambiguity. Reports a
-/// name that imports declare only without `pub`, and gives these declarations. Empty if the name is unknown.
+/// name that imports declare only without `pub`, and gives these declarations, unless the name is built into the
+/// language. Empty if there is none.
 std::vector<ast::DeclId> find_declarations(Context&, std::uint32_t module, ast::Identifier name);
 
-/// The meaning of a name in an environment: bound there, declared in its module or imports, built into the language, or
-/// the name of an imported module. Kind none if unknown.
+/// The meaning of a name in an environment: bound there, `Self`, declared in its module or imports, built into the
+/// language, or the name of an imported module or its last part (`array` of `std.array`). Kind none if unknown.
 Meta find_meta(Context&, const Env&, ast::Identifier name);
 
 /// The meaning of an alias, `structure Field = …`, whose generic arguments `env` binds. The name of one without generic
-/// parameters is added to Structure::aliases of the structure that it denotes.
+/// parameters is added to Structure::aliases of the structure that it denotes, if it denotes one.
 Meta meta_of_alias(Context&, ast::DeclId, const Env&, Span use);
 
-/// The meaning of a type expression; reports an invalid one and returns a Meta of kind none.
+/// The meaning of an expression where a type, translator or constant is wanted; reports an invalid one and returns a
+/// Meta of kind none.
 Meta meta_of(Context&, const Env&, ast::ExprId);
 
 /// The type of a texel's value: float4 for rgba8.
@@ -29,16 +31,18 @@ Meta as_type(Context&, const Meta&);
 /// The concrete type that an expression denotes; else reports and returns the error type.
 ir::TypeId type_of(Context&, const Env&, ast::ExprId);
 
-/// The value of a compile-time expression of the wanted type (or its own, if wanted is absent); reports otherwise.
+/// The value of a compile-time expression of the wanted type; if that is absent, of its own type, which is uint for
+/// literals without suffix. Reports otherwise.
 std::optional<ir::Value> constant_of(Context&, const Env&, ast::ExprId, ir::TypeId wanted = {});
 
 /// The checked value of a `const` declaration.
 ir::ExprId constant_declaration(Context&, ast::DeclId);
 
-/// The value of a compile-time integer (array size, group size, radius); reports otherwise.
+/// The value of a compile-time int or uint from 0 to 2^32 - 1, such as an array size or a radius; reports otherwise.
 std::optional<std::uint32_t> count_of(Context&, const Env&, ast::ExprId);
 
-/// The visible name most similar to `name`, for "did you mean".
+/// The visible name, intrinsic, common built-in type or one of `more` that is most similar to `name`, for "did you
+/// mean"; empty if none is.
 std::string suggestion_for(Context&, const Env&, std::string_view name, const std::vector<std::string_view>& more = {});
 void report_unknown(Context&, const Env&, ast::Identifier name, const std::vector<std::string_view>& more = {});
 

@@ -17,8 +17,8 @@ struct Whole {
     bool operator==(const Whole&) const = default;
 };
 
-/// Where `whole` is a member by reference of a temporary: replaces it by the structure that the temporary's constructor
-/// was given for that member. False if it is not.
+/// Where `whole` is, or lies in, a member by reference of a temporary: replaces that member by the structure that the
+/// temporary's constructor was given for it. False if it is not, or if a slice was given.
 bool follow_given(Body& body, Whole& whole) {
     const ir::Program& p = body.program();
     const auto made = body.made.find(whole.local);

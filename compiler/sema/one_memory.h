@@ -5,8 +5,8 @@
 
 namespace gliftc::sema {
 
-/// Reports two parameters that access one memory where invocations would race. Only whole structures are compared:
-/// slices are left to the runtime.
+/// Reports the first two parameters that access one memory so that invocations may race, unless the kernel declares
+/// them @disjoint. Only whole structures are compared: slices are left to the runtime.
 void check_one_memory(Body&, const ir::Kernel&, const ir::Operands& arguments);
 
 }  // namespace gliftc::sema

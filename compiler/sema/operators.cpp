@@ -164,7 +164,8 @@ ir::TypeId result_type(ir::Types& types, ast::BinaryOp op, ir::TypeId left, ir::
     return types.components(left) == 1 ? right : ir::TypeId{};
 }
 
-/// Warns about a divisor that is a constant with a zero: the result is defined, but probably not meant.
+/// Warns about an integer divisor that is constant and has a component of zero: the result is defined, but probably not
+/// meant.
 void warn_of_zero(Body& body, ast::BinaryOp op, ir::ExprId divisor, Span span) {
     const auto known = ir::evaluate(body.program(), divisor);
     if (!known || std::ranges::none_of(known->lanes, [](const ir::Lane& lane) { return lane.bits == 0; })) return;

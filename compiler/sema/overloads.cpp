@@ -60,7 +60,7 @@ CheckedArguments check_arguments(Body& body, const std::vector<ast::ExprId>& arg
     return result;
 }
 
-/// Whether an argument made of untyped literals can take a parameter's type.
+/// Whether an argument made of untyped literals can take a parameter's type; true for other arguments.
 bool takes_literal(Context& c, ast::ExprId argument, ir::TypeId parameter) {
     if (!is_flexible(c, argument) || parameter == c.types().error) return true;
     const ir::TypeId taken = operand_hint(c.types(), parameter), own = operand_hint(c.types(), own_type(c, argument));
@@ -68,7 +68,8 @@ bool takes_literal(Context& c, ast::ExprId argument, ir::TypeId parameter) {
     return c.types().is_scalar(taken) && c.types().is_number(taken);
 }
 
-/// Binds the generics of an overload; null if it is not viable. With `report`, reports why.
+/// Binds the generics of an overload; null if it is not viable. With `report`, reports why; errors in explicit generic
+/// arguments are reported in any case.
 std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner,
                            const std::vector<ast::ExprId>& explicit_generics, const CheckedArguments& arguments,
                            const ast::Expr& call, ir::TypeId wanted, bool report) {
@@ -180,7 +181,8 @@ Operand call_as_pass(Body& body, ir::FunctionId function, const std::vector<Oper
     return value_operand(body, result, span);
 }
 
-/// The node of a call, or where the host cannot evaluate it, a call of the pass that does (call_as_pass).
+/// The node of a call, or where the host cannot evaluate it, a call of a pipeline that does so in a pass
+/// (call_as_pass).
 Operand call_instance(Body& body, ir::FunctionId function, const std::vector<Operand>& structures, ir::Operands values,
                       Span span) {
     if (is_pass(body, function, structures, values)) return call_as_pass(body, function, structures, values, span);
@@ -226,7 +228,7 @@ Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments
     return call_instance(body, *instance, given, std::move(values), call.span);
 }
 
-/// Whether a function's result has the expected type; true if none is expected.
+/// Whether a function's result has the expected type or can be wrapped into it, an optional; true if none is expected.
 bool gives(Body& body, ir::TypeId result, ir::TypeId wanted) {
     return !wanted || becomes(body.types(), result, wanted);
 }

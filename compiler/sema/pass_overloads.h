@@ -11,7 +11,8 @@ struct PassArgument {
     ast::ExprId written;
     ir::TypeId type;                         ///< of a value: its type, without TypeKind::device
     std::optional<std::uint32_t> structure;  ///< of a structure or slice: the instance
-    bool waits = false;  ///< it is a literal, which takes the parameter's type and is checked once that is known
+    bool waits = false;  ///< it is made of literals, `none` or a braced list: it takes the parameter's type and is
+                         ///< checked once that is known
 };
 
 /// The best of the overloads that take the arguments; reports if there is none, or the call is ambiguous. A single

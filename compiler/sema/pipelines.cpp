@@ -12,7 +12,8 @@ namespace gliftc::sema {
 
 namespace {
 
-/// The address type for `range<N, T>`: such parameters and results are slices of any structure with that address type.
+/// The address type for `range<N, T>`: such parameters and results are slices of any structure with that address type
+/// and elements of type T.
 ir::TypeId range_domain(Context& c, const Env& env, ast::ExprId dimensions) {
     auto n = count_of(c, env, dimensions);
     if (!n || *n < 1 || *n > 4) {
@@ -100,7 +101,7 @@ void check_pipeline_body(Body& body, const std::vector<ast::StmtId>& statements,
 
 }  // namespace
 
-// The type of a range result is that of the returned slices, which must all be of one structure.
+// The type of a range result is that of the returned slices, which must all be of one structure type.
 void check_range_return(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
     ir::StmtId id = add(body.program(), ir::StmtOp::return_, stmt.span);
@@ -134,7 +135,8 @@ static std::vector<ast::DeclId> overloads_of(const Context& c, ast::DeclId id, s
     return all;
 }
 
-/// A suffix of the pipeline's key: its container, and its number among the overloads unless it is the first.
+/// A part of Body::key: the pipeline's container, if it has one, and its number among the overloads unless it is the
+/// first.
 static std::string overload_text(const Context& c, ast::DeclId id, std::optional<std::uint32_t> owner) {
     const std::vector<ast::DeclId> all = overloads_of(c, id, owner);
     const auto place = std::ranges::find(all, id) - all.begin();

@@ -8,8 +8,8 @@ constexpr const char *constant = "O(1)", *not_known = "not known";
 
 /// Properties of the control flow of `translate`.
 struct Flow {
-    bool has_branch = false;     ///< a branch other than `if … { return none; }`
-    bool has_open_loop = false;  ///< a loop whose trip count is not constant
+    bool has_branch = false;     ///< an `if` other than `if … { return none; }`, on a condition that is not constant
+    bool has_open_loop = false;  ///< a `while`, or a `for` whose bounds are not constant
 };
 
 /// Whether the body is empty, or only `return none;`: an early exit.
@@ -49,7 +49,8 @@ void look(const ir::Program& program, ir::FunctionId id, Flow& flow) {
     look(program, program.functions[id].body, flow);
 }
 
-/// Adds the cost of the structures that the translator reads: each read is translated in turn.
+/// Lowers properties by the translators of the structures that the translator reads, since each read is translated in
+/// turn. The memories of those structures are not followed.
 void add_tables(const ir::Program& program, ir::Translator& translator) {
     ir::Properties& properties = translator.properties;
     for (std::uint32_t structure : translator.structures) {

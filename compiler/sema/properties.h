@@ -6,7 +6,7 @@
 namespace gliftc::sema {
 
 /// Fills Translator::properties, of which `partial` and `invertible` are set already, and `affine` is set by lower/.
-/// Reads `@many_to_one`, `@one_to_one`, `@memory(...)`, `@access(...)` and reports contradictions.
+/// Reads `@many_to_one`, `@one_to_one`, `@memory(...)`, `@access(...)`; reports contradictions and other attributes.
 void infer_properties(Context&, std::uint32_t translator, const ast::Decl&);
 
 }  // namespace gliftc::sema

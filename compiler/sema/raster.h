@@ -18,17 +18,17 @@ bool is_at_home(Context&, const ast::Param&, ir::Pattern, bool in_raster);
 /// parameters are in scope.
 void check_raster(Body&, const ast::Kernel& written);
 
-/// Whether the structure's elements are texels of the format d32.
+/// Whether the structure's own memory has the format d32.
 bool has_depth_format(const ir::Structure&);
 
 /// Reports variables that some path through a part leaves unassigned (position, varyings, clip distances; colour
-/// targets, but for paths that discard), and a corner that is placed twice.
+/// targets, but for paths that discard), and a corner that is placed twice, or in a loop.
 void check_assigned(Context&, const ir::Kernel&);
 
 /// The local of the fragment part that holds the value for a target; absent if the target had an error.
 ir::LocalId target_value(const ir::Kernel&, std::uint32_t param);
 
-/// `colour = value;`
+/// Checks and emits an assignment to a target, `colour = value;` or `depth = value;`.
 void assign_target(Body&, const ast::Stmt&, const Symbol&, ast::ExprId root);
 
 /// The part in which parameters of this pattern can be used: vertex for corners and instances, fragment for pixels and

@@ -1,5 +1,5 @@
-// Calls of functions that read memory, in pipelines and from C++: a generated pipeline calls the function in a pass of
-// one invocation, and its result stays on the device.
+// Calls, in pipelines and from C++, of functions that the host cannot evaluate, mostly since they read memory: a
+// generated pipeline calls the function in a pass of one invocation, and its result stays on the device.
 #include "ir/levels.h"
 #include "ir/walk.h"
 #include "sema/components.h"

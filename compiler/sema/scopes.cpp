@@ -43,7 +43,7 @@ std::optional<ir::Value> known_value(Body& body, ir::ExprId expr) {
     return ir::evaluate(body.program(), expr, body.lets);
 }
 
-/// The meaning of a name in scope in a type or constant expression.
+/// The meaning that a symbol in scope has within a type or a constant expression.
 static Meta meta_of_symbol(Body& body, const Symbol& symbol) {
     Meta meta;
     meta.kind = MetaKind::running;

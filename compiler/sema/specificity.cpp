@@ -27,7 +27,7 @@ bool names_generic(const Context& c, const ast::Decl& decl, ast::ExprId type) {
     return std::ranges::any_of(expr.operands, [&](ast::ExprId part) { return names_generic(c, decl, part); });
 }
 
-/// Whether two nodes are the same, apart from their operands.
+/// Whether two nodes are the same, apart from their operands. Literals other than integers are not compared.
 bool is_same_node(const ast::Expr& a, const ast::Expr& b) {
     if (a.kind != b.kind || a.operands.size() != b.operands.size()) return false;
     switch (a.kind) {

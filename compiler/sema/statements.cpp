@@ -362,7 +362,7 @@ void check_expression_statement(Body& body, const ast::Stmt& stmt) {
     Operand operand = check(body, stmt.value);
     if (operand.kind == OperandKind::error || !operand.expr) return;
     const ir::Expr& node = body.program().exprs[operand.expr];
-    if (node.op == ir::Op::constant && node.type == body.types().void_) return;  // s.store(…): emitted already
+    if (node.op == ir::Op::constant && node.type == body.types().void_) return;  // such as s.store(…): emitted already
     bool atomic = node.op == ir::Op::intrinsic && node.intrinsic >= ir::Intrinsic::atomicStore;
     if (node.op != ir::Op::call && node.op != ir::Op::pipeline_call && !atomic) {
         c.error(Diag::no_effect, c[stmt.value].span);

@@ -254,7 +254,8 @@ std::vector<std::uint32_t> stage_translators(Body& body, const ast::Expr& call, 
     return made ? *made : std::vector<std::uint32_t>{};
 }
 
-/// Assigns the arguments to the fields of the translators, in the order in which the fields are declared.
+/// Assigns the arguments to the fields of the translators, in the order in which the fields are declared. False after
+/// an error.
 bool fill_stages(Body& body, const ast::Expr& call, const std::vector<Operand>& arguments,
                  const std::vector<std::uint32_t>& translators, std::vector<ir::Stage>& stages) {
     Context& c = body.context;
@@ -373,7 +374,8 @@ ir::ExprId domain_from_translator(Context& c, const ir::Structure& structure) {
     return substitute_state(c, value, structure.via[0]);
 }
 
-/// The extent of the structure's domain: from its own domain(), else from its first translator, else from its memory.
+/// The extent of the structure's domain: from its own domain(); else, if it has `via`, from its first translator,
+/// absent if that has none; else from the structure that is its memory.
 ir::ExprId domain_of(Body& body, std::uint32_t index, const ast::Item* declared) {
     Context& c = body.context;
     const ir::Structure structure = c.program.structures[index];
@@ -382,8 +384,8 @@ ir::ExprId domain_of(Body& body, std::uint32_t index, const ast::Item* declared)
     return domain_of_base(body, index);
 }
 
-/// Whether the translators of `via` fit together and end with the address type of the memory; reports where not. Sets
-/// the address type of the structure: that of its first translator, or of its memory.
+/// Whether `via`, if there is one, ends with the address type of the memory; reports if not. Sets the address type of
+/// the structure: that of its first translator, or of its memory.
 bool check_addresses(Context& c, std::uint32_t index) {
     ir::Structure& structure = c.program.structures[index];
     const bool has_base = !structure.base.empty();
@@ -618,7 +620,7 @@ ir::TypeId make_adaptor(Context& c, ast::DeclId id, const Env& env) {
             break;
         }
         case ast::ItemKind::function:
-        case ast::ItemKind::pipeline: break;  // instantiated when called
+        case ast::ItemKind::pipeline: break;  // instantiated when called; those of public adaptors by check()
         case ast::ItemKind::memory:
         case ast::ItemKind::via:
         case ast::ItemKind::otherwise: c.error(Diag::item_not_here, item.span, {"an adaptor"}); break;

@@ -76,7 +76,7 @@ Operand sample(Body& body, const Operand& self, const std::vector<ast::ExprId>& 
     return operation(body, ir::Op::sample, element, self, operands, call.span);
 }
 
-/// Whether addresses have two axes, and perhaps layers of an image.
+/// Whether addresses have two axes, or three of which the last counts the layers of an image.
 bool is_flat(Body& body, const ir::Structure& structure) {
     const std::uint32_t axes = body.types().components(structure.domain_type);
     if (axes == 2) return true;
@@ -119,7 +119,8 @@ Operand compare(Body& body, const Operand& self, const std::vector<ast::ExprId>&
     return operation(body, ir::Op::compare, body.types().float_, self, operands, call.span);
 }
 
-/// Reports a structure whose elements around a point other invocations may write.
+/// Whether the structure is not written by scatter, nor through a parameter that is `out` or `inout`; `coherent` and
+/// `calls` are allowed. Reports one that is: other invocations may write the elements around a point.
 bool is_read(Body& body, const Operand& self, std::string_view name, Span span) {
     const bool is_param = body.kernel != nullptr && self.place.root < body.kernel->params.size();
     const ir::KernelParam* const param = is_param ? &body.kernel->params[self.place.root] : nullptr;

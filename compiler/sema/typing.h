@@ -26,7 +26,8 @@ ir::TypeId own_type(Context&, ast::ExprId literal);
 /// operators work on plain values.
 ir::TypeId operand_hint(const ir::Types&, ir::TypeId wanted);
 
-/// Whether `from` converts implicitly to `to`: `to` is the same type, or an optional of it.
+/// Whether `from` converts implicitly to `to`: `to` is the same type, an optional of it, or an optional of such an
+/// optional.
 bool becomes(const ir::Types&, ir::TypeId from, ir::TypeId to);
 
 /// Whether the type is or contains an optional.

@@ -1,6 +1,6 @@
-// A forward data-flow analysis of a kernel's body: where are values and control flow uniform? Functions that declare a
-// workgroup (`group`) are analysed at each call, since they contain barriers. Levels only rise; the walk is repeated
-// until none does, then once more to report.
+// A forward data-flow analysis of a kernel's body or a draw's fragment part: where are values and control flow uniform?
+// Functions that declare a workgroup (`group`) are analysed at each call, since they may contain barriers. Levels only
+// rise; the walk is repeated until none does, then once more to report.
 #include "sema/uniformity.h"
 
 #include "ir/effects.h"
@@ -246,7 +246,7 @@ Flow Uniformity::choice(const ir::Expr& node) {
     return flow;
 }
 
-/// Varyings differ between the fragments of a quad, except flat ones, which have the value of the triangle's first
+/// Varyings differ between the fragments of a quad, except flat ones, which have the value of the primitive's first
 /// vertex.
 Flow Uniformity::varying(ir::LocalId local) const {
     if (!kernel_.raster) return {};
@@ -259,7 +259,7 @@ Flow Uniformity::varying(ir::LocalId local) const {
 }
 
 /// Derivatives need control flow that is uniform within a quad. The level of flat varyings (subgroup) is enough: all
-/// fragments of a quad belong to one triangle.
+/// fragments of a quad belong to one primitive.
 void Uniformity::derivative(const ir::Expr& node) {
     const Flow flow = worse(control_flow_, left_);
     if (!reports_ || flow.level <= Level::subgroup || !reported_.insert({node.span.file, node.span.begin}).second)

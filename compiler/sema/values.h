@@ -3,7 +3,8 @@
 //
 // While such an expression is being checked it is *open*: a tree of plain types, as if the host knew the values, whose
 // leaves on the device are nodes Op::device_value. Where the whole expression is used it is *closed*: one pass of one
-// invocation computes it, and a call of that pass replaces the tree, with a device type.
+// invocation computes it, and a call of that pass replaces the tree, with a device type. An expression that is a single
+// leaf needs no pass: the value behind it is taken.
 #pragma once
 
 #include "sema/body.h"

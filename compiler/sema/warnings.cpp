@@ -15,7 +15,7 @@ public:
     Mentions(const Context& context, const std::vector<ast::StmtId>& body) : c(context) { statements(body); }
 
     bool is_named(Name name) const { return named_.contains(name.index); }
-    /// Whether the name is assigned to, or passed to a call, which may write it.
+    /// Whether the name occurs in the target of an assignment, or in a call, which may write it.
     bool may_be_written(Name name) const { return written_.contains(name.index); }
 
 private:
@@ -118,7 +118,7 @@ void check_self_assignments(Context& c, const std::vector<ast::StmtId>& body) {
     }
 }
 
-/// Checks a kernel or a pipeline.
+/// Checks a pipeline, or a kernel that does not draw.
 void check_pass(Context& c, const std::vector<ast::Param>& params, const std::vector<ast::StmtId>& body) {
     check_reached(c, body);
     check_self_assignments(c, body);

@@ -1,5 +1,5 @@
 // What functions and kernels write (their effects): declarations by patterns and `with`, effects of calls, and
-// conflicts between those of one kernel.
+// conflicts between those of one kernel, or with its reads.
 #pragma once
 
 #include "sema/body.h"
@@ -35,7 +35,8 @@ bool fits_writing(Body&, const Env&, const ast::Param&, const Operand& argument)
 /// passed, of which the first is the callee's container if `is_method`. False after an error.
 bool add_effects(Body&, ir::FunctionId, const std::vector<Operand>& given, bool is_method, Span);
 
-/// Reports two accesses of a kernel to one memory by patterns that conflict.
+/// Reports two functions called by a kernel that write one memory by different patterns, and a read of a memory that
+/// the kernel also writes by scatter or through functions.
 void check_effects(Context&, const ir::Kernel&);
 
 }  // namespace gliftc::sema
