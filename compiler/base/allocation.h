@@ -9,8 +9,9 @@
 
 namespace gliftc {
 
-/// Makes malloc grow its heaps in large steps and never trim them, since a run is short. By default glibc extends the
-/// heaps of all threads but the first by 4 KiB at a time: thousands of system calls, which the kernel serialises.
+/// Makes malloc take memory from the system in large steps, keep up to 1 GiB of what is freed, and serve blocks of less
+/// than 32 MiB from its heaps, since a run is short. By default glibc extends the heaps of all threads but the first by
+/// 4 KiB at a time: thousands of system calls, which the kernel serialises.
 inline void grow_heap_in_large_steps() {
 #ifdef __GLIBC__
     mallopt(M_TOP_PAD, 32 << 20);

@@ -1,4 +1,4 @@
-// Arenas whose values are referred to by typed ids (indices): the storage of the nodes of every tree in the compiler.
+// Arenas whose values are referred to by typed ids (indices): the storage of the nodes of the syntax tree and the IR.
 #pragma once
 
 #include <cassert>
@@ -22,8 +22,8 @@ template <class T> struct Id {
     auto operator<=>(const Id&) const = default;
 };
 
-/// Owns values of one type; ids and references stay valid as it grows. Values lie in blocks of equal size, so that
-/// finding one is a shift and a mask.
+/// Owns values of one type, but for those shared with an arena that it extends; ids and references stay valid as it
+/// grows. Values lie in blocks of 64, so that finding one is a shift and a mask.
 template <class T> class Arena {
     static constexpr std::uint32_t shift = 6, block_size = 1u << shift, mask = block_size - 1;
 
@@ -132,7 +132,7 @@ private:
     const T& at(std::uint32_t i) const { return const_cast<Arena*>(this)->at(i); }
 
     std::vector<Block*> blocks_;
-    std::vector<std::unique_ptr<Block>> own_;  ///< the blocks not shared with the arena that this one extends
+    std::vector<std::unique_ptr<Block>> own_;  ///< the blocks from `first_` on; null: adopted by another arena
     std::uint32_t first_ = 0;                  ///< index of the first value in own_
     std::uint32_t size_ = 0;
 };

@@ -1,4 +1,4 @@
-// Rounding to 16-bit floats, without _Float16, which clang has only for targets with native support.
+// Rounding to 16-bit floats, without _Float16, which older versions of clang have only for targets with native support.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,8 @@
 
 namespace gliftc {
 
-/// The 16-bit float nearest to the number, ties to even; infinity beyond the largest.
+/// The 16-bit float nearest to the number, ties to even; infinity, with the number's sign, where that lies beyond the
+/// largest, 65504.
 inline double round_to_half(double number) {
     if (number == 0 || !std::isfinite(number)) return number;
     constexpr int smallest_exponent = -14, fraction_bits = 10;

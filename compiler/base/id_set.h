@@ -1,5 +1,5 @@
-// A set of ids, such as the nodes that a walk has visited. Most sets are small: few ids are stored inline, more on the
-// heap.
+// A set of ids, such as the nodes that a walk has visited. Most sets are small: up to 16 ids are stored inline, more
+// all on the heap.
 #pragma once
 
 #include "base/arena.h"
@@ -17,7 +17,7 @@ public:
     IdSet(const IdSet&) = delete;
     IdSet& operator=(const IdSet&) = delete;
 
-    /// Whether the id was not in the set before.
+    /// Adds the id. Whether it was not in the set before.
     bool insert(Id<T> id) {
         std::uint32_t& slot = slots()[place(id.index)];
         if (slot != empty) return false;

@@ -18,8 +18,9 @@ struct Name {
     auto operator<=>(const Name&) const = default;
 };
 
-/// Owns the text of all names of one compilation. Every identifier of the source passes through intern(): its hash
-/// table is therefore one made for speed, with open addressing, never more than half full.
+/// The texts of all names of one compilation. Owns them, but for those of a table that it extends. Every identifier of
+/// the source passes through intern(): its hash table is therefore one made for speed, with open addressing, never more
+/// than half full.
 class Names {
 public:
     Names() : slots_(1024) { intern(""); }

@@ -26,13 +26,14 @@ private:
     std::size_t count_;
 };
 
-/// The number of threads for `count` work items: at most one a processor, and at least `share` items a thread, so that
-/// starting it pays off.
+/// The number of threads for `count` work items: at most one a processor, and so few that each has at least `share`
+/// items, which make starting it pay off; one thread if there are fewer items.
 inline std::size_t threads_for(std::size_t count, std::size_t share) {
     return std::clamp<std::size_t>(count / share, 1, std::max(1u, std::thread::hardware_concurrency()));
 }
 
-/// Calls work() once on each of `threads` threads, the calling one included, and waits for all. Rethrows an exception.
+/// Calls work() once on each of `threads` threads, the calling one included, and waits for all. If calls throw, throws
+/// one of their exceptions.
 template <class Work> void on_threads(std::size_t threads, Work&& work) {
     std::vector<std::future<void>> others;
     for (std::size_t i = 1; i < threads; ++i) others.push_back(std::async(std::launch::async, std::ref(work)));

@@ -15,7 +15,7 @@
 
 namespace gliftc {
 
-/// Elements must be trivially copyable. Up to `Inside` of them are stored in the object, more on the heap.
+/// Elements must be trivially copyable. Up to `Inside` of them are stored in the object, more all on the heap.
 template <class T, std::uint32_t Inside> class SmallVector {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
@@ -98,7 +98,7 @@ private:
     void release() {
         if (!is_inside()) std::allocator<T>().deallocate(heap(), capacity_);
     }
-    /// Copies the other's elements, if both vectors are inline. Copies all bytes, as take() does.
+    /// Copies the other's elements; both vectors must be inline. Copies all bytes, as take() does.
     void copy_inside(const SmallVector& other) {
         std::memcpy(bytes_, other.bytes_, sizeof bytes_);
         size_ = other.size_;
