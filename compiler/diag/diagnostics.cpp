@@ -88,8 +88,8 @@ Diagnostic& Diagnostics::report(Diag id, Span span, std::initializer_list<std::s
 }
 
 Diagnostic& Diagnostics::keep(Diagnostic&& made) {
-    // Compared with the latest only: a duplicate comes soon after the first, and thousands of warnings must not take
-    // quadratic time.
+    // Compared with the latest 100 only: a duplicate comes soon after the first, and thousands of warnings must not
+    // take quadratic time.
     auto latest = all_.size() > 100 ? all_.end() - 100 : all_.begin();
     bool repeated = std::any_of(latest, all_.end(), [&](const Diagnostic& earlier) {
         bool same_place = made.span && earlier.span == made.span;

@@ -7,17 +7,18 @@
 
 namespace gliftc {
 
-/// Whether escape sequences colour the text. The caller resolves `auto`.
+/// Whether escape sequences colour the text. The caller decides which where the user chose `--color=auto`.
 enum class Colour : std::uint8_t { plain, coloured };
 
-/// `file:line:col: error: text [id]`, the source line, carets under the span, then the notes in the same form.
+/// `file:line:col: error: text [id]`, the source line, carets under the span, then the notes in the same form, without
+/// an id. What has no span has no location and no source line.
 std::string render_text(const Diagnostic& diagnostic, const Sources& sources, Colour colour);
 
 /// All of them; a last line gives the number of errors where the limit was reached.
 std::string render_text(const Diagnostics& diagnostics, const Sources& sources, Colour colour);
 
-/// One JSON array; an object a diagnostic: id, severity, text, and where known file, line, column, end_line,
-/// end_column; notes alike.
+/// One JSON array; an object a diagnostic: severity, id, text, where known file, line, column, end_line, end_column,
+/// and notes: each has a text and, where known, a location of these five.
 std::string render_json(const Diagnostics& diagnostics, const Sources& sources);
 
 }  // namespace gliftc
