@@ -82,10 +82,10 @@ struct Expr {
     ExprKind kind = ExprKind::error;
     Span span;       ///< the whole expression
     Name name;       ///< name, member, string_literal
-    Span name_span;  ///< member: the member's name alone; binary, unary: the operator
+    Span name_span;  ///< member: the member's name alone; operators, `..`, `?`, await: the operator
     UnaryOp unary = {};
     BinaryOp binary = {};
-    char suffix[3] = {};      ///< literals: "u", "ul", "h", …
+    char suffix[3] = {};      ///< numbers: "u", "ul", "h", …
     std::uint64_t value = 0;  ///< int_literal, bool_literal
     double number = 0;        ///< float_literal
     std::vector<ExprId> operands;
@@ -96,13 +96,13 @@ struct Expr {
 
 enum class StmtKind : std::uint8_t {
     error,
-    let,         // let/var/const name [: type] = value   (mutability in `binding`)
-    shared,      // shared name: type;                     kernels with a group
+    let,         // let/var/const name [: type] [= value]   (which in `binding`; only `var name: type;` has no value)
+    shared,      // shared name: type;                     kernels and functions with a group
     temp,        // [uninitialized] temp name [: type] = value;            pipelines
     assign,      // target op= value; op absent for plain `=`
     expression,  // value;
-    if_,         // if (value | let name = value) body [else otherwise]
-    for_,        // for name in value body
+    if_,         // if value body [else otherwise]; `if let name = value` where `name` is set
+    for_,        // for name in value [while condition] body
     while_,      // while value body
     break_,
     continue_,
@@ -160,7 +160,7 @@ struct Param {
     ExprId default_value;
 };
 
-/// `@name(arguments)` before a declaration.
+/// `@name(arguments)` before a declaration or method.
 struct Attribute {
     Identifier name;
     std::vector<ExprId> arguments;
@@ -175,15 +175,15 @@ struct MemberPattern {
     std::vector<ExprId> extra;  ///< scatter: the operation's name
 };
 
-/// `fn name<…>(…) [with …] -> type { … }`; methods without `fn` (translate, invert, ranges, domain, at) are functions
-/// too.
+/// `fn name<…>(…) [with …] -> type { … }`; methods, before which `fn` may be left out (translate, invert, domain, at,
+/// …), are functions too.
 struct Function {
     std::vector<Param> params;
     std::vector<ExprId> group;  ///< the workgroup that its callers must have; empty: any or none
     std::vector<MemberPattern> with;
     ExprId result;  ///< or absent
     std::vector<StmtId> body;
-    bool has_body = false;  ///< false in interfaces and `extern fn`
+    bool has_body = false;  ///< false: there is `;` instead, as in interfaces and after `extern fn`
 };
 
 struct Field {
@@ -211,7 +211,7 @@ struct Enum {
     std::vector<Enumerator> enumerators;
 };
 
-/// Members are functions without bodies.
+/// Members are functions. Bodies are parsed, but not looked at.
 struct Interface {
     std::vector<DeclId> members;
 };
@@ -232,17 +232,17 @@ struct Translator {
     ExprId virtual_type;
     ExprId physical_type;
     std::vector<Field> fields;
-    std::vector<DeclId> methods;  ///< translate, invert, ranges, domain, other fns
+    std::vector<DeclId> methods;  ///< translate, invert, domain; sema reports others
 };
 
 enum class ItemKind : std::uint8_t {
-    memory,     // memory name = buffer<T>[n] | image2d<F>(extent) [mips(n)] [filter linear] [compare less];
+    memory,     // memory name = buffer<T>[n] | image2d<F>(extent) | … [mips(n)] [filter linear] [compare less];
     member,     // structure name = Type(arguments…);
     via,        // via A<…>(…) then B<…>(…);
     otherwise,  // otherwise value;         the value of reads at unmapped addresses
     host,       // host name: type = value;   adaptors
     condition,  // if constant { items } [else { items }]
-    function,   // a fn, or a method without fn (domain, at): `decl`
+    function,   // a fn, or a method without the word (domain, at, blocks, …): `decl`
     pipeline,   // a pipeline: `decl`
 };
 
@@ -339,7 +339,7 @@ struct Decl {
         body;
 };
 
-/// `use std.array;` (path by dots: import directories) or `use ./mesh;` (relative to this file)
+/// `use std.array;` (a name: driver/load.h says where it is looked for) or `use ./mesh;` (relative to this file)
 struct Use {
     std::string path;  ///< "std.array" or "./mesh"
     Span span;

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t widest = 120, level = 4, widest_alignment = 60;
 
 /// Breaks pieces into lines. A statement ends with `;` or with a block; it stays on one line if its blocks were on one
-/// line and it fits.
+/// line, no comment is inside and it fits.
 class Formatter {
 public:
     explicit Formatter(const std::vector<Piece>& pieces) : pieces_(pieces) {}

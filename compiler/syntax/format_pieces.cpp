@@ -9,7 +9,7 @@ namespace gliftc {
 namespace {
 
 using enum TokenKind;
-/// The operators before which a line may break: those of low precedence.
+/// The operators before which a line may break, besides the `?` and `:` of a conditional.
 constexpr TokenSet loose_operators{question_question, bar_bar, ampersand_ampersand, plus, minus, kw_then};
 constexpr TokenSet tight_before{close_paren, close_bracket, comma, semicolon, dot};
 constexpr TokenSet tight_after{open_paren, open_bracket, dot, at_sign};
@@ -54,7 +54,7 @@ private:
         add(is_line ? PieceKind::line_comment : PieceKind::block_comment, comment.begin, end);
     }
 
-    /// A `>>` or `??` that the parser split becomes several pieces.
+    /// A token such as `>>`, `>=` or `??` that the parser split becomes several pieces.
     void add_token(std::uint32_t i) {
         const Token& token = written_.tokens[i];
         const Token& parsed = read_.tokens[i];

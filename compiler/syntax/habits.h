@@ -1,5 +1,5 @@
-// Hints in error messages for users of C, C++, GLSL, HLSL, Rust and Python: what Glift has in place of names and syntax
-// of these.
+// Hints in error messages for users of C, C++, CUDA, GLSL, HLSL, Rust and Python: what Glift has in place of names and
+// syntax of these.
 #pragma once
 
 #include <string>

@@ -55,7 +55,7 @@ private:
     std::vector<Entry> entries_;
 };
 
-/// Scans the text once. Reads past the end give '\0'.
+/// Scans the text from its beginning to its end. look() beyond the end gives '\0'.
 class Lexer {
 public:
     Lexer(std::uint32_t file, const Sources& sources, Names& names, Diagnostics& diagnostics)
@@ -111,8 +111,8 @@ private:
         push(kind, begin, name, meaning);
     }
 
-    /// A word with letters beyond ASCII: one error, after which it counts as an identifier; without any ASCII letter it
-    /// does not.
+    /// A word with characters beyond ASCII: one error, unless the text is not valid UTF-8, which is reported once. It
+    /// counts as an identifier if it has an ASCII letter, digit or '_', else as a bad_character.
     void foreign_word(std::size_t begin) {
         std::size_t first = begin;
         while (first < text_.size() && !is_beyond_ascii(text_[first])) ++first;
@@ -144,8 +144,8 @@ private:
         while (class_of(look()) == digit) ++at_;
     }
 
-    /// integer: (digit+ | "0x" hex+) ["u" | "l" | "ul"];  floating: digit+ ["." digit+] [("e"|"E") ["+"|"-"] digit+]
-    /// ["f" | "h" | "d"]
+    /// integer: (digit+ | "0x" hex+) ["u" | "l" | "ul"];  floating: digit+ ("." digit+ [exponent] | exponent) ["f" |
+    /// "h" | "d"];  exponent: ("e" | "E") ["+" | "-"] digit+
     void number() {
         std::size_t begin = at_;
         bool floating = false;

@@ -6,9 +6,9 @@
 
 namespace gliftc {
 
-/// Never fails: text that begins no token is reported and becomes a bad_character token; an unterminated string or
-/// comment is reported, and ends with its line or the file. Malformed numbers (bad_number) are left to the parser to
-/// report. The list ends with TokenKind::end.
+/// Never fails: text that begins no token is reported and becomes a bad_character token (a word with characters beyond
+/// ASCII mostly an identifier); an unterminated string or comment is reported, and ends with its line or the file.
+/// Malformed numbers (bad_number) are left to the parser to report. The list ends with TokenKind::end.
 TokenList lex(std::uint32_t file, const Sources& sources, Names& names, Diagnostics& diagnostics);
 
 /// The offset of the first byte that is not valid UTF-8; the text's size if all are.

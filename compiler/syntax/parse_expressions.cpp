@@ -1,4 +1,4 @@
-// Expressions with operators.
+// Expressions with operators, ranges and `then`; generic arguments, which are such expressions.
 #include "syntax/parser_state.h"
 
 #include <algorithm>
@@ -171,7 +171,7 @@ ast::ExprId Parser::parse_unary() {
     return add(std::move(expr));
 }
 
-/// generic-argument = additive { "?" } ;      comparisons and shifts need parentheses there
+/// generic-argument = additive { "?" } ;      operators that bind less than `+` need parentheses there
 ast::ExprId Parser::parse_generic_argument() {
     Nesting nesting(*this);
     if (!nesting.ok) return error_expr();

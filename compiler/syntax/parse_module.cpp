@@ -16,7 +16,7 @@ const std::vector<std::string_view> declaration_spellings{
 
 }  // namespace
 
-/// file = "module" path ";" { use } { declaration } ;
+/// file = "module" path ";" { use | declaration } ;
 ast::Module Parser::parse_module() {
     ast::Module module;
     module.file = file_;

@@ -23,8 +23,8 @@ std::vector<ast::Param> Parser::parse_params() {
 }
 
 /// parameter = name [ ":" [ direction ] ( pattern | type ) [ "=" expression ] ] ;
-/// Types may be left out in methods whose types the component's header gives (translate, invert, ranges, at); sema
-/// checks the others.
+/// Types may be left out in methods whose types the component's header or the language gives (translate, invert, at,
+/// block); sema reports others.
 ast::Param Parser::parse_param() {
     ast::Param param;
     param.name = parse_name("a parameter");

@@ -14,7 +14,8 @@ namespace {
 
 using enum TokenKind;
 constexpr TokenSet literal_tokens{integer, floating, bad_number, string, kw_true, kw_false, kw_none};
-/// Tokens that may occur in generic arguments outside of parentheses, besides `<`, `>`, `>>`, `?` and `??`.
+/// Tokens that may occur in generic arguments outside of parentheses and brackets, besides `<`, `>`, `>>`, `>>=`, `?`
+/// and `??`.
 constexpr TokenSet in_generic_arguments{identifier, integer, floating, kw_true, kw_false, kw_none, comma, dot,
                                         plus,       minus,   star,     slash,   percent,  exclaim, tilde};
 constexpr TokenSet never_in_brackets{semicolon, open_brace, close_brace, end};
@@ -23,7 +24,7 @@ constexpr TokenSet after_generic_arguments{
     dot,        dot_dot,     greater,      question,      equal,      equal_equal, exclaim_equal, kw_then,   end};
 constexpr TokenSet after_optional{comma, greater, greater_greater, question, question_question};
 
-/// The digits and the suffix of a number's text.
+/// The digits and the suffix of an integer's text, without the prefix 0x, and its base.
 struct NumberParts {
     std::string_view digits, suffix;
     int base = 10;

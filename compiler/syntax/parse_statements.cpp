@@ -185,7 +185,7 @@ ast::StmtId Parser::parse_while() {
     return finish(std::move(loop), first);
 }
 
-/// jump = ( "break" | "continue" ) ";" ;
+/// jump = ( "break" | "continue" | "discard" ) ";" ;
 ast::StmtId Parser::parse_jump(StmtKind kind) {
     std::uint32_t first = cursor_;
     Stmt jump;

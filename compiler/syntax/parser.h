@@ -1,4 +1,5 @@
-// The parser: tokens to the syntax tree. The grammar is docs/grammar.ebnf; each parsing function has its rule above it.
+// The parser: tokens to the syntax tree. The grammar is docs/grammar.ebnf; most parsing functions have their rule above
+// them.
 #pragma once
 
 #include "diag/diagnostics.h"

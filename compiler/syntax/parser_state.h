@@ -26,7 +26,7 @@ private:
     using StmtId = ast::StmtId;
     using DeclId = ast::DeclId;
 
-    // ---- tokens (parser_state.cpp)
+    // ---- tokens (parser_state.cpp; those of `?`: parse_types.cpp)
     const Token& peek(std::uint32_t ahead = 0) const;
     bool at(TokenKind kind) const { return tokens_[cursor_].kind == kind; }
     bool at_word(Word word) const { return tokens_[cursor_].word == word; }
@@ -80,7 +80,8 @@ private:
         bool ok;
     };
 
-    /// While inside parentheses, brackets or braces: a `>` there is a comparison, also within generic arguments.
+    /// While inside parentheses, brackets or braces: a `>` there is a comparison, also within generic arguments. The
+    /// braces are those of a tuple.
     struct Brackets {
         explicit Brackets(Parser& outer) : parser(outer), angles(std::exchange(outer.open_angles_, 0)) {}
         ~Brackets() { parser.open_angles_ = angles; }
@@ -90,7 +91,7 @@ private:
         int angles;
     };
 
-    // ---- expressions (parse_expressions.cpp, parse_primary.cpp)
+    // ---- expressions (parse_expressions.cpp, also generic arguments; parse_primary.cpp)
     ExprId add(ast::Expr expr);
     ExprId error_expr();
     ExprId parse_expression();
@@ -138,7 +139,7 @@ private:
     std::vector<StmtId> parse_block();
     void end_statement();
 
-    // ---- declarations (parse_module.cpp, parse_declarations.cpp)
+    // ---- declarations (parse_module.cpp, parse_declarations.cpp, parse_raster.cpp)
     void parse_module_header(ast::Module& module);
     bool parse_path(std::string& path);
     ast::Use parse_use();

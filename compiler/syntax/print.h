@@ -1,4 +1,4 @@
-// The tree as S-expressions: `--dump=syntax`, and what the parser's tests compare.
+// The tree as S-expressions, for `--dump=syntax`, the parser's tests, and sema, which compares types by their text.
 #pragma once
 
 #include "syntax/ast.h"
@@ -10,7 +10,7 @@ namespace gliftc {
 /// `(+ a (* b 2))`: fully parenthesised, for types and values.
 std::string print(ast::ExprId expr, const ast::Tree& tree, const Names& names);
 
-/// One declaration or statement a line, indented by its depth.
+/// One declaration, field, item or statement a line, indented by its depth.
 std::string print(const ast::Module& module, const ast::Tree& tree, const Names& names);
 
 }  // namespace gliftc
