@@ -10,10 +10,10 @@ namespace gliftc {
 /// What gliftc returns to the shell.
 enum class ExitCode : int {
     done = 0,
-    source_errors = 1,  ///< errors in the source, failed tests, files that `fmt --check` finds not formatted
+    source_errors = 1,  ///< errors in the source, failed tests; fmt: not formatted (--check), or cannot be written
     wrong_usage = 2,
     internal_error = 3,
-    environment = 4,  ///< EnvironmentError: a file cannot be written, `gliftc test` finds no C++ compiler
+    environment = 4,  ///< EnvironmentError, such as: an output cannot be written, `gliftc test` finds no C++ compiler
 };
 
 /// The options; or the exit code after --help, --version and wrong usage, whose text has been printed.

@@ -1,4 +1,4 @@
-// The commands of gliftc, a function each, which returns the exit code.
+// The commands of gliftc, a function each, which returns the exit code, and what they share.
 #pragma once
 
 #include "driver/options.h"
@@ -17,7 +17,8 @@ int run_tests(const Options& options);
 /// diagnostic means.
 int run_explain(const Options& options);
 
-/// `gliftc fmt FILE`: rewrites files in the canonical format; with --check, lists those that are not in it.
+/// `gliftc fmt FILE`: rewrites files in the canonical format, `-` to standard output; with --check, lists those that
+/// are not in it.
 int run_format(const Options& options);
 
 /// Sets which warnings are reported, which are errors, and the error limit.

@@ -37,7 +37,7 @@ std::string dump_syntax(const Compilation& c) {
     return text;
 }
 
-/// In a Makefile, a space or '#' ends a name and '$' begins a variable.
+/// In a Makefile, a space ends a name, '#' begins a comment and '$' a variable.
 std::string escape_for_make(std::string_view path) {
     std::string escaped;
     for (char c : path) {

@@ -1,5 +1,5 @@
-// The whole compiler as one function. It reads files through a FileSystem and returns its outputs instead of writing
-// them.
+// The whole compiler as one function. It reads files through a FileSystem (C++ headers of `extern struct` are read by
+// clang) and returns its outputs instead of writing them.
 #pragma once
 
 #include "driver/file_system.h"
@@ -39,7 +39,7 @@ struct StageTime {
 };
 
 struct Result {
-    std::vector<Output> outputs;  ///< empty if there are errors, or if the options stop before outputs are made
+    std::vector<Output> outputs;  ///< empty if there are errors, or the options or command stop before they are made
     std::string dump;             ///< the text that `--dump=` or `--dump-after=` asks for
     std::vector<StageTime> times;
 };
@@ -51,8 +51,8 @@ Result compile(const Options& options, const FileSystem& files, Compilation& com
 /// Compiles one text as the only file that exists, for fuzzers; returns what was reported.
 Diagnostics check_text(std::string_view text);
 
-/// A Makefile rule by which the outputs depend on every file that was read. Its paths are those by which files were
-/// opened.
+/// A Makefile rule by which the outputs depend on every file that was read, standard input left out. Its paths are
+/// those by which the files were found.
 std::string make_depfile(const Options& options, const Result& result, const Compilation& compilation);
 
 }  // namespace gliftc

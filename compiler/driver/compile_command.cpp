@@ -19,12 +19,13 @@ void print_times(const Result& result) {
     std::fprintf(stderr, "%-10s %9.3f ms\n", "all", all);
 }
 
-/// Throws at the first failed write: others would have failed for the same reason.
+/// Throws if the write of this file failed. Only the first failure is reported: others have mostly the same reason.
 void check_written(const std::string& path, const std::optional<std::string>& error) {
     if (error) throw EnvironmentError("cannot write '" + path + "': " + *error);
 }
 
-/// The depfile's path: as given, else <name>.glift.d of the first module beside the outputs.
+/// The depfile's path: as given, else <name>.glift.d of the first module beside the outputs. Empty, so that none is
+/// written, if neither it nor -MD is given and --target chooses outputs, and if there are no outputs.
 std::string depfile_of(const Options& options, const Result& result) {
     if (!options.depfile.empty() || result.outputs.empty()) return options.depfile;
     if (!options.targets.empty() && !options.writes_depfile) return {};

@@ -9,8 +9,9 @@
 
 namespace gliftc {
 
-/// The module, as `use` names it, that declares the name as public: in the standard library, beside the files on the
-/// command line or in a folder given by -I. Empty: none does.
+/// The first module, as `use` names it, that declares the name as public: in a folder of the standard library, beside
+/// the files on the command line, then in the folders given by -I. Found by the text of lines, `pub WORD name`. Empty:
+/// none does.
 std::string module_with_declaration(const Options& options, const FileSystem& files, std::string_view name);
 
 }  // namespace gliftc

@@ -5,7 +5,8 @@
 
 namespace gliftc {
 
-/// The outputs of every root module for the selected targets. Throws std::runtime_error if generated GLSL is invalid.
+/// The outputs of every root module for the selected targets. Throws std::runtime_error if generated GLSL is invalid,
+/// if clang cannot format the C++ (--style), or if two files have one name.
 std::vector<Output> emit(const Options& options, const Compilation& compilation);
 
 /// Reports a --style that clang does not know.

@@ -1,5 +1,5 @@
-// `gliftc explain FILE`: prints properties of translators and structures, and whether each is inferred, declared or
-// tested.
+// `gliftc explain FILE`: prints properties of translators (and whether they are inferred, declared or tested),
+// structures and draws, and with --made the sizes of memories.
 #include "driver/command_line.h"
 #include "driver/commands.h"
 #include "driver/compile.h"
@@ -33,10 +33,10 @@ struct ExplainedStructure {
     std::vector<std::pair<std::string, std::string>> parts;  ///< of adaptors: members and functions
     std::vector<std::pair<std::string, std::string>> memories;
     std::vector<Explained> via;
-    std::string blocks;  ///< the blocks that it declares, as text; empty if it declares none
+    std::string blocks;  ///< its blocks, which it or a memory along its chain declares, as text; empty: none
 };
 
-/// How references are compared with its texels, unless by the default, less_equal.
+/// How references are compared with the image's texels; empty if by the default, less_equal.
 std::string comparison_of(const ir::Memory& memory) {
     if (memory.compare == ir::Compare::less_equal) return "";
     return ", compared by '" + std::string(ir::spelling(memory.compare)) + "'";
@@ -72,7 +72,8 @@ std::string inverse_of(const ir::Properties& properties, const Trial& trial) {
     return trial.addresses > 0 ? "yes (" + checked_to(trial) + ")" : "yes (declared, not checked here)";
 }
 
-/// The translators and structures that the modules on the command line declare or use: what sema instantiated.
+/// Of what sema instantiated: the structures that a module on the command line declares or that any module names, all
+/// translators, and the draws in modules on the command line.
 class Explainer {
 public:
     explicit Explainer(const Compilation& c) : draws(explained_draws(c)), c_(c), program_(c.program) {

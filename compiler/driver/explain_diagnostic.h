@@ -5,7 +5,7 @@
 
 namespace gliftc {
 
-/// Whether the argument is the id of a diagnostic rather than a file.
+/// Whether the only argument can be the id of a diagnostic: it has no '.' and no '/', and there is no such file.
 bool names_diagnostic(const Options& options);
 
 /// Prints the diagnostic's text and its example, which is its test in tests/errors. Returns the exit code.

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t largest_file = std::size_t{1} << 30;
 
-/// A file descriptor that is closed by its destructor.
+/// A file descriptor that is closed by its destructor, unless it is standard input.
 struct Descriptor {
     int number;
     ~Descriptor() {

@@ -14,7 +14,7 @@ struct ReadResult {
 };
 
 struct FileSystem {
-    std::function<ReadResult(const std::string& path)> read;  ///< "-" is standard input
+    std::function<ReadResult(const std::string& path)> read;  ///< "-" is standard input (disk() only)
     std::function<bool(const std::string& path)> exists;      ///< whether the path is that of an existing file
     std::function<std::vector<std::string>(const std::string& folder)>
         list;                                                      ///< names of all that is in a folder, sorted

@@ -10,7 +10,8 @@ namespace gliftc {
 
 namespace {
 
-/// Writes the formatted text to the file or, for "-", to standard output. True if the file was not formatted.
+/// Writes the formatted text to the file or, for "-", to standard output; with --check prints the path of a file that
+/// is not formatted instead. True if the file was not formatted.
 bool put(const Options& options, const std::string& path, const std::string& before, const std::string& after,
          int& code) {
     if (path == "-" && !options.check_only) std::fwrite(after.data(), 1, after.size(), stdout);

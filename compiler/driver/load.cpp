@@ -29,7 +29,7 @@ std::string if_there(const FileSystem& files, const fs::path& path) {
     return files.exists(name) ? name : std::string();
 }
 
-/// The module name that a file must have: my_file for my-file.glift.
+/// The module name for a file's name without its ending: my_file for my-file. Dots stay.
 std::string module_of_stem(std::string stem) {
     for (char& c : stem) {
         const bool fits = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.';
@@ -121,8 +121,8 @@ private:
         return {};
     }
 
-    /// A module must have the name by which it is imported; the name of a module imported by path must end in that of
-    /// the file.
+    /// A module must have the name by which it is imported; the name of a module that is imported by path, or named on
+    /// the command line, must end in that of the file.
     void check_name(const ast::Module& module, const std::string& path, const std::string& asked) {
         const std::string& name = names_[module.name.name];
         if (name.empty()) return;
@@ -168,7 +168,8 @@ private:
         }
     }
 
-    /// Candidates for "did you mean": modules in the folders that were searched, as `use` names them.
+    /// Candidates for "did you mean": modules in the library and in the folders that were searched, as `use` names
+    /// them.
     std::vector<std::string> modules_near(const ast::Use& use, const std::string& from) const {
         std::vector<std::string> names;
         auto add_folder = [&](const fs::path& folder, const std::string& prefix) {

@@ -119,7 +119,7 @@ std::uint64_t texel_bytes(ir::Format format) {
     return 0;
 }
 
-/// Adds up the memories of what is made.
+/// Lists the memories of what is made, with their bytes. name_roles() is to be called before count().
 class Counter {
 public:
     Counter(const ir::Program& program, const Maker& maker) : program_(program), maker_(maker) {}

@@ -17,8 +17,8 @@ struct TestProgram {
     std::vector<cpp::TestName> tests;
 };
 
-/// A record of every question that a compilation asks the file system (does this file exist, what is in it), each with
-/// a digest of the answer.
+/// A record of every question that a compilation asks the file system (does this file exist, what is in it or in this
+/// folder, are these one file), each with the answer or a digest of it.
 class Questions {
 public:
     /// A file system that answers as `disk` does, and records each question.

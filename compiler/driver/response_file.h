@@ -8,8 +8,9 @@
 
 namespace gliftc {
 
-/// Replaces each `@file` by its words, separated by white space, with quotes and backslashes as in a shell. Files may
-/// name further files. Returns an error; empty: none.
+/// Replaces each `@file` by its words, separated by white space. Quotes, single or double, hold a word together; a
+/// backslash, also inside quotes, takes the next character as it is. Files may name further files. Returns an error;
+/// empty: none.
 std::string expand_response_files(std::vector<std::string>& words, const FileSystem& files);
 
 }  // namespace gliftc

@@ -1,5 +1,5 @@
-// `gliftc test`: translates a file's test blocks to a C++ program, builds it with the system's compiler, and runs it:
-// every test on the host device and on another one.
+// `gliftc test`: translates each file's test blocks to a C++ program, builds it with the system's compiler, and runs
+// it: every test on the host device and, unless --device is host, on another one.
 #include "driver/command_line.h"
 #include "driver/commands.h"
 #include "driver/compile.h"

@@ -92,7 +92,7 @@ std::vector<pid_t> start_all(const std::vector<std::vector<std::string>>& comman
     return children;
 }
 
-/// Waits for processes of the C++ compiler; true if all succeeded.
+/// Waits for processes of the C++ compiler; true if all succeeded. Throws EnvironmentError if there is no such program.
 bool wait_for_all(const std::vector<pid_t>& children) {
     bool well = true, found = true;
     for (pid_t child : children) {
@@ -176,7 +176,7 @@ std::vector<std::string> TestPrograms::compile_command() const {
 }
 
 /// Precompiles the common headers, whose parsing takes most of a small program's build. Returns the header to be
-/// included first; empty if the C++ compiler cannot precompile.
+/// included first; empty if the C++ compiler cannot precompile, and for a temporary cache.
 fs::path TestPrograms::compiled_headers() {
     if (is_temporary_) return {};
     const fs::path folder = folder_ / ("headers-" + tools_);

@@ -18,8 +18,9 @@ struct Ended {
 /// Runs a program with the standard input and outputs of this one, and waits for it.
 Ended run_and_wait(const std::vector<std::string>& words);
 
-/// The cache of test programs, in the folder GLIFT_CACHE_DIR, else XDG_CACHE_HOME/glift, else ~/.cache/glift, else a
-/// temporary one that the destructor removes. The oldest entries are removed.
+/// The cache of test programs: the folder `tests` in GLIFT_CACHE_DIR, else in XDG_CACHE_HOME/glift, else in
+/// ~/.cache/glift. Where none of these is set, or the folder cannot be written, a temporary one that the destructor
+/// removes. After each build the oldest of more than 128 entries are removed.
 class TestPrograms {
 public:
     TestPrograms();
@@ -28,7 +29,7 @@ public:
     TestPrograms& operator=(const TestPrograms&) = delete;
 
     /// The name of the program made of `outputs`, for which the C++ compiler looks for headers in `include_folders`. It
-    /// is a hash of outputs, headers (`read_files`), runtime and compiler.
+    /// is a hash of outputs, include folders, imported headers (`read_files`), runtime and compiler.
     std::string name_of(const std::vector<Output>& outputs, const std::vector<std::string>& include_folders,
                         const std::vector<std::string>& read_files) const;
     /// Whether the cache has the program from an earlier run.
@@ -36,7 +37,7 @@ public:
     /// Builds the program. Throws std::runtime_error if the C++ compiler fails.
     void build(const std::string& name, const std::vector<Output>& outputs,
                const std::vector<std::string>& include_folders);
-    /// The path of a program that the cache has.
+    /// The path of a program that the cache has, which is then the newest entry.
     std::string use(const std::string& name) const;
 
     /// The file for the record of a run with these options (remembered_runs.h).

@@ -13,8 +13,8 @@ namespace {
 using ir::Value;
 using Words = std::vector<std::uint64_t>;
 
-/// Extents to try, by number of axes. Some sides are 1, others odd or of different lengths, to show mistakes that a
-/// power of two or a square hides.
+/// Extents to try, by number of axes. Some sides are 1, most others are no powers of two and differ, to show mistakes
+/// that a power of two or a square hides.
 const std::vector<Words>& extents_of(std::size_t axes) {
     static const std::vector<Words> extents[] = {
         {}, {{1}, {4}, {4093}}, {{1, 1}, {13, 7}, {61, 67}}, {{1, 1, 1}, {17, 16, 15}}, {{1, 1, 1, 1}, {9, 8, 8, 7}}};

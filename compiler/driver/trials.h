@@ -9,14 +9,13 @@ namespace gliftc {
 
 /// The result for one translator of a structure.
 struct Trial {
-    std::size_t addresses =
-        0;                  ///< number of addresses of the largest domain tried; 0: the translator cannot be evaluated
-    std::string collision;  ///< "{0} and {1} both map to {0}"; empty: none
+    std::size_t addresses = 0;  ///< number of addresses of the largest domain tried; 0: none could be tried
+    std::string collision;      ///< "{0} and {1} both map to {0}"; empty: none
     std::string wrong_inverse;  ///< "invert(translate({1, 0})) is {0, 1}"; empty: none
 };
 
-/// Tests one translator of a structure's `via`, if the structure has only extents as arguments and the translator reads
-/// no structure.
+/// Tests one translator of a structure's `via`, if the structure is stored, all its constructor's arguments are extents
+/// of its domain's type, and the translator reads no elements.
 Trial try_translator(const ir::Program& program, const ir::Structure& structure, const ir::Stage& stage);
 
 }  // namespace gliftc
