@@ -113,7 +113,8 @@ function(glift_compile)
         endforeach()
     endforeach()
     list(REMOVE_DUPLICATES include_dirs)
-    # In a build of the compiler itself: gliftc loads the library glift_clang at run time to read C++ headers.
+    # In a build of the compiler itself: for `extern struct`, gliftc loads the library glift_clang at run time, which
+    # reads C++ headers.
     if(TARGET glift_clang)
         foreach(source IN LISTS sources)
             set(externs)
@@ -143,7 +144,8 @@ function(glift_compile)
         VERBATIM COMMAND_EXPAND_LISTS)
     target_sources(${arg_TARGET} PRIVATE ${stamp} ${headers} ${codes})
     # No contraction of sums and products, so that the host device and the GPU agree bit for bit; signed integers wrap
-    # around, as in the language. The other two change no value: they let the compiler vectorise.
+    # around, as in the language. -fno-math-errno and -fno-trapping-math change no value: they let the compiler
+    # vectorise.
     set_source_files_properties(${codes} PROPERTIES COMPILE_OPTIONS
         "-ffp-contract=off;-fwrapv;-fno-math-errno;-fno-trapping-math;$<$<CONFIG:Release>:-O3>")
     # Sources of one module define the same internal names (the structs of kernels' parameters), so that they cannot be

@@ -1,5 +1,5 @@
 # Rules of `cmake --install`: the compiler, the runtime, the standard library, and files for find_package(glift) and
-# pkg-config.
+# pkg-config. Only where both the compiler and the runtime are built.
 
 include(CMakePackageConfigHelpers)
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/glift)

@@ -1,5 +1,5 @@
-# Makes the target glift::gliftc from GLIFT_GLIFTC, a gliftc that is built already. Like every gliftc, it finds the
-# standard library and the runtime's headers relative to itself.
+# Makes the target glift::gliftc from GLIFT_GLIFTC, a gliftc of this version that is built already. Like every gliftc,
+# it finds the standard library and the runtime's headers relative to itself.
 
 execute_process(COMMAND ${GLIFT_GLIFTC} --version OUTPUT_VARIABLE found RESULT_VARIABLE failed OUTPUT_STRIP_TRAILING_WHITESPACE)
 if(failed)

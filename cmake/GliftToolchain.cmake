@@ -1,5 +1,6 @@
-# Language level, warnings, linker, compiler cache and sanitizers of this project's own targets.
-# These settings have directory scope: a project that adds Glift as a subdirectory keeps its own.
+# Language level, build type, warnings, linker, compiler cache, fuzzer and sanitizers of this project's own targets.
+# These settings have directory scope, and the build type is set only if this is the top project: one that adds Glift as
+# a subdirectory keeps its own.
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
