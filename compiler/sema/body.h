@@ -158,8 +158,8 @@ const Env& env_for(Body&, ast::ExprId);
 const Env& env_for(Body&, const std::vector<ast::ExprId>&);
 
 // expressions
-/// `hint` is the type that the context prefers (bidirectional typing): literals, `none`, tuples and generic calls take
-/// it where nothing else determines theirs. It is not enforced: use check_value or coerce for that.
+/// `hint` is the type that the context prefers (bidirectional typing): literals, `none`, tuples, generic calls and
+/// `s.load(a)` take it where nothing else determines theirs. It is not enforced: use check_value or coerce for that.
 Operand check(Body&, ast::ExprId, ir::TypeId hint = {});
 ir::ExprId check_hinted(Body&, ast::ExprId, ir::TypeId hint);  ///< check(), then to_value()
 /// The expression as a value. If `wanted` is given, coerced to that type.

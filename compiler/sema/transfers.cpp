@@ -104,7 +104,7 @@ void require_transfers(Context& c, std::uint32_t index, Span use) {
     constexpr std::uint32_t none = 0xffffffffu;
     std::uint32_t write = none, fill = none;
     // With a many-to-one translator, several elements of a box may lie at one physical address: only kernels write
-    // there, by scatter with an operation. Depths are written by draws alone.
+    // there, by scatter or coherent access. Depths are written by draws alone.
     const bool is_written = !ir::many_to_one_stage(c.program, index) && !has_depth_format(structure);
     if (structure.kind == ir::StructureKind::stored && is_written) {
         Meta element;

@@ -15,7 +15,8 @@ namespace gliftc::sema {
 
 namespace {
 
-/// Makes the kernel of one invocation that computes an open expression (sema/values.h), and the pipeline that runs it.
+/// Makes the kernel of one invocation that computes an expression on the device, open or known to the host
+/// (sema/values.h), and the pipeline that runs it.
 class Maker {
 public:
     Maker(Body& body, Span span) : body_(body), c_(body.context), p_(body.program()), span_(span) {
