@@ -17,7 +17,7 @@ public:
     IdSet(const IdSet&) = delete;
     IdSet& operator=(const IdSet&) = delete;
 
-    /// Adds the id. Whether it was not in the set before.
+    /// Adds the id; true if it was not in the set before.
     bool insert(Id<T> id) {
         std::uint32_t& slot = slots()[place(id.index)];
         if (slot != empty) return false;

@@ -7,7 +7,7 @@
 
 namespace gliftc {
 
-/// Whether escape sequences colour the text. The caller decides which where the user chose `--color=auto`.
+/// Whether escape sequences colour the text. `--color=auto` is resolved by the caller (driver/report.cpp).
 enum class Colour : std::uint8_t { plain, coloured };
 
 /// `file:line:col: error: text [id]`, the source line, carets under the span, then the notes in the same form, without

@@ -167,7 +167,7 @@ std::vector<Output> emit(const Options& options, const Compilation& c) {
             throw std::runtime_error("two files on the command line are called '" + base + "'");
         std::vector<ShaderSet> shaders =
             compile_shaders(c, kernels_with_code(options, c, m, cpp, defined), options.optimize);
-        // On another thread, since printing C++ takes as long as everything else together.
+        // On another thread, since printing C++ takes as long as all of these together.
         auto others = std::async(std::launch::async, [&] {
             std::vector<Output> made;
             emit_shaders(options, c, m, base, shaders, made);
