@@ -244,7 +244,7 @@ static const std::vector<ast::Item>& items_of(const Context& c, std::uint32_t st
 }
 
 /// Whether a structure along the memory chain, the structure itself left out, declares a function or pipeline of that
-/// name.
+/// name; items inside an `if` do not count.
 static bool has_method_of_base(const Context& c, const ir::Structure& structure, Name name) {
     for (const ir::Structure* link = &structure; !link->base.empty();) {
         link = &ir::structure_at(c.program, *link, link->base);
@@ -354,7 +354,8 @@ static void note_functions(const Context& c, Diagnostic& diagnostic, const Meta&
     note(diagnostic, span, "this is a module; it has " + all + (names.size() > most ? ", …" : ""));
 }
 
-/// Whether the container itself declares a function or pipeline of that name with this number of parameters.
+/// Whether the container itself declares a function or pipeline of that name with this number of parameters; items
+/// inside an `if` do not count.
 static bool has_method(const Context& c, std::uint32_t container, Name name, std::size_t arguments) {
     return std::ranges::any_of(items_of(c, container), [&](const ast::Item& item) {
         if (!item.decl || c[item.decl].name.name != name) return false;

@@ -18,7 +18,7 @@ struct Whole {
 };
 
 /// Where `whole` is, or lies in, a member by reference of a temporary: replaces that member by the structure that the
-/// temporary's constructor was given for it. False if it is not, or if a slice was given.
+/// temporary's constructor was given for it. False if it is not, or if that argument is no Op::structure_value.
 bool follow_given(Body& body, Whole& whole) {
     const ir::Program& p = body.program();
     const auto made = body.made.find(whole.local);

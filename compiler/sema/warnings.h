@@ -6,7 +6,8 @@
 
 namespace gliftc::sema {
 
-/// Looks at syntax trees, not at instances, so that each generic declaration is warned about once.
+/// Looks at the functions, kernels, pipelines and tests among the declarations, but not into structures. Looks at
+/// syntax trees, not at instances, so that each generic declaration is warned about once.
 void warn(Context&, const std::vector<ast::DeclId>& declarations);
 
 }  // namespace gliftc::sema

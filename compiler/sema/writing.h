@@ -22,10 +22,12 @@ void check_coherent(Context&, ast::Identifier name, std::uint32_t structure);
 /// Reports a view, which has no elements to write.
 void check_stored(Context&, Span, std::uint32_t structure);
 
-/// Declares a parameter of a function with a pattern that writes, and adds the effect that this gives the function.
+/// Declares a parameter of a function with a pattern that writes, and adds the effect that this gives the function
+/// (`calls` gives none).
 void declare_writing(Body&, const ast::Param&, ir::KernelParam made, ir::Place, ir::Function&);
 
-/// Adds the effects that a function declares by `with …`: which members it writes, and how.
+/// Reads the `with …` of a function, which says which members it writes, and how: sets Symbol::writing of each, and
+/// adds the effects (`calls` gives none).
 void declare_with(Body&, const ast::Function&, ir::Function&);
 
 /// Whether the caller may access the argument by the pattern of the function's parameter; reports where not.
@@ -35,8 +37,8 @@ bool fits_writing(Body&, const Env&, const ast::Param&, const Operand& argument)
 /// passed, of which the first is the callee's container if `is_method`. False after an error.
 bool add_effects(Body&, ir::FunctionId, const std::vector<Operand>& given, bool is_method, Span);
 
-/// Reports two functions called by a kernel that write one memory by different patterns, and a read of a memory that
-/// the kernel also writes by scatter or through functions.
+/// Reports two functions called by a kernel that write one memory by different patterns or operations, and a read of a
+/// memory that the kernel also writes by scatter or through functions.
 void check_effects(Context&, const ir::Kernel&);
 
 }  // namespace gliftc::sema

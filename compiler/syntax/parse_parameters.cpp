@@ -24,7 +24,7 @@ std::vector<ast::Param> Parser::parse_params() {
 
 /// parameter = name [ ":" [ direction ] ( pattern | type ) [ "=" expression ] ] ;
 /// Types may be left out in methods whose types the component's header or the language gives (translate, invert, at,
-/// block); sema reports others.
+/// block); sema reports parameters of other functions that have none.
 ast::Param Parser::parse_param() {
     ast::Param param;
     param.name = parse_name("a parameter");
