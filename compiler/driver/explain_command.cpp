@@ -149,8 +149,8 @@ private:
         return text;
     }
 
-    /// The text about the blocks of a structure, outside which kernels visit nothing; that they do not overlap is not
-    /// checked.
+    /// The text about the blocks of a structure, its own or those of a memory along its chain; empty: none. That they
+    /// do not overlap is not checked.
     std::string blocks_of(const ir::Structure& structure) const {
         const auto place = ir::blocks_of(program_, structure, {});
         if (!place) return "";

@@ -108,7 +108,8 @@ bool wait_for_all(const std::vector<pid_t>& children) {
 
 bool run_and_wait_for(const std::vector<std::string>& command) { return wait_for_all(start_all({command})); }
 
-/// The folder of the runtime's library below `root`, the same in a build tree and in an installed one.
+/// The folder of the runtime's library below `root`, a build tree or an installation. Throws EnvironmentError if there
+/// is none.
 fs::path library_folder(const fs::path& root) {
     for (const char* folder : {"lib", "lib64", "lib/x86_64-linux-gnu", "lib/aarch64-linux-gnu"})
         if (fs::exists(root / folder / "libglift.so") || fs::exists(root / folder / "libglift.a")) return root / folder;

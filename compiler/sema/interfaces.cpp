@@ -56,7 +56,7 @@ bool is_there(Context& c, std::uint32_t module, const Wanted& wanted) {
                        [&](ast::DeclId candidate) { return fits(c, candidate, wanted); });
 }
 
-/// "fn combine(op: Max, a: uint, b: uint) -> uint"
+/// The function as the language writes it: "fn combine(op: Max, a: uint, b: uint) -> uint".
 std::string text_of(const Context& c, const Wanted& wanted) {
     std::string text = "fn " + c.text(wanted.name.name) + "(";
     for (std::size_t i = 0; i < wanted.params.size(); ++i)

@@ -142,7 +142,7 @@ ir::TypeId matrix_product(ir::Types& types, ir::TypeId left, ir::TypeId right) {
     return {};
 }
 
-/// The type of an arithmetic or bitwise operation; none if the operand types do not match.
+/// The type of an arithmetic, shift or bitwise operation; none if the operand types do not match.
 ir::TypeId result_type(ir::Types& types, ast::BinaryOp op, ir::TypeId left, ir::TypeId right) {
     if (types.is_matrix(left) || types.is_matrix(right)) {
         if (op == ast::BinaryOp::multiply) {

@@ -206,7 +206,7 @@ void check_if(Body& body, const ast::Stmt& stmt) {
     emit(body, id);
 }
 
-/// Both bounds of `a..b`; a literal takes the other's type; uint if both are literals and neither is negative.
+/// Both bounds of `a..b`; a literal takes the other's type; if both are literals, uint, or int where one is negative.
 std::pair<ir::ExprId, ir::ExprId> check_range(Body& body, const ast::Expr& range) {
     Context& c = body.context;
     bool low_flexible = is_flexible(c, range.operands[0]), high_flexible = is_flexible(c, range.operands[1]);
