@@ -132,7 +132,7 @@ private:
         push(TokenKind::bad_character, begin);
     }
 
-    /// Distinguishes `x.0`, an error in the member, from `= .5`, one in the number.
+    /// Whether a value ends right here: distinguishes `x.0`, an error in the member, from `= .5`, one in the number.
     bool after_value() const {
         if (list_.tokens.empty() || list_.tokens.back().end != at_) return false;
         TokenKind before = list_.tokens.back().kind;

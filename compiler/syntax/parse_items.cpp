@@ -34,7 +34,7 @@ Item Parser::new_item(ItemKind kind) const {
     return item;
 }
 
-/// item = memory | member | via | otherwise | host | condition | method | pipeline ;
+/// item = memory | member | via | otherwise | host | condition | method | [ "pub" ] pipeline ;
 Item Parser::parse_item() {
     using enum TokenKind;
     Nesting nesting(*this);

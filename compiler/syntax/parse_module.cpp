@@ -64,7 +64,7 @@ bool Parser::parse_path(std::string& path) {
     return true;
 }
 
-/// use = "use" ( path | "./" name { "/" name } ) ";" ;
+/// use = "use" ( path | ( "./" | "../" { "../" } ) name { "/" name } ) ";" ;
 ast::Use Parser::parse_use() {
     advance();
     std::uint32_t first = cursor_;

@@ -248,7 +248,7 @@ void Parser::parse_arguments(Expr& expr, TokenKind close) {
     if (any_label) expr.labels = std::move(labels);
 }
 
-/// index = "[" [ expression { "," expression } ] "]" ;
+/// index = "[" [ expression { "," expression } [ "," ] ] "]" ;
 ast::ExprId Parser::parse_index(ExprId base, std::uint32_t first) {
     Brackets brackets(*this);
     std::uint32_t open = cursor_;
