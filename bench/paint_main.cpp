@@ -1,6 +1,7 @@
 // bench_paint: a painted model (examples/paint) drawn beside the same model of one colour, and with a dense 3-D image
-// of its paint. All three clear a picture and its depths and draw all triangles with the same light: they differ in
-// where a fragment's colour comes from.
+// of its paint. All clear a picture and its depths and draw all triangles with the same light: they differ in where a
+// fragment's colour comes from. The example draws what is seen, and a kernel then colours pixels ("paint"); so does
+// "dense after". "dense" and "paint at once" colour fragments.
 //
 //     bench_paint [MODEL] [--strokes FILE | --load FILE] [--sizes 512x512,1920x1080] [--runs N] [--json FILE]
 #include "picture_size.h"
@@ -32,7 +33,7 @@ namespace {
 using glift::float3;
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 3> ways = {"plain", "dense", "paint"};
+constexpr std::array<const char*, 5> ways = {"plain", "dense", "paint", "dense_after", "paint_at_once"};
 
 struct Options {
     std::string model = "knot", strokes, load, json, pictures;
@@ -105,7 +106,7 @@ void paint(const Options& o, const mesh::Mesh& mesh, const std::vector<View>& vi
     if (lost != 0) throw std::runtime_error("the pool is full: give more of them by --pages");
 }
 
-/// One view in one size: the three ways to draw it.
+/// One view in one size: the ways to draw it.
 class Draws {
 public:
     Draws(Canvas& canvas, const paint_draws::Volume& volume, const camera::Camera& camera, glift::uint2 size)
@@ -118,9 +119,15 @@ public:
             paint_draws::render_plain(commands, m.corners(), m.posed(), view_, light_, sky, canvas_.ground(), film_);
         else if (way == 1)
             paint_draws::render_dense(commands, m.corners(), m.rest(), m.posed(), view_, light_, sky, volume_, film_);
-        else
+        else if (way == 2)
             painted::render(commands, m.corners(), m.rest(), m.posed(), view_, light_, sky, canvas_.octree(), {},
                             film_);
+        else if (way == 3)
+            paint_draws::render_dense_after(commands, m.corners(), m.rest(), m.posed(), view_, light_, sky,
+                                            canvas_.octree().levels(), volume_, film_);
+        else
+            paint_draws::render_at_once(commands, m.corners(), m.rest(), m.posed(), view_, light_, sky,
+                                        canvas_.octree(), film_);
     }
 
     picture::Picture picture(std::size_t way) const {
@@ -145,14 +152,17 @@ Json measured(const Options& o, const Canvas& canvas, const Draws& draws) {
     for (std::size_t way = 0; way < ways.size(); ++way) row[std::string(ways[way]) + "_seconds"] = seconds[way];
     row["paint_to_plain"] = seconds[2] / seconds[0];
     row["paint_to_dense"] = seconds[2] / seconds[1];
+    row["paint_to_dense_after"] = seconds[2] / seconds[3];
+    row["paint_at_once_to_dense"] = seconds[4] / seconds[1];
     return row;
 }
 
 Json rows_of(const Options& o, Canvas& canvas, const std::vector<View>& views) {
     paint_draws::Volume volume(canvas.device(), {o.dense, o.dense, o.dense});
     paint_draws::fill_volume(canvas.device(), canvas.octree(), volume);
-    std::printf("| view | size | plain | dense | paint | paint / plain | paint / dense |\n"
-                "| --- | --- | ---: | ---: | ---: | ---: | ---: |\n");
+    std::printf("| view | size | plain | dense | paint | dense after | paint at once | paint / plain | paint / dense "
+                "| paint / dense after | paint at once / dense |\n"
+                "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
     Json rows = Json::array();
     for (const View& view : views)
         for (const std::string& size : o.sizes) {
@@ -163,10 +173,11 @@ Json rows_of(const Options& o, Canvas& canvas, const std::vector<View>& views) {
                     picture::write(o.pictures + "/" + view.name + "_" + size + "_" + ways[way] + ".png",
                                    draws.picture(way));
             row.update(measured(o, canvas, draws));
-            const auto of = [&](const char* name) { return row[name].get<double>(); };
-            std::printf("| %s | %s | %.4f ms | %.4f ms | %.4f ms | %.3f | %.3f |\n", view.name, size.c_str(),
-                        1e3 * of("plain_seconds"), 1e3 * of("dense_seconds"), 1e3 * of("paint_seconds"),
-                        of("paint_to_plain"), of("paint_to_dense"));
+            const auto of = [&](const std::string& name) { return row[name].get<double>(); };
+            std::printf("| %s | %s ", view.name, size.c_str());
+            for (const char* way : ways) std::printf("| %.4f ms ", 1e3 * of(std::string(way) + "_seconds"));
+            std::printf("| %.3f | %.3f | %.3f | %.3f |\n", of("paint_to_plain"), of("paint_to_dense"),
+                        of("paint_to_dense_after"), of("paint_at_once_to_dense"));
             std::fflush(stdout);
             rows.push_back(std::move(row));
         }
