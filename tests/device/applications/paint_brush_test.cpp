@@ -7,6 +7,8 @@
 
 #include <gmock/gmock.h>
 
+#include <glift/host/math.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -156,6 +158,52 @@ TEST_P(PaintBrush, SaysWhatIsWrongWithAPicture) {
     EXPECT_EQ(strokes::read(file("b.strokes"))[0].brush.picture, file("dot.png"));
     glift::test::write_file(file("c.strokes"), R"({"brush": {"picture": 3}, "path": [[1, 2]]})");
     EXPECT_THROW(strokes::read(file("c.strokes")), std::runtime_error);
+}
+
+/// A sphere before a sheet, painted along the sphere's outline with no green in the colour: a picture from there has
+/// none, neither where the outline hides a part of what a node lies beside, nor where the surface is seen edge-on.
+TEST_P(PaintBrush, ColoursAllThatItSees) {
+    Canvas canvas(device, model(), small());
+    Stroke stroke = before_square();
+    stroke.size = {300, 300};
+    stroke.brush.radius = 60;
+    stroke.brush.hardness = stroke.brush.flow = 1;
+    stroke.path = {
+        {float2(60, 60), 1}, {float2(240, 60), 1}, {float2(240, 240), 1}, {float2(60, 240), 1}, {float2(60, 60), 1}};
+    canvas.paint(stroke);
+    const picture::Picture seen = canvas.render(stroke.camera, stroke.size);
+    const std::vector<paint::Brush> dabs = strokes::dabs_of(stroke);
+    unsigned under = 0, green = 0;
+    for (Word i = 0; i < 300 * 300; ++i) {
+        const float2 pixel(static_cast<float>(i % 300), static_cast<float>(i / 300));
+        const glift::float4 c = seen.pixels[i];
+        const bool is_under = std::ranges::any_of(
+            dabs, [&](const paint::Brush& dab) { return glift::length(pixel - dab.centre) < 0.75f * dab.radius; });
+        if (!is_under || c.xyz() == sky) continue;
+        ++under;
+        green += c.y > 0.1f * c.x;
+    }
+    EXPECT_GT(under, 20000u);
+    EXPECT_EQ(green, 0u);
+}
+
+/// A red stripe over a green coat, seen along itself at a flat angle: what a pixel sees is long, but narrower than the
+/// stripe.
+TEST_P(PaintBrush, HasNoColourFromBesideAtAFlatAngle) {
+    Canvas canvas(device, square(), small());
+    Stroke stroke = before_square();
+    stroke.brush.hardness = stroke.brush.flow = 1;
+    stroke.brush.radius = 80;
+    stroke.brush.colour = {0, 1, 0};
+    canvas.paint(stroke);
+    stroke.brush.radius = 10;
+    stroke.brush.colour = {1, 0, 0};
+    stroke.path = {{float2(40, 100), 1}, {float2(160, 100), 1}};
+    canvas.paint(stroke);
+    const camera::Camera flat{{2.2f, 0.5f, 0.33f}, {0.5f, 0.5f, 0.25f}, {0, 0, 1}, 0.4f, 0.05f, 5};
+    const glift::float4 middle = canvas.render(flat, {200, 200}).pixels[200 * 100 + 100];
+    EXPECT_GT(middle.x, 0.1f);
+    EXPECT_LT(middle.y, 0.01f * middle.x);
 }
 
 float decoded(double shown) {
