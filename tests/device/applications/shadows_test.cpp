@@ -292,6 +292,7 @@ TEST(ShadowsOnDevices, AreTheSame) {
             some->set_scene(posts());
             some->draw(method);
         }
+        EXPECT_TRUE(host.lighting().surface == other.lighting().surface);  // the levels, too
         EXPECT_EQ(host.owners(), other.owners());
         EXPECT_TRUE(host.depths_of_pages() == other.depths_of_pages());
         EXPECT_EQ(host.lighting().lit, other.lighting().lit);
