@@ -3,6 +3,7 @@
 #include <glift/host/math.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace camera {
@@ -53,6 +54,24 @@ float4x4 parallel_projection_of(const Camera& camera, float half_size) {
     return from_rows(row(right, -dot(right, camera.eye)) * (1 / half_size),
                      row(up, -dot(up, camera.eye)) * (-1 / half_size),
                      along * depth - float4(0, 0, 0, depth * camera.near), float4(0, 0, 0, 1));
+}
+
+CubeFace cube_face(unsigned face) {
+    static const std::array<CubeFace, 6> faces = {{{{1, 0, 0}, {0, 0, -1}, {0, -1, 0}},
+                                                   {{-1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
+                                                   {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
+                                                   {{0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
+                                                   {{0, 0, 1}, {1, 0, 0}, {0, -1, 0}},
+                                                   {{0, 0, -1}, {-1, 0, 0}, {0, -1, 0}}}};
+    return faces.at(face);
+}
+
+float4x4 cube_projection_of(const float3& eye, unsigned face, float opening, float near, float far) {
+    const auto [forward, right, down] = cube_face(face);
+    const float depth = far / (far - near);
+    const float4 along = row(forward, -dot(forward, eye));
+    return from_rows(row(right, -dot(right, eye)) * (1 / opening), row(down, -dot(down, eye)) * (1 / opening),
+                     along * depth - float4(0, 0, 0, depth * near), along);
 }
 
 Camera orbited(const Camera& camera, float to_the_right, float upwards, float closer) {

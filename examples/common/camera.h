@@ -18,6 +18,16 @@ glift::float4x4 projection_of(const Camera& camera, float aspect);
 /// The matrix of a parallel projection, for directional lights and maps: it shows `half_size` to each side of `target`.
 glift::float4x4 parallel_projection_of(const Camera& camera, float half_size);
 
+/// The axes of a face of a cube, in the order and with the directions of std.image's cubes.
+struct CubeFace {
+    glift::float3 forward, right, down;
+};
+CubeFace cube_face(unsigned face);
+
+/// The matrix of the view from `eye` to a face of a cube around it; `opening` is the tangent of half its angle, 1 for
+/// 90 degrees.
+glift::float4x4 cube_projection_of(const glift::float3& eye, unsigned face, float opening, float near, float far);
+
 /// The camera moved on a sphere around its target, by angles in radians, and closer to the target by a factor. With a
 /// positive `to_the_right` the eye moves to the left, so that the scene turns to the right; `upwards` raises the eye,
 /// at most to 1.5 above the horizontal (y is up).

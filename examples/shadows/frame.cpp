@@ -38,8 +38,18 @@ Filter filter_of(const std::string& name) {
         name, {{"nearest", Filter::nearest}, {"bilinear", Filter::bilinear}, {"trilinear", Filter::trilinear}});
 }
 
+LightKind light_of(const std::string& name) {
+    return choice_of<LightKind>(
+        name, {{"directional", LightKind::directional}, {"spot", LightKind::spot}, {"point", LightKind::point}});
+}
+
 Frame::Frame(glift::Device device, const Settings& settings, glift::uint2 size)
-    : device_(std::move(device)), settings_(settings), size_(size) {}
+    : device_(std::move(device)), settings_(settings), size_(size) {
+    if (settings.light == LightKind::point && (settings.levels < 3 || settings.pages < 6))
+        throw std::runtime_error(
+            "a point light has six maps in its quadtree: give it at least 3 levels by --levels and "
+            "6 pages by --pages");
+}
 
 void Frame::set_scene(const scenes::Scene& scene) {
     const auto corners = static_cast<std::uint32_t>(scene.mesh.corners.size());
@@ -50,8 +60,9 @@ void Frame::set_scene(const scenes::Scene& scene) {
         points_.emplace(device_, points);
         colours_.emplace(device_, points);
         const auto make = [&]<class Shadows>() {
-            shadows_.emplace<Shadows>(device_, size_, corners / 3, settings_.spot ? 2u : 1u, settings_.levels,
-                                      settings_.pages, settings_.standard, settings_.pairs);
+            shadows_.emplace<Shadows>(device_, size_, corners / 3, settings_.light == LightKind::point ? 6u : 1u,
+                                      settings_.light == LightKind::directional ? 1u : 2u, settings_.levels,
+                                      settings_.pages, standard_side(), settings_.pairs);
         };
         if (settings_.cells == 16) make.operator()<shadows::Shadows16>();
         else if (settings_.cells == 64) make.operator()<shadows::Shadows64>();
@@ -74,35 +85,38 @@ void Frame::set_knobs(const Settings& settings) {
     recorded_ = {};
 }
 
-glift::float4x4 Frame::light() const {
-    return settings_.spot ? camera::projection_of(scene_.light, 1)
-                          : camera::parallel_projection_of(scene_.light, scene_.light_half_size);
+std::vector<glift::float4x4> Frame::lights() const {
+    const camera::Camera& light = scene_.light;
+    if (settings_.light == LightKind::directional)
+        return {camera::parallel_projection_of(light, scene_.light_half_size)};
+    if (settings_.light == LightKind::spot) return {camera::projection_of(light, 1)};
+    std::vector<glift::float4x4> faces;
+    for (unsigned face = 0; face < 6; ++face)
+        faces.push_back(camera::cube_projection_of(light.eye, face, opening(), light.near, light.far));
+    return faces;
 }
 
 eye::Viewpoint Frame::viewpoint() const {
     const float aspect = static_cast<float>(size_.x) / static_cast<float>(size_.y);
-    const glift::float3 at =
-        settings_.spot ? scene_.light.eye : glift::normalize(scene_.light.eye - scene_.light.target);
-    return {camera::projection_of(scene_.view, aspect),
-            light(),
-            glift::float4(at.x, at.y, at.z, settings_.spot ? 1.0f : 0.0f),
-            scene_.view.eye,
-            scene_.sky,
-            0.3f};
+    const bool is_far = settings_.light == LightKind::directional;
+    const glift::float3 at = is_far ? glift::normalize(scene_.light.eye - scene_.light.target) : scene_.light.eye;
+    return {camera::projection_of(scene_.view, aspect), glift::float4(at.x, at.y, at.z, is_far ? 0.0f : 1.0f),
+            scene_.view.eye, scene_.sky, 0.3f};
 }
 
 void Frame::prepare(Method method) {
     const std::vector<eye::Viewpoint> view = {viewpoint()};
-    with_shadows([&](auto& s) { s.views().write(view); });
+    with_shadows([&](auto& s) { s.views().write(view), s.lights().write(lights()); });
     glift::Recording& recorded = recorded_.at(static_cast<std::size_t>(method));
     if (recorded) return;
+    const std::uint32_t coarsest = settings_.levels - (settings_.light == LightKind::point ? 3 : 1);
     const shadows::Settings settings{.bias = settings_.bias,
                                      .step = settings_.step,
-                                     .finest = std::min(settings_.finest, settings_.levels - 1),
+                                     .finest = std::min(settings_.finest, coarsest),
                                      .filter = static_cast<glift::uint>(settings_.filter),
                                      .is_cached = settings_.cached,
                                      .fills_by_kernel = settings_.by_kernel,
-                                     .seed = std::min(settings_.seed, settings_.levels - 1),
+                                     .seed = std::min(settings_.seed, coarsest),
                                      .most_rounds = settings_.rounds};
     const glift::uint chosen = method == Method::standard   ? shadows::Method::standard
                                : method == Method::adaptive ? shadows::Method::adaptive

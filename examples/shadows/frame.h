@@ -20,12 +20,14 @@ enum class Method { standard, adaptive, matched };
 enum class View { picture, levels, borders, map, pool };
 
 enum class Filter { nearest, bilinear, trilinear };
+enum class LightKind { directional, spot, point };
 
-/// The method of a name: standard, asm or rmsm. Like the two functions below, throws std::runtime_error, which lists
+/// The method of a name: standard, asm or rmsm. Like the three functions below, throws std::runtime_error, which lists
 /// the names, if there is none.
 Method method_of(const std::string& name);
 View view_of(const std::string& name);
 Filter filter_of(const std::string& name);
+LightKind light_of(const std::string& name);
 
 /// The program's options (add_knobs of main.cpp) say what each setting is.
 struct Settings {
@@ -34,7 +36,8 @@ struct Settings {
     float bias = 1e-4f;
     std::uint32_t step = 1, finest = 0;
     Filter filter = Filter::bilinear;
-    bool cached = false, spot = false;
+    bool cached = false;
+    LightKind light = LightKind::directional;
     bool by_kernel = true;  ///< depths of pages are computed by kernels; false: by draws
 };
 
@@ -68,8 +71,15 @@ public:
     const glift::Device& device() const { return device_; }
     const scenes::Scene& scene() const { return scene_; }
     glift::uint2 size() const { return size_; }
-    bool is_spot() const { return settings_.spot; }
-    glift::float4x4 light() const;
+    LightKind light_kind() const { return settings_.light; }
+    /// Texels along each side of the standard map, or of each of its six faces.
+    std::uint32_t standard_side() const {
+        return settings_.light == LightKind::point ? settings_.standard / 2 : settings_.standard;
+    }
+    /// The tangent of half the angle that a face of a point light sees: 90 degrees, and a texel of the standard map.
+    float opening() const { return 1 + 2.0f / static_cast<float>(standard_side() - 2); }
+    /// Of each of the light's faces.
+    std::vector<glift::float4x4> lights() const;
     eye::Viewpoint viewpoint() const;
     /// A picture of the last frame: on the device; below, read from it.
     eye::Picture image(View view) const;

@@ -21,7 +21,7 @@ struct Arguments {
     float time = 0.4f;
     unsigned frames = 0;  // 0: one; of recorded paths all
     std::vector<std::uint32_t> size = {512, 512};
-    float from_right = 0, from_above = 0, closer = 1, light_from_right = 0;
+    float from_right = 0, from_above = 0, closer = 1, light_from_right = 0, light_closer = 1;
     bool is_sized = false, compare = false, window = false;
     Settings settings;
     path::Way way;
@@ -59,7 +59,7 @@ scenes::Scene scene_at(const Arguments& a, float time) {
 std::vector<path::Step> path_of(const Arguments& a, scenes::Scene scene) {
     if (!a.path.empty()) return path::read(a.path, scene);
     scene.view = camera::orbited(scene.view, a.from_right, a.from_above, a.closer);
-    scene.light = camera::orbited(scene.light, a.light_from_right, 0, 1);
+    scene.light = camera::orbited(scene.light, a.light_from_right, 0, a.light_closer);
     path::Way way = a.way;
     way.frames = std::max(a.frames, 1u), way.is_static = a.settings.cached;
     return path::around(scene, a.time, way);
@@ -149,7 +149,8 @@ void add_knobs(CLI::App& app, Settings& s) {
     app.add_option("--pairs", s.pairs, "of a triangle and a page that there is room for")
         ->check(CLI::Range(1u, 50'000'000u))
         ->capture_default_str();
-    app.add_option("--standard", s.standard, "texels along each side of the standard map")
+    app.add_option("--standard", s.standard,
+                   "texels along each side of the standard map; of each of a point light's six half as many")
         ->check(CLI::Range(16u, 16384u))
         ->capture_default_str();
     app.add_option("--bias", s.bias, "of depths, a part of the light's range")->capture_default_str();
@@ -168,7 +169,12 @@ void add_knobs(CLI::App& app, Settings& s) {
         ->check(CLI::IsMember({"nearest", "bilinear", "trilinear"}))
         ->default_str("bilinear");
     app.add_flag("--cached", s.cached, "Pages stay from frame to frame; scene and light stand still");
-    app.add_flag("--spot", s.spot, "A spot light where the light's eye is");
+    app.add_option_function<std::string>(
+           "--light", [&s](const std::string& name) { s.light = light_of(name); },
+           "directional, or where the light's eye is: spot or point, whose six maps have a quarter of the quadtree's "
+           "side")
+        ->check(CLI::IsMember({"directional", "spot", "point"}))
+        ->default_str("directional");
 }
 
 void add_walks(CLI::App& app, Arguments& a) {
@@ -211,6 +217,9 @@ void add_options(CLI::App& app, Arguments& a) {
         ->check(CLI::Range(0.01, 1000.0))
         ->capture_default_str();
     app.add_option("--light-right", a.light_from_right, "The light, so far around the scene")->capture_default_str();
+    app.add_option("--light-closer", a.light_closer, "and so many times closer")
+        ->check(CLI::Range(0.01, 1000.0))
+        ->capture_default_str();
     app.add_flag("--compare", a.compare,
                  "All methods beside rays: shares that agree, and a picture of the differences");
     app.add_flag("--window", a.window, "Show it in a window: camera, light, knobs, and what the quadtree is made of");

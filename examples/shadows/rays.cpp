@@ -53,6 +53,23 @@ struct Axes {
     }
 };
 
+/// Of the light's faces, as shadow_map.glift has them: one that has all of the map or, of a point light, six squares of
+/// four times four.
+std::vector<Axes> faces_of(const Frame& frame) {
+    const camera::Camera& light = frame.scene().light;
+    if (frame.light_kind() == LightKind::spot) return {Axes::of(light, 1, 0)};
+    if (frame.light_kind() == LightKind::directional)
+        return {Axes::of(light, 1, static_cast<double>(frame.scene().light_half_size))};
+    std::vector<Axes> faces;
+    for (unsigned i = 0; i < 6; ++i) {
+        const camera::CubeFace face = camera::cube_face(i);
+        const double opening = static_cast<double>(frame.opening());
+        faces.push_back({vector_of(light.eye), vector_of(face.forward), vector_of(face.right), vector_of(face.down),
+                         opening, opening, false});
+    }
+    return faces;
+}
+
 class Scene {
 public:
     explicit Scene(const mesh::Mesh& mesh) : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
@@ -79,6 +96,7 @@ public:
     Scene& operator=(const Scene&) = delete;
 
     bool is_hit(const Vector& from, const Vector& direction, double least, double most) const {
+        if (most <= least) return false;
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
         RTCRay ray{};
@@ -100,9 +118,7 @@ class Tracer {
 public:
     Tracer(const Frame& frame, const Lighting& lighting, float bias)
         : scene_(frame.scene().mesh), lighting_(lighting), size_(frame.size()),
-          eye_(Axes::of(frame.scene().view, static_cast<double>(size_.x) / size_.y, 0)),
-          light_(Axes::of(frame.scene().light, 1,
-                          frame.is_spot() ? 0 : static_cast<double>(frame.scene().light_half_size))),
+          eye_(Axes::of(frame.scene().view, static_cast<double>(size_.x) / size_.y, 0)), faces_(faces_of(frame)),
           near_(static_cast<double>(frame.scene().light.near)), far_(static_cast<double>(frame.scene().light.far)),
           bias_(static_cast<double>(bias) * (far_ - near_)) {}
 
@@ -111,7 +127,7 @@ public:
     Light light_of(std::size_t pixel) const {
         if (!is_known(pixel)) return Light::unknown;
         const glift::float4& s = lighting_.surface[pixel];
-        return light_at(point_of(s.x, s.y, s.z));
+        return light_at(point_of(face_at(s.x, s.y), s.x, s.y, s.z));
     }
 
     /// Whether the plane that a pixel shows has another answer somewhere within a pixel: at eight places on each of
@@ -132,8 +148,10 @@ private:
         const glift::float2& slope = lighting_.slopes[pixel];
         constexpr double step = 1e-4;
         const double s0 = s.x, t0 = s.y, z0 = s.z;
-        const Vector a = point_of(s0, t0, z0), b = point_of(s0 + step, t0, z0 + step * static_cast<double>(slope.x)),
-                     c = point_of(s0, t0 + step, z0 + step * static_cast<double>(slope.y));
+        const std::size_t face = face_at(s0, t0);
+        const Vector a = point_of(face, s0, t0, z0),
+                     b = point_of(face, s0 + step, t0, z0 + step * static_cast<double>(slope.x)),
+                     c = point_of(face, s0, t0 + step, z0 + step * static_cast<double>(slope.y));
         const Vector normal = cross(b - a, c - a);
         const double column = static_cast<double>(pixel % size_.x) + 0.5 + x,
                      row = static_cast<double>(pixel / size_.x) + 0.5 + y;
@@ -141,23 +159,38 @@ private:
         return light_at(from + along * (dot(a - from, normal) / dot(along, normal)));
     }
 
-    /// The point in the world of a place in light space.
-    Vector point_of(double s, double t, double depth) const {
-        const auto [from, along] = light_.line(2 * s - 1, 2 * t - 1);
+    /// The face that has a place of the map.
+    std::size_t face_at(double s, double t) const {
+        return faces_.size() == 1 ? 0 : static_cast<std::size_t>(std::floor(4 * t) * 4 + std::floor(4 * s));
+    }
+    /// The point in the world of a place in light space, on a face.
+    Vector point_of(std::size_t face, double s, double t, double depth) const {
+        const double squares = faces_.size() == 1 ? 1 : 4;
+        const double x = s * squares - static_cast<double>(face % 4), y = t * squares - static_cast<double>(face / 4);
+        const auto [from, along] = faces_.at(face).line(2 * x - 1, 2 * y - 1);
         const double distance =
-            light_.is_parallel ? near_ + depth * (far_ - near_) : far_ * near_ / (far_ - depth * (far_ - near_));
+            faces_[0].is_parallel ? near_ + depth * (far_ - near_) : far_ * near_ / (far_ - depth * (far_ - near_));
         return from + along * distance;
     }
+    /// Along the axis of the face that a way to the light comes from.
+    double distance_before(const Vector& way) const {
+        double most = dot(way, faces_[0].forward) * -1.0;
+        for (const Axes& face : faces_) most = std::max(most, dot(way, face.forward) * -1.0);
+        return most;
+    }
     Light light_at(const Vector& point) const {
-        const Vector way = light_.is_parallel ? light_.forward * -1.0 : light_.eye - point;
-        const double distance = light_.is_parallel ? far_ : std::sqrt(dot(way, way)) - near_;
+        const Axes& light = faces_[0];
+        const Vector way = light.is_parallel ? light.forward * -1.0 : light.eye - point;
+        const double distance =
+            light.is_parallel ? far_ : std::sqrt(dot(way, way)) * (1 - near_ / distance_before(way));
         return scene_.is_hit(point, unit(way), bias_, distance) ? Light::shadowed : Light::reached;
     }
 
     Scene scene_;
     const Lighting& lighting_;
     glift::uint2 size_;
-    Axes eye_, light_;
+    Axes eye_;
+    std::vector<Axes> faces_;
     double near_, far_, bias_;
 };
 

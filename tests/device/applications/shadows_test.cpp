@@ -15,26 +15,43 @@ namespace {
 
 using glift::float3;
 
+void add_quad(mesh::Mesh& mesh, const float3& a, const float3& u, const float3& v) {
+    const auto first = static_cast<std::uint32_t>(mesh.points.size());
+    for (const float3& p : {a, a + u, a + u + v, a + v}) {
+        mesh.points.push_back(p);
+        mesh.colours.emplace_back(0.6f, 0.6f, 0.6f);
+    }
+    for (const std::uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.corners.push_back(first + corner);
+}
+
 /// A grid of posts on a floor, seen so that near posts need fine levels and far ones coarse ones.
 scenes::Scene posts() {
     scenes::Scene scene;
-    const auto add_quad = [&](const float3& a, const float3& u, const float3& v) {
-        const auto first = static_cast<std::uint32_t>(scene.mesh.points.size());
-        for (const float3& p : {a, a + u, a + u + v, a + v}) {
-            scene.mesh.points.push_back(p);
-            scene.mesh.colours.emplace_back(0.6f, 0.6f, 0.6f);
-        }
-        for (const std::uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) scene.mesh.corners.push_back(first + corner);
-    };
-    add_quad({-4, 0, -4}, {8, 0, 0}, {0, 0, 8});
+    add_quad(scene.mesh, {-4, 0, -4}, {8, 0, 0}, {0, 0, 8});
     for (int i = 0; i < 49; ++i) {
         const float x = -3 + static_cast<float>(i % 7), z = -3 + static_cast<float>(i / 7);
-        add_quad({x, 0, z}, {0.09f, 0, 0.03f}, {0.02f, 0.8f, 0.01f});
-        add_quad({x, 0, z}, {-0.03f, 0, 0.09f}, {0.01f, 0.8f, 0.02f});
+        add_quad(scene.mesh, {x, 0, z}, {0.09f, 0, 0.03f}, {0.02f, 0.8f, 0.01f});
+        add_quad(scene.mesh, {x, 0, z}, {-0.03f, 0, 0.09f}, {0.01f, 0.8f, 0.02f});
     }
     scene.view = {float3(0.7f, 1.1f, 4.2f), float3(0.2f, 0.2f, 0), float3(0, 1, 0), 0.8f, 0.1f, 20};
     scene.light = {float3(2, 5, 3), float3(0, 0, 0), float3(0, 1, 0), 1.2f, 0.5f, 12};
     scene.light_half_size = 6;
+    return scene;
+}
+
+/// The light between the posts, and a ceiling: light and shadow on all sides of a point light.
+scenes::Scene room() {
+    scenes::Scene scene = posts();
+    add_quad(scene.mesh, {-4, 1.4f, -4}, {8, 0, 0}, {0, 0, 8});
+    scene.view.target = float3(0.2f, 0.5f, 0);
+    scene.light = {float3(0.3f, 0.55f, 0.2f), float3(0, 0, 0), float3(0, 1, 0), 1.2f, 0.02f, 12};
+    return scene;
+}
+
+/// Seen so that no triangle leaves the view, since devices may cover other pixels where they clip.
+scenes::Scene all_of_room() {
+    scenes::Scene scene = room();
+    scene.view.eye.z = 12;
     return scene;
 }
 
@@ -76,23 +93,72 @@ struct Shadows : OnEveryDevice {
 };
 
 TEST_P(Shadows, AgreeWithRays) {
-    for (const bool is_spot : {false, true}) {
+    for (const LightKind kind : {LightKind::directional, LightKind::spot, LightKind::point}) {
         Settings settings = small();
-        settings.spot = is_spot;
+        settings.light = kind;
+        if (kind == LightKind::point) settings.standard = 64;
         Frame some = frame(settings);
+        if (kind == LightKind::point) some.set_scene(room());
         const Compared compared = compare(some, settings.bias);
-        EXPECT_GT(compared.rmsm().pixels, 1500u) << is_spot;
-        EXPECT_GT(compared.rmsm().in_band, 100u) << is_spot;
-        EXPECT_GE(compared.rmsm().share(), 0.998) << is_spot;
-        EXPECT_GE(compared.adaptive().share(), 0.99) << is_spot;
-        EXPECT_LT(compared.standard().share(), compared.rmsm().share()) << is_spot;
-        EXPECT_LT(compared.standard().share(), compared.adaptive().share()) << is_spot;
+        EXPECT_GT(compared.rmsm().pixels, 1500u) << static_cast<int>(kind);
+        EXPECT_GT(compared.rmsm().in_band, 100u) << static_cast<int>(kind);
+        EXPECT_GE(compared.rmsm().share(), 0.998) << static_cast<int>(kind);
+        EXPECT_GE(compared.adaptive().share(), 0.99) << static_cast<int>(kind);
+        EXPECT_LT(compared.standard().share(), compared.rmsm().share()) << static_cast<int>(kind);
+        EXPECT_LT(compared.standard().share(), compared.adaptive().share()) << static_cast<int>(kind);
     }
 }
 
+/// Of the directions in which a point light shines, those beside the edges of its cube.
+TEST_P(Shadows, HaveNoSeamsAtTheEdgesOfACube) {
+    Settings settings = small();
+    settings.light = LightKind::point;
+    Frame some = frame(settings);
+    some.set_scene(room());
+    const Compared compared = compare(some, settings.bias);
+    std::set<int> faces;
+    for (std::size_t i = 0; i < compared.reference.light.size(); ++i) {
+        const glift::float4& s = compared.lighting[0].surface[i];
+        if (s.w < 0) continue;
+        const float x = 4 * s.x - std::floor(4 * s.x), y = 4 * s.y - std::floor(4 * s.y);
+        faces.insert(static_cast<int>(4 * std::floor(4 * s.y) + std::floor(4 * s.x)));
+        if (std::min({x, y, 1 - x, 1 - y}) > 0.02f || compared.reference.at_edge[i]) continue;
+        EXPECT_EQ(is_lit(compared.lighting[0].lit[i]), compared.reference.light[i] == rays::Light::reached) << i;
+    }
+    EXPECT_THAT(faces, testing::ElementsAre(0, 1, 2, 3, 4, 5));
+}
+
+/// Faces of a point light look elsewhere than a spot at the same place does.
+TEST_P(Shadows, OfAPointLightAreThoseOfASpot) {
+    Settings settings = small();
+    std::array<Compared, 2> found;
+    for (const bool is_point : {false, true}) {
+        settings.light = is_point ? LightKind::point : LightKind::spot;
+        settings.levels = is_point ? 10 : 8;  // as many cells a face
+        Frame some = frame(settings);
+        found.at(is_point) = compare(some, settings.bias);
+    }
+    std::size_t both = 0, differ = 0;
+    for (std::size_t i = 0; i < found[0].reference.light.size(); ++i) {
+        if (found[0].reference.light[i] == rays::Light::unknown) continue;
+        EXPECT_EQ(found[1].reference.light[i], found[0].reference.light[i]) << i;
+        if (found[0].reference.at_edge[i] || found[1].reference.at_edge[i]) continue;
+        ++both, differ += is_lit(found[0].lighting[0].lit[i]) != is_lit(found[1].lighting[0].lit[i]);
+    }
+    EXPECT_GT(both, 1500u);
+    EXPECT_LE(differ, both / 500);
+}
+
 TEST_P(Shadows, AreOneSubmissionAFrame) {
-    Frame some = frame(small());
-    for (const Method method : {Method::matched, Method::adaptive, Method::standard}) {
+    Settings settings = small();
+    settings.light = LightKind::point;
+    Frame directional = frame(small()), point = frame(settings);
+    for (const auto& [frame, method] : {std::pair{&directional, Method::matched},
+                                        {&directional, Method::adaptive},
+                                        {&directional, Method::standard},
+                                        {&point, Method::matched},
+                                        {&point, Method::adaptive}}) {
+        Frame& some = *frame;
         some.prepare(method);
         device.wait();
         const glift::Statistics before = device.statistics();
@@ -118,7 +184,7 @@ TEST_P(Shadows, HaveTheSameDepthsByDrawsAndByAKernel) {
     };
     for (const std::uint32_t cells : {16u, 32u, 64u}) {
         Settings settings = small();
-        settings.spot = true, settings.cells = cells;
+        settings.light = cells == 32 ? LightKind::point : LightKind::spot, settings.cells = cells;
         settings.by_kernel = false;
         Frame draws = frame(settings);
         settings.by_kernel = true;
@@ -147,9 +213,11 @@ TEST_P(Shadows, AgreeByAllPagesAndFilters) {
         Frame some = frame(settings);
         some.draw(Method::matched);
         const Lighting lighting = some.lighting();
-        EXPECT_TRUE(lighting.surface == usual.surface);
         std::size_t differ = 0, between = 0;
         for (std::size_t i = 0; i < usual.lit.size(); ++i) {
+            const glift::float4 own = lighting.surface[i], first = usual.surface[i];
+            EXPECT_TRUE(own.x == first.x && own.y == first.y && own.z == first.z);
+            EXPECT_EQ(std::min(own.w, 6.0f), std::min(first.w, 6.0f));  // the coarsest of seven levels
             differ += (lighting.lit[i] > 0.5f) != (usual.lit[i] > 0.5f);
             between += lighting.lit[i] > 0 && lighting.lit[i] < 1;
             if (filter == Filter::bilinear) {
@@ -285,17 +353,21 @@ GLIFT_ON_EVERY_DEVICE(Shadows);
 /// The same pages in the same frames, the same depths and the same light, bit for bit.
 TEST(ShadowsOnDevices, AreTheSame) {
     const char* vulkan = std::getenv("GLIFT_TEST_DEVICE");
-    Frame host(glift::Device::open("host"), small(), {96, 64});
-    Frame other(glift::Device::open(vulkan ? vulkan : "lavapipe"), small(), {96, 64});
-    for (const Method method : {Method::matched, Method::adaptive}) {
-        for (Frame* some : {&host, &other}) {
-            some->set_scene(posts());
-            some->draw(method);
+    for (const LightKind kind : {LightKind::directional, LightKind::point}) {
+        Settings settings = small();
+        settings.light = kind;
+        Frame host(glift::Device::open("host"), settings, {96, 64});
+        Frame other(glift::Device::open(vulkan ? vulkan : "lavapipe"), settings, {96, 64});
+        for (const Method method : {Method::matched, Method::adaptive}) {
+            for (Frame* some : {&host, &other}) {
+                some->set_scene(kind == LightKind::point ? all_of_room() : posts());
+                some->draw(method);
+            }
+            EXPECT_TRUE(host.lighting().surface == other.lighting().surface);  // the levels, too
+            EXPECT_EQ(host.owners(), other.owners());
+            EXPECT_TRUE(host.depths_of_pages() == other.depths_of_pages());
+            EXPECT_EQ(host.lighting().lit, other.lighting().lit);
         }
-        EXPECT_TRUE(host.lighting().surface == other.lighting().surface);  // the levels, too
-        EXPECT_EQ(host.owners(), other.owners());
-        EXPECT_TRUE(host.depths_of_pages() == other.depths_of_pages());
-        EXPECT_EQ(host.lighting().lit, other.lighting().lit);
     }
 }
 

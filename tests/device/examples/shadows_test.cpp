@@ -88,6 +88,7 @@ TEST_F(ShadowsExample, SaysWhatIsWrong) {
     std::ofstream(file("path.txt")) << "# a path\n0 1 2 3\n";
     EXPECT_THAT(run({"--path", file("path.txt")}).err, HasSubstr("path.txt:2: has to have 13 numbers"));
     EXPECT_THAT(run({"--pairs", "10", "--out", file("a.png")}).err, HasSubstr("--pairs"));
+    EXPECT_THAT(run({"--light", "point", "--pages", "5"}).err, HasSubstr("6 pages by --pages"));
     EXPECT_THAT(run({"--path", file("nowhere.txt")}).err, HasSubstr("nowhere.txt: cannot be read"));
     EXPECT_THAT(run({"--agreement", file("a"), "--paths", "nowhere"}).err,
                 HasSubstr("nowhere/hairball.path: cannot be read"));

@@ -30,6 +30,26 @@ TEST(Camera, ProjectsAsVulkanWants) {
     EXPECT_NEAR(right.x / right.w, 1, 1e-5f);
 }
 
+TEST(Camera, SeesTheFacesOfACube) {
+    const float3 eye(1, 2, 3);
+    for (unsigned i = 0; i < 6; ++i) {
+        const auto [forward, right, down] = camera::cube_face(i);
+        // As cube_direction of std.image: the middle of a face, and its axes.
+        const float side = i % 2 == 0 ? 1.0f : -1.0f;
+        EXPECT_EQ(forward[i / 2], side);
+        EXPECT_EQ(glift::dot(right, i < 2 ? float3(0, 0, -side) : i < 4 ? float3(1, 0, 0) : float3(side, 0, 0)), 1);
+        EXPECT_EQ(glift::dot(down, i == 2 || i == 3 ? float3(0, 0, side) : float3(0, -1, 0)), 1);
+        const float4x4 m = camera::cube_projection_of(eye, i, 1.25f, 0.5f, 8);
+        const float4 p = projected(m, eye + forward * 4.0f + right * 2.0f + down * -5.0f);
+        EXPECT_NEAR(p.x / p.w, 0.4f, 1e-6f);
+        EXPECT_NEAR(p.y / p.w, -1, 1e-6f);
+        EXPECT_NEAR(p.w, 4, 1e-6f);
+        const float4 near = projected(m, eye + forward * 0.5f), far = projected(m, eye + forward * 8.0f);
+        EXPECT_NEAR(near.z / near.w, 0, 1e-6f);
+        EXPECT_NEAR(far.z / far.w, 1, 1e-6f);
+    }
+}
+
 TEST(Camera, ParallelProjectionKeepsSizes) {
     const Camera light{float3(3, 4, 5), float3(0, 0, 0), float3(0, 1, 0), 1.0f, 1, 11};
     const float4x4 m = camera::parallel_projection_of(light, 2);
