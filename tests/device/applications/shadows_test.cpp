@@ -84,6 +84,26 @@ std::set<Page> pages_of(const Lighting& lighting, Settings settings, std::uint32
     return wanted;
 }
 
+/// Of the pages of a level that a frame with none finer asks for, the first so many, row by row.
+std::set<Page> first_pages(const Lighting& lighting, const Settings& settings, std::uint32_t level, std::size_t most) {
+    std::vector<Page> all;
+    for (const Page& page : pages_of(lighting, settings, level))
+        if (page[0] == level) all.push_back(page);
+    std::ranges::sort(all, {}, [](const Page& page) { return std::pair(page[2], page[1]); });
+    all.resize(std::min(most, all.size()));
+    return {all.begin(), all.end()};
+}
+
+/// What frames of these pages have as their owners, those without a page, too.
+std::set<std::uint32_t> owners_of(const std::set<Page>& pages, const Settings& settings) {
+    std::set<std::uint32_t> owners{0u};
+    for (const auto& [level, x, y] : pages) {
+        const std::uint32_t along = 1u << (settings.levels - 1 - level);
+        owners.insert((along * along - 1) / 3 + y * along + x + 1);
+    }
+    return owners;
+}
+
 struct Shadows : OnEveryDevice {
     Frame frame(const Settings& settings) {
         Frame made(device, settings, {96, 64});
@@ -261,8 +281,8 @@ TEST_P(Shadows, DegradeWithTheirPool) {
     }
 }
 
-/// A pool that is too small for the pages asked for gets those of a frame whose finest level is coarser; nothing else
-/// changes.
+/// A pool that is too small for the pages asked for gets those of a frame whose finest level is coarser and, as far as
+/// there is room, the first pages of the level below; nothing else changes.
 TEST_P(Shadows, DegradeByCoarserLevelsAlone) {
     Settings settings = small();
     Frame whole = frame(settings);
@@ -275,20 +295,18 @@ TEST_P(Shadows, DegradeByCoarserLevelsAlone) {
         settings.pages = wanted / part;
         std::uint32_t finest = 0;
         while (pages_of(usual, settings, finest).size() > settings.pages) ++finest;
+        const std::uint32_t below = finest == 0 ? 0 : finest - 1;
+        std::set<Page> expected = pages_of(usual, settings, finest), back;
+        if (finest > 0) back = first_pages(usual, settings, below, settings.pages - expected.size());
+        expected.insert(back.begin(), back.end());
         Frame some = frame(settings);
         some.draw(Method::matched);
-        Settings coarser = small();
-        coarser.finest = finest;
-        Frame expected = frame(coarser);
-        expected.draw(Method::matched);
 
-        std::set<std::uint32_t> there, expected_there;
+        std::set<std::uint32_t> there{0u};
         for (const std::uint32_t owner : some.owners()) there.insert(owner);
-        for (const std::uint32_t owner : expected.owners()) expected_there.insert(owner);
-        there.insert(0u), expected_there.insert(0u);
-        EXPECT_EQ(there, expected_there) << part;
+        EXPECT_EQ(there, owners_of(expected, settings)) << part;
         std::uint32_t coarsened = 0;
-        for (const Page& page : pages_of(usual, settings, 0)) coarsened += page[0] < finest;
+        for (const Page& page : pages_of(usual, settings, 0)) coarsened += !expected.contains(page);
         const shadows::Status counts = some.counts();
         EXPECT_EQ(counts.asked, wanted) << part;
         EXPECT_EQ(counts.coarsened, coarsened) << part;
@@ -296,17 +314,30 @@ TEST_P(Shadows, DegradeByCoarserLevelsAlone) {
         EXPECT_EQ(counts.pool.refused, 0u) << part;
         EXPECT_EQ(some.status().find("coarser ones in place of") != std::string::npos, part > 1) << some.status();
 
-        const Lighting lighting = some.lighting(), finest_lighting = expected.lighting();
+        // Frames whose finest level is this one, or the one below.
+        std::array<Lighting, 2> coarser;
+        for (const bool is_back : {false, true}) {
+            Settings of_level = small();
+            of_level.finest = is_back ? below : finest;
+            Frame made = frame(of_level);
+            made.draw(Method::matched);
+            coarser.at(is_back) = made.lighting();
+        }
+        const Lighting lighting = some.lighting();
         EXPECT_TRUE(lighting.surface == usual.surface && lighting.slopes == usual.slopes &&
                     lighting.colours == usual.colours);
-        const float cell =
-            static_cast<float>(1u << finest) / static_cast<float>(settings.cells << (settings.levels - 1));
-        const bool is_finer_than_standard = cell * static_cast<float>(settings.standard) <= 1;
+        Settings of_below = settings;
+        of_below.finest = below;
         for (std::size_t i = 0; i < usual.lit.size(); ++i) {
             const auto page = page_of(usual.surface[i], settings);
-            const float light = !page || (*page)[0] >= finest ? usual.lit[i]
-                                : is_finer_than_standard      ? finest_lighting.lit[i]
-                                                              : standard[i];
+            const auto raised = page_of(usual.surface[i], of_below);
+            const bool is_back = raised && back.contains(*raised);
+            const std::uint32_t level = is_back ? below : finest;
+            const float cell =
+                static_cast<float>(1u << level) / static_cast<float>(settings.cells << (settings.levels - 1));
+            const float light = !page || (*page)[0] >= level                        ? usual.lit[i]
+                                : cell * static_cast<float>(settings.standard) <= 1 ? coarser.at(is_back).lit[i]
+                                                                                    : standard[i];
             ASSERT_NEAR(lighting.lit[i], light, 1e-3) << part << ' ' << i;
         }
     }

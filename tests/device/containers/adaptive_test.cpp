@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace {
@@ -75,17 +76,25 @@ public:
         return all;
     }
 
-    /// Replaces the pages of a level by their parents, as the policy `coarsen` does.
-    void raise(Number level) {
-        std::set<Page> raised;
-        for (Page page : pages_) {
-            if (page.level == level) {
-                ++page.level;
-                for (Number& at : page.at) at /= 2;
+    /// Replaces pages until there are no more than `most`, as the policy `coarsen` does: those of the finest levels by
+    /// their parents; then the first of the last level that went come back.
+    void coarsen(Number most) {
+        std::map<Number, Page> gone;
+        for (Number level = 0; level + 1 < levels_ && pages_.size() > most; ++level) {
+            std::set<Page> raised;
+            gone.clear();
+            for (Page page : pages_) {
+                if (page.level == level) {
+                    gone[number_of(page)] = page;
+                    ++page.level;
+                    for (Number& at : page.at) at /= 2;
+                }
+                raised.insert(page);
             }
-            raised.insert(page);
+            pages_ = std::move(raised);
         }
-        pages_ = std::move(raised);
+        for (const auto& [number, page] : gone)
+            if (pages_.size() < most) pages_.insert(page);
     }
 
     /// All pages of a level that share a node.
@@ -247,8 +256,7 @@ private:
         requests.write(asked);
         adaptive::change(device_, requests, smooth_, tree_);
         if (policy_ == Policy::coarsen) {
-            for (Number level = 0; level + 1 < levels_ && field_.pages().size() > capacity_; ++level)
-                field_.raise(level);
+            field_.coarsen(capacity_);
             return;
         }
         pages_.change(false);
