@@ -1,5 +1,5 @@
-// Errors of structures: boxes out of bounds, empty handles, numbers of values that do not fit. Not in the headers: each
-// program would compile them, for each structure type.
+// Errors of structures and ranges: boxes, slices and addresses out of bounds, empty structures, numbers that do not
+// fit. Not in the headers: each program would compile them, for each structure type.
 #include <glift/box.h>
 #include <glift/log.h>
 #include <glift/mapped.h>

@@ -29,7 +29,7 @@ void check_owner(const DeviceObject* device, const Memory& memory, const char* c
     if (memory.object()->is_replaced()) throw_given_up(*memory.object(), call);
 }
 
-// Not inlined, so that the dispatch path stays small.
+// Apart from check_memories, so that the dispatch path stays small.
 [[noreturn]] void wrong_memory(const DeviceObject* device, const Kernel& kernel, const Binding& binding,
                                const Memory& memory) {
     const std::string where = kernel_text(kernel) + ", binding " + binding.name;

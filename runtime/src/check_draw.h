@@ -1,4 +1,4 @@
-// Checks of a draw's targets, the same for every device. Each throws wrong_argument, aliased_memory or too_large.
+// Checks of a draw's targets, the same for every device. Throws wrong_argument, aliased_memory or too_large.
 #pragma once
 
 #include <glift/commands.h>

@@ -1,4 +1,4 @@
-// The public handles: check, then forward.
+// The functions of Commands, Recording, Download and Timestamp: they check, then forward.
 #include "check.h"
 #include "environment.h"
 #include "measuring.h"

@@ -20,7 +20,7 @@ constexpr std::uint64_t most_rows = 1 << 16;
 
 bool writes(const Binding& binding) { return binding.access != Access::read; }
 
-/// The box of virtual addresses that a binding's parameter accesses.
+/// The box of virtual addresses that a binding's parameter may access.
 Box touched(const Binding& binding, const Footprint& footprint, const Box& visited) {
     Box box = footprint.box;
     if (binding.reach != Reach::window) return box;
@@ -74,7 +74,8 @@ struct Places {
                               w * static_cast<std::uint64_t>(stride[3]));
     }
 
-    /// Whether no two elements overlap: each stride is at least the span of all axes with smaller strides.
+    /// Whether it is certain that no two elements overlap: each stride is at least the span of all axes with smaller
+    /// strides.
     bool is_one_to_one() const {
         unsigned axes[] = {0, 1, 2, 3};
         std::ranges::sort(axes, {}, [&](unsigned axis) { return std::abs(stride[axis]); });
@@ -113,7 +114,7 @@ bool are_apart(Places one, Places other) {
     std::ranges::sort(rows);
     bool apart = true;
     other.for_each_row([&](std::uint64_t first) {
-        // The last row of `one` that begins before this row's end must end before this row begins.
+        // The last row of `one` that begins before this row's end must not reach beyond this row's begin.
         const auto next = std::ranges::lower_bound(rows, first + other.width);
         apart = apart && (next == rows.begin() || *(next - 1) + one.width <= first);
     });
@@ -156,7 +157,7 @@ std::string_view within_parameter(const Binding& binding) {
     return name.substr(name.find('.') + 1);
 }
 
-/// Two bindings of the same memory.
+/// Two bindings of the same memory, or of images with texels in common.
 struct Pair {
     const Kernel& kernel;
     std::span<const Memory> memories;

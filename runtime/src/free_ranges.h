@@ -12,7 +12,7 @@ class FreeRanges {
 public:
     explicit FreeRanges(std::uint64_t bytes) : free_{{0, bytes}} {}
 
-    /// The offset of the first free range that is large enough, if there is one.
+    /// Takes bytes from the first free range that has room for them; returns their aligned offset, if there is one.
     std::optional<std::uint64_t> take(std::uint64_t bytes, std::uint64_t alignment) {
         for (auto it = free_.begin(); it != free_.end(); ++it) {
             const auto [begin, size] = *it;

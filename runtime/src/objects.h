@@ -52,7 +52,8 @@ private:
     Texels texels_;
 };
 
-/// Whether two memories are one, or are parts of one that have a level and a layer in common.
+/// Whether two memories are one, are an image and a part of it, or are parts of one image that have a level and a layer
+/// in common.
 bool shares_texels(const MemoryObject* one, const MemoryObject* other);
 
 class DownloadObject {
@@ -77,7 +78,7 @@ public:
 };
 
 /// Arguments are checked before they get here (check.h), except for those of `dispatch` and `needs_wide`, which the
-/// streams check themselves.
+/// streams that run or record check themselves.
 class Stream {
 public:
     virtual ~Stream() = default;

@@ -1,5 +1,5 @@
 // Errors that a kernel reported through its StatusRecord, and errors of calls that cannot be recorded, come after the
-// end of a recording, or use memory that a container has given up.
+// end of a recording, use memory that a container has given up, or need a form that the kernel lacks.
 #pragma once
 
 #include <glift/commands.h>
@@ -29,7 +29,7 @@ struct Reporter {
 /// Throws loop_limit or out_of_range if the record says so.
 void throw_report(const Reporter& reporter, const StatusRecord& record);
 
-/// The error for commands given after their recording was finished.
+/// The error for commands given after their recording, or the user's command buffer, was finished.
 [[noreturn]] void throw_closed(std::string where);
 /// The error for a container's member that gets other memory within a recording.
 [[noreturn]] void throw_replaced_in_recording();

@@ -43,7 +43,8 @@ struct ScalarReader {
         else std::snprintf(buffer, sizeof buffer, "%u", load<std::uint32_t>(at));
         return buffer;
     }
-    /// Whether two scalars have the same bits, are both NaN, or differ by no more than the tolerance.
+    /// Whether two scalars have the same bits, are floats that are both NaN, or are floats that differ by no more than
+    /// the tolerance (those that are drawn, kind n, by drawn_tolerance, unless the tolerance is 0).
     static bool agree(char kind, const std::byte* a, const std::byte* b, double tolerance) {
         if (std::memcmp(a, b, size_of(kind)) == 0) return true;
         if (!is_floating(kind)) return false;

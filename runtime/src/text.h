@@ -1,4 +1,4 @@
-// Names of kernels, memories and sizes in error messages.
+// How error messages write kernels, their forms, memories and sizes.
 #pragma once
 
 #include <glift/pass.h>

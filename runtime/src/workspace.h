@@ -1,4 +1,4 @@
-// Sub-allocates the temporaries of a recording: those with disjoint lifetimes share storage.
+// Sub-allocates the temporaries of a recording: those with disjoint lifetimes may share storage.
 #pragma once
 
 #include "free_ranges.h"
@@ -29,7 +29,8 @@ public:
         std::size_t block = 0;
         std::uint64_t offset = 0, bytes = 0;
         bool is_new_block = false;  ///< else the storage is reused
-        /// Some storage was freed since the last take, and earlier commands may still use it.
+        /// Of a place that is reused: storage (this or other) was freed since the last reuse, and earlier commands may
+        /// still use it.
         bool is_just_free = false;
     };
 
@@ -37,7 +38,7 @@ public:
     Place take(const StorageNeeds& needs);
     void give_back(const Place& place);
 
-    /// Counts memories with storage of their own.
+    /// Counts the bytes of a memory with storage of its own.
     void add(std::uint64_t bytes);
 
     std::uint64_t bytes() const;  ///< in total

@@ -23,7 +23,7 @@ template <class T> constexpr T divisor(T a, T b) {
 /// which is -0 for i = 0.
 template <class T> constexpr T subtract(T a, T b) { return static_cast<T>(a - b); }
 
-/// a / b; for integers a where b is 0.
+/// a / b; for integers a where b is 0 or the quotient overflows.
 template <class T> constexpr T divide(T a, T b) {
     if constexpr (std::is_integral_v<T>) return static_cast<T>(a / divisor(a, b));
     else return a / b;

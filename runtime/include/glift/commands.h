@@ -4,7 +4,8 @@
 // reads and writes, so it places the barriers; independent passes get none and may overlap. Only wait(),
 // Download::get() and Timestamp::seconds() wait for results; other calls wait where the host is far ahead of the
 // device, or where memory that was freed is needed again. Work is submitted when it is waited for, by flush(), before a
-// recording, before the command that follows a download, and whenever much has been recorded.
+// recording is submitted, by record_into() and finish() of vulkan.h, before the first other command after a download,
+// and whenever much has been put into the stream or no memory is left.
 #pragma once
 
 #include <glift/device.h>
@@ -28,7 +29,7 @@ class Stream;
 class DownloadObject;
 class TimestampObject;
 
-/// The error for calls that wait for the device, in a recording.
+/// The error for calls that wait for the device or submit, in a recording.
 [[noreturn]] GLIFT_API void throw_not_in_recording(const char* call);
 }  // namespace detail
 
@@ -60,8 +61,9 @@ public:
     explicit Download(std::shared_ptr<detail::DownloadObject> object) : object_(std::move(object)) {}
     explicit operator bool() const { return bool(object_); }
 
-    bool ready() const;                      ///< never waits
-    std::span<const std::byte> get() const;  ///< waits for what the bytes depend on; valid while this handle lives
+    bool ready() const;  ///< whether the bytes are there; neither waits nor submits
+    /// Waits for all commands before the download in its stream. Valid while this handle or a copy of it lives.
+    std::span<const std::byte> get() const;
 
 private:
     detail::Held<detail::DownloadObject> object_;
@@ -119,16 +121,17 @@ public:
     /// than on Vulkan devices, so that results which depend on it differ.
     Commands uninitialized() const;
 
-    /// The same stream, whose passes run only if `condition`, a bool on the device, is true (`where_not`: false) when
-    /// they are reached, and all conditions of `*this` hold. Otherwise they run over nothing, and buffers allocated
-    /// here are not zeroed. Copies, uploads, downloads and timestamps throw an Error there.
+    /// The same stream, whose passes and fills run only if `condition`, a bool on the device, is true (`where_not`:
+    /// false) when they are reached, and all conditions of `*this` hold. Else they run over nothing, and buffers
+    /// allocated here are not zeroed. Copies, uploads, downloads and timestamps throw an Error there.
     Commands where(DeviceValue condition) const;
     Commands where_not(DeviceValue condition) const;
     /// The same stream without conditions.
     Commands always() const;
 
-    /// Like Device::allocate. In a recording the memory lies in the recording's workspace and is zeroed here by each
-    /// replay; once its last handle is gone, later allocations of the recording reuse its storage.
+    /// Like Device::allocate. In a recording the memory lies in the recording's workspace and, unless it is to be left
+    /// uninitialised, is zeroed here by each replay; once its last handle is gone, later allocations of the recording
+    /// reuse its storage (on Vulkan devices not that of images).
     Memory allocate(const MemoryDescription& description) const;
 
     /// Returns `memory`, to be used in place of `allocate(description)`. Throws wrong_argument unless it is of this
@@ -138,7 +141,7 @@ public:
 
     /// Replaces a container's member by `made`, a structure of the same type with other memories. All copies of the
     /// container share the member. `memories` are the old member's: recordings that use them can no longer be
-    /// submitted. Throws in a recording.
+    /// submitted, and calls that are given them throw. Throws in a recording.
     template <class S> void replace(S& member, S&& made, std::initializer_list<Memory> memories) const {
         note_replaced(memories);
         member = std::move(made);
@@ -169,8 +172,8 @@ public:
 
     Timestamp timestamp() const;  ///< not in a recording
 
-    void flush() const;  ///< submits what is recorded
-    void wait() const;   ///< submits and waits; throws what kernels reported (StatusRecord)
+    void flush() const;  ///< submits what was put into the stream; not in a recording
+    void wait() const;   ///< the same, and waits for it; throws what kernels reported (StatusRecord)
 
     const std::shared_ptr<detail::Stream>& share() const { return stream_.share(); }
 

@@ -26,14 +26,14 @@ inline constexpr std::uint64_t unlimited = UINT64_MAX;
 
 struct DeviceProperties {
     std::string name;    ///< `NVIDIA H200`, `llvmpipe (LLVM 15.0.6, 256 bits)`, `host`
-    std::string driver;  ///< name and version of the driver
+    std::string driver;  ///< name and version of the driver; host: `compiled C++`
     DeviceKind kind = DeviceKind::host;
     std::uint32_t subgroup_size = 1;
     std::uint64_t memory_bytes = 0;                  ///< of the largest heap of device memory; host: of the machine
     std::uint64_t max_allocation_bytes = unlimited;  ///< of one buffer; an image may be limited to less
     /// The largest buffer that a descriptor covers. Kernels reach larger ones by their wide form (kernel.h).
     std::uint64_t max_storage_buffer_range = unlimited;
-    std::uint32_t shared_memory_bytes = 0;  ///< of a workgroup
+    std::uint32_t shared_memory_bytes = 0;  ///< of a workgroup; host: 0, though any size runs there
     std::uint32_t max_push_constant_bytes = 128;
     std::array<std::uint32_t, 3> max_workgroups = {UINT32_MAX, UINT32_MAX, UINT32_MAX};
     std::array<std::uint32_t, 3> max_workgroup_size = {1024, 1024, 64};
@@ -47,12 +47,12 @@ struct DeviceProperties {
     double timestamp_seconds = 1e-9;  ///< length of a tick of the device's clock
     bool int8 = false, int16 = false, int64 = false, float16 = false, float64 = false;
     bool int64_atomics = false;
-    bool float32_atomic_add = false;  ///< on buffers
-    bool float32_atomic_min_max = false;
+    bool float32_atomic_add = false;      ///< on buffers
+    bool float32_atomic_min_max = false;  ///< on buffers
     bool image_float32_atomic_add = false;
     bool subgroup_vote = false, subgroup_arithmetic = false, subgroup_ballot = false;  ///< in compute shaders
-    bool subgroup_shuffle = false, subgroup_shuffle_relative = false;
-    bool subgroup_extended_types = false;  ///< subgroup operations take 16-bit and 64-bit types, too
+    bool subgroup_shuffle = false, subgroup_shuffle_relative = false;                  ///< in compute shaders
+    bool subgroup_extended_types = false;  ///< subgroup operations take integers of 8, 16, 64 bits and halfs, too
     bool descriptor_indexing = false;
     bool push_descriptors = false;
 };
@@ -61,22 +61,23 @@ struct DeviceProperties {
 /// memories and bytes.
 struct Statistics {
     std::uint64_t submissions = 0;
-    /// Calls of kernels; recorded ones count at each replay, on Vulkan devices also when they are recorded.
+    /// Calls of kernels; recorded ones count at each replay, on Vulkan devices also when they are recorded. The host
+    /// device leaves out calls whose conditions do not hold.
     std::uint64_t passes = 0;
     std::uint64_t barriers = 0;        ///< recorded between passes and copies (a replay counts none)
-    std::uint64_t pipelines = 0;       ///< created
-    std::uint64_t waits = 0;           ///< times the host waited for the device
-    std::uint64_t memories = 0;        ///< alive
-    std::uint64_t bytes_used = 0;      ///< by memories and staging
+    std::uint64_t pipelines = 0;       ///< created for kernels
+    std::uint64_t waits = 0;           ///< calls of wait and Download::get, first ones of each Timestamp::seconds
+    std::uint64_t memories = 0;        ///< whose storage is not freed yet; host: parts of images count, too
+    std::uint64_t bytes_used = 0;      ///< by memories, staging and parameters
     std::uint64_t bytes_reserved = 0;  ///< taken from the device, in blocks
 };
 
 /// A cheap handle: copies mean the same device. Several threads may use a device at the same time.
 class GLIFT_API Device {
 public:
-    /// `gpu`, `lavapipe`, `host`, or part of a device's name, in any case. Without an argument the environment variable
-    /// GLIFT_DEVICE decides, with the same values; without that, the best GPU, else a CPU that runs Vulkan, which is
-    /// logged once (log.h). Never the host unless asked.
+    /// `host`, written so, or in any case `gpu`, `lavapipe` or part of a device's name. Without an argument the
+    /// environment variable GLIFT_DEVICE decides, with the same values; without that, the best GPU, else a CPU that
+    /// runs Vulkan, which is logged once (log.h). Never the host unless asked.
     ///
     /// Other environment variables: GLIFT_VALIDATE=1 turns on the validation layer; GLIFT_CACHE_DIR says where
     /// compiled pipelines are kept (default: $XDG_CACHE_HOME/glift or ~/.cache/glift; empty: nowhere);
@@ -99,7 +100,7 @@ public:
     /// `workspace_bytes`, on the thread that runs it, this is the body's stream. See commands.h.
     Commands commands() const;
 
-    /// Captures what body(Commands&) does, to be submitted any number of times. See recording.h.
+    /// Captures what body(const Commands&) does, to be submitted any number of times. See recording.h.
     template <class Body> Recording record(Body&& body) const;
 
     /// The bytes of temporary memory that a recording of what body(const Commands&) does would take: what
@@ -108,7 +109,7 @@ public:
     /// of the device (`await` in a pipeline). See recording.h.
     template <class Body> std::uint64_t workspace_bytes(Body&& body) const;
 
-    void wait() const;  ///< submits what is recorded and waits for all of it
+    void wait() const;  ///< Commands::wait of the device's own stream
     Statistics statistics() const;
 
     /// What the validation layer said (errors and warnings about correctness, none about speed), since the last call.

@@ -44,7 +44,7 @@ public:
         add_origin(detail::box_of(name, range));
         targets_.depth = {memory};
     }
-    /// The range of an `at` parameter, whose addresses the fragment shader reads. It must have the targets' size.
+    /// The range of an `at` parameter: the fragment shader takes its addresses. It must have the targets' size.
     template <class S> void pixels(const char* name, const Range<S>& range) {
         add_pixels(detail::box_of(name, range), range.is_whole(), range.device_counts());
     }
@@ -68,7 +68,7 @@ public:
     /// Adds patches (pass.h) that write the numbers of corners and instances into the parameters at each of the
     /// offsets, if the device computes them. Returns all patches of the call.
     GLIFT_API std::span<const Patch> patches(std::initializer_list<std::size_t> offsets);
-    /// Adds patches for the size of a range that is read or written at any address.
+    /// Adds patches for the size of a range that is read or written at any address, if the device computes it.
     template <class S> void count(const Range<S>& range, std::size_t offset) {
         add_patches(range.device_counts(), offset, detail::extent_of(range.size()),
                     detail::Axes<typename S::Address>::count);

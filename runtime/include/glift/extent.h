@@ -43,7 +43,7 @@ namespace detail {
 [[noreturn]] GLIFT_API void throw_unfitted(std::uint64_t value, const char* what);
 }
 
-/// Narrows to uint; throws too_large where the value does not fit, with `what` as the error's place.
+/// Narrows to uint; throws too_large where the value does not fit, with `what` as Error::where.
 inline uint fitted(std::uint64_t value, const char* what = "") {
     if (value <= UINT32_MAX) return static_cast<uint>(value);
     detail::throw_unfitted(value, what);

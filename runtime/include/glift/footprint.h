@@ -65,12 +65,13 @@ struct Footprint {
     Box box{};
 };
 
-/// Whether one memory is bound twice and written through at least one of the bindings. Cheap: every call asks.
+/// Whether one memory (or images with texels in common) is bound twice and written through at least one of the
+/// bindings. Cheap: every call asks.
 GLIFT_API bool is_shared(const Kernel& kernel, std::span<const Memory> memories);
 
 /// How the parameters overlap in the memories that they share. `footprints` are those of the structures that the kernel
-/// takes, in its order; `visited` is the box of the first range that it visits element by element. Throws
-/// aliased_memory where invocations could race.
+/// takes, in its order; `visited` is the box of the first range that it visits element by element (in a draw: vertex by
+/// vertex). Throws aliased_memory where it cannot rule out that invocations race.
 GLIFT_API Sharing compare_footprints(const Kernel& kernel, std::span<const Memory> memories, const Box& visited,
                                      std::span<const Footprint> footprints);
 

@@ -1,5 +1,5 @@
 // The pointer inside every public handle (Device, Memory, Commands, ...). A handle that was default-constructed or
-// moved from is empty: using it throws.
+// moved from is empty: it may be tested and compared; what else is called on it throws.
 #pragma once
 
 #include <glift/api.h>
@@ -12,7 +12,7 @@ namespace glift::detail {
 /// Throws wrong_argument. `call` names the handle and what was asked of it: `Recording::submit`.
 [[noreturn]] GLIFT_API void throw_empty_handle(const char* call);
 
-/// A shared pointer that checks for null at each access.
+/// A shared pointer; access by `in` throws where it is null.
 template <class Object> class Held {
 public:
     Held() = default;

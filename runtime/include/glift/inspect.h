@@ -3,8 +3,8 @@
 //
 //     glift::inspect(grid, "grid").save("grid.inspection");
 //
-// Not part of <glift/glift.h>. For structures of any size; it waits for the device, and reads the elements that are
-// there, where there are very many only those in some planes (InspectionOptions::most_elements).
+// Not part of <glift/glift.h>. For structures of any size. It waits for the device, and reads the elements in some
+// planes; where not all elements need be there, and not very many are (InspectionOptions::most_elements), all of these.
 #pragma once
 
 #include <glift/inspected_values.h>
@@ -21,7 +21,7 @@
 namespace glift {
 
 struct InspectionOptions {
-    std::uint32_t most_pixels = 512;                       ///< along an axis of a picture
+    std::uint32_t most_pixels = 512;  ///< along an axis of a picture of two axes; along one of one axis its square
     std::uint64_t most_elements = std::uint64_t{1} << 25;  ///< of a structure with more only planes are read
 };
 
@@ -47,7 +47,8 @@ namespace detail {
 
 // ---------------------------------------------------------------------------------------------------------- pictures
 
-/// A box of addresses, divided into `count` cells of `cell` addresses each along each axis; `most` is the most cells.
+/// A box of addresses, divided along each axis into `count` cells of `cell` addresses (the last one may have fewer), of
+/// which there are no more than `most`.
 struct Cells {
     Extent first{}, size{1, 1, 1, 1}, cell{1, 1, 1, 1}, count{1, 1, 1, 1};
 
@@ -76,7 +77,7 @@ struct Cells {
     }
 };
 
-/// How many of these addresses lie in each cell of the domain.
+/// How many of these addresses, or places in a memory, lie in each cell of the domain, or of the memory.
 template <class A> std::string json_counts(const std::vector<A>& addresses, const Extent& domain, std::uint32_t most) {
     constexpr unsigned rank = Axes<A>::count;
     const Cells cells({}, domain, rank > 2 ? Extent{most / 4, most / 4, 64, 8} : Extent{most, most, 1, 1});
@@ -89,15 +90,16 @@ template <class A> std::string json_counts(const std::vector<A>& addresses, cons
     return object.text();
 }
 
-/// The place of an element in its memory as one number, `no_place` at most.
+/// In place of an element's place as a number, where no element is there or the number is larger.
 inline constexpr std::uint32_t no_place = UINT32_MAX;
+/// The place of an element in its memory as one number, `no_place` at most.
 inline std::uint32_t number_in(const Extent& place, const Extent& extent) {
     std::uint64_t number = 0;
     for (unsigned i = 4; i-- > 0;) number = saturated_sum(saturated_product(number, extent[i]), place[i]);
     return static_cast<std::uint32_t>(std::min<std::uint64_t>(number, no_place));
 }
 
-/// A box of addresses, both ends included.
+/// A box of addresses, both ends included, and the address that planes go through.
 struct Bounds {
     Extent low{}, high{}, middle{};
 
@@ -107,7 +109,8 @@ struct Bounds {
             middle[i] = high[i] / 2;
         }
     }
-    /// Along the axes on which the domain is longer than a picture: from the first to the last of these addresses.
+    /// Along the axes on which the domain is longer than a picture: from the first to the last of these addresses. The
+    /// middle becomes the one in the middle of the list.
     template <class A> void narrow(const std::vector<A>& addresses, const Extent& domain, std::uint32_t most) {
         for (unsigned i = 0; i < 4; ++i) {
             if (domain[i] <= most) continue;
@@ -130,8 +133,8 @@ public:
     Planes(const S& structure, const Bounds& bounds, const Extent& places, std::uint32_t most)
         : structure_(structure), bounds_(bounds), places_(places), most_(most) {}
 
-    /// Planes along each two of the first three axes, through the middle. Where the last of three or four axes is
-    /// short, as levels are, instead one plane along the first two axes for each of its values.
+    /// Planes along each two of the first three axes, through the middle; of one axis a line. Where the last of three
+    /// or four axes is short, as levels are, instead one plane along the first two axes for each of its values.
     std::string json() {
         constexpr unsigned last = rank - 1;
         if (rank >= 3 && bounds_.high[last] < 16) {
@@ -196,8 +199,8 @@ private:
 
 // ------------------------------------------------------------------------------------------------------------- parts
 
-/// The memories of a structure and of what it is made of, each once, with their bytes: those of its elements, and
-/// others.
+/// The memories of a structure and of what it is made of, each once, with their bytes: in `elements` those that hold
+/// its elements, in `tables` those of its members and of structures given to it.
 struct Memories : SeesNothing {
     std::map<const void*, std::uint64_t> elements, tables;
     bool is_table = false;

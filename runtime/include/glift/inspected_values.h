@@ -25,7 +25,7 @@ inline std::string quoted(const std::string& text) {
     return result + "\"";
 }
 
-/// Members of a JSON object, in their order.
+/// A JSON object, with its members in the order in which they were put.
 class JsonObject {
 public:
     void put(const std::string& name, const std::string& json) {
@@ -131,7 +131,7 @@ template <class T> std::string text_of_value(const T& value) {
 
 template <class T> double number_of(const T& value);
 
-/// The first number of a struct.
+/// The number of a struct's first field.
 struct FirstNumber : SeesNothing {
     template <class T> void value(const char*, const T& field) {
         if (!is_found) number = number_of(field);
@@ -141,7 +141,7 @@ struct FirstNumber : SeesNothing {
     bool is_found = false;
 };
 
-/// What a picture shows of a value: its first number.
+/// What a picture shows of a value: its first number; 0 if it has none.
 template <class T> double number_of(const T& value) {
     if constexpr (components_of < T >> 1) {
         return number_of(value[0]);

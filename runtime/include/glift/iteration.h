@@ -67,20 +67,21 @@ public:
 
     /// Whether one memory is bound twice and written: then `share` must be called.
     bool is_shared(std::span<const Memory> memories) const { return detail::is_shared(kernel_, memories); }
-    /// Sets `sharing` from the ranges of all structures that the kernel takes, in its order. Throws where invocations
-    /// could race.
+    /// Sets `sharing` from the ranges of all structures that the kernel takes, in its order. Throws where it cannot
+    /// rule out that invocations race.
     void share(std::span<const Memory> memories, std::initializer_list<detail::Footprint> footprints) {
         sharing_ = detail::compare_footprints(kernel_, memories, first_, footprints);
     }
     Sharing sharing() const { return sharing_; }
 
     const Extent& size() const { return first_.size; }
-    /// Whether all ranges are whole structures.
+    /// Whether all ranges are whole structures, and those of `near` have the size of the visited ones.
     bool is_whole() const { return whole_; }
     /// Adds patches that write the iteration's size into the parameters at each of the offsets, if the device computes
     /// it. Returns all patches of the call.
     GLIFT_API std::span<const Patch> patches(std::initializer_list<std::size_t> offsets);
-    /// Adds patches for the size of a range that is read or written at any address. Called before `patches`.
+    /// Adds patches for the size of a range that is read or written at any address, if the device computes it. Called
+    /// before `patches`.
     template <class S> void count(const Range<S>& range, std::size_t offset) {
         if (!range.device_counts().empty())
             patch(range.device_counts(), offset, detail::extent_of(range.size()),

@@ -9,12 +9,13 @@
 //   wide      like general, for larger sizes: physical addresses are computed in 64 bits, buffers are accessed by
 //             device address (without descriptors), and iterations may be split into several dispatches.
 //
-// Who chooses. Generated code asks Commands::needs_wide(kernel, memories, size) before it packs the parameters, and
-// packs the wide form's where the answer is true. On Vulkan devices it is true for a buffer larger than a descriptor
-// can cover, for more buffers than the device has descriptors, for an iteration in several axes of more workgroups than
-// one dispatch may have (not over blocks), and for elements that are reached by two bindings (Sharing::one_place),
-// unless the kernel has images alone; on every device for a buffer of 2^32 elements or more. Into the wide form's
-// parameters the runtime writes the address of each buffer, at Binding::address_offset (8-byte aligned).
+// Who chooses. Generated code asks Commands::needs_wide(kernel, memories, size, sharing) before it packs the
+// parameters, and packs the wide form's where the answer is true. On Vulkan devices it is true for a buffer larger than
+// a descriptor can cover, for more buffers than the device has descriptors, for an iteration in several axes of more
+// workgroups than one dispatch may have (not over blocks, not of draws), and for elements that are reached by two
+// bindings (Sharing::one_place), unless the kernel has images alone; on every device for a buffer of 2^32 elements or
+// more. On Vulkan devices the runtime writes the address of each buffer into the wide form's parameters, at
+// Binding::address_offset (8-byte aligned).
 #pragma once
 
 #include <glift/host/memory.h>
@@ -38,7 +39,8 @@ namespace glift {
 
 struct Drawing;
 
-/// How a pass touches a memory. Combined writes (scatter, atomics) are read_write.
+/// How a pass touches a memory. Writes that combine with the stored value (`scatter` with an operation, atomics) are
+/// read_write.
 enum class Access : std::uint8_t { read, write, read_write };
 
 /// Which elements of a parameter's range one invocation accesses. `element`: its own; `window`: those around its own,
@@ -49,8 +51,9 @@ enum class Reach : std::uint8_t { memory, range, window, element };
 /// workgroups share the memory within the pass.
 enum class Combine : std::uint8_t { none, min, max, add, bit_and, bit_or, bit_xor, coherent };
 
-/// How a sampled image is filtered between texels and beyond its edge (clamp_to_border: zeros).
+/// How a sampled image is filtered between texels.
 enum class Filter : std::uint8_t { nearest, linear };
+/// What a sampled image has beyond its edges (clamp_to_border: zeros).
 enum class AddressMode : std::uint8_t { clamp_to_edge, repeat, mirrored_repeat, clamp_to_border };
 
 struct Sampler {
@@ -69,12 +72,13 @@ struct Binding {
     Sampler sampler = {};
     bool as_bits = false;              ///< a storage image of floats whose bits are accessed as ints
     std::uint32_t address_offset = 0;  ///< wide form, buffers: byte offset of the 64-bit address in the parameters
-    std::uint32_t element_bytes = 4;   ///< buffers
+    std::uint32_t element_bytes = 4;   ///< buffers: bytes of an element
     std::uint32_t parameter = 0;       ///< index of its structure among the parameters that are structures
     Reach reach = Reach::memory;
     std::uint32_t radius = 0;  ///< of Reach::window
     Combine combine = Combine::none;
-    /// Parameters that the kernel promises to access other elements than this one (@disjoint): bit i for parameter i.
+    /// The parameters of which the kernel promises (@disjoint) that they access other elements than this binding's
+    /// parameter does: bit i for parameter i.
     std::uint32_t apart_from = 0;
 };
 
@@ -86,7 +90,8 @@ struct SourceLine {
 
 /// A kernel's report of an error. The first invocation to change code from 0 (atomicCompSwap) fills in the rest. The
 /// runtime supplies the record, and throws an Error that names the kernel, the line and, if there is one, the address:
-/// on the host device at once, else when the host next waits (Commands::wait, Download::get, Timestamp::seconds).
+/// on the host device as soon as the pass has run, else when the host next waits (Commands::wait, Download::get,
+/// Timestamp::seconds).
 struct StatusRecord {
     enum Code : std::uint32_t { fine = 0, loop_limit = 1, out_of_range = 2 };
     std::uint32_t code = fine;
@@ -161,7 +166,7 @@ struct Parameter {
 /// content, not its address, so that a library may be unloaded and another one loaded at its place; a recording on the
 /// host device calls the kernel's code, which has to stay loaded as long as the recording. The entry point is `main`.
 ///
-/// How the iteration size maps to workgroups:
+/// How the iteration size maps to workgroups, except in draws:
 ///   groups.x = ceil(size.x / (group.x * items.x)), groups.y = ceil(size.y / (group.y * items.y)),
 ///   groups.z = ceil(size.z * size.w / (group.z * items.z)).
 /// The shader decides which of its group's elements an invocation takes. No groups along an axis: nothing runs. A
@@ -170,7 +175,8 @@ struct Parameter {
 /// invocations beyond the size do nothing. If of_blocks, groups along y are folded into z in the same way, and a
 /// group's index along y is gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y. In more dimensions an iteration
 /// beyond the device's limits (65535 groups along y and z on most) takes the wide form, split by the runtime into
-/// several dispatches through Form::base_offset; indirect ones are refused (ErrorCode::too_large).
+/// several dispatches through Form::base_offset; one whose size is patched (Call::patches) is refused
+/// (ErrorCode::too_large).
 struct Kernel {
     const char* name;
     const char* file;
@@ -193,8 +199,8 @@ struct Kernel {
     SourceLine longest_loop = {};                   ///< the loop with the most iterations, for errors
     std::span<const char* const> other_files = {};  ///< that reports may name, beside `file`
     const Drawing* drawing = nullptr;  ///< of a kernel that draws (drawing.h); its rank is 2: corners, instances
-    std::uint64_t digest = 0;  ///< hash of all of the above: kernels of equal digest are the same. 0: the runtime
-                               ///< computes it at each call, which takes microseconds
+    std::uint64_t digest = 0;  ///< hash of what pipelines and reports depend on of the above: kernels of equal digest
+                               ///< share them. 0: the runtime computes it at each call, which takes microseconds
 };
 
 }  // namespace glift

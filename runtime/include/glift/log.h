@@ -8,7 +8,7 @@
 
 namespace glift {
 
-/// Receives one message, without a newline at its end. Called from any thread.
+/// Receives one message, without a newline at its end. Called from any thread, perhaps from several at once.
 using Log = std::function<void(std::string_view message)>;
 
 /// Messages go to `log` from now on; an empty one silences them. Returns the one before. At first they are written to

@@ -18,7 +18,7 @@ struct MemoryDescription {
     const char* name = "";  ///< shown by debuggers and in errors, `f.data`; copied
     MemoryKind kind = MemoryKind::buffer;
     Format format = Format::none;
-    std::uint64_t bytes = 0;  ///< buffers: size; images: 0, derived from extent and format
+    std::uint64_t bytes = 0;  ///< buffers: size; images: ignored, and derived from the fields below and the format
     /// Images: texels (cubes: of a face; image2darray: of a layer, and the number of layers); buffers: unused.
     std::array<std::uint32_t, 3> extent = {1, 1, 1};
     std::uint32_t mips = 1;
@@ -30,8 +30,9 @@ class MemoryObject;
 }
 
 /// A handle to one memory. Copies share it; the storage is freed when the last handle is gone and the device no longer
-/// uses it. Contents start as zeros, unless MemoryDescription::zeroed is false. A buffer may have no bytes; shaders may
-/// read it up to the next multiple of sixteen, and at least sixteen bytes.
+/// uses it. Contents start as zeros, unless MemoryDescription::zeroed is false. An image of the user's (adopt_image in
+/// vulkan.h) is neither zeroed nor freed. A buffer may have no bytes; shaders may read it up to the next multiple of
+/// sixteen, and at least sixteen bytes.
 class GLIFT_API Memory {
 public:
     Memory() = default;  ///< an empty handle
@@ -43,7 +44,8 @@ public:
     /// One level of an image, as an image of its own over the same texels: it may be read, written and drawn to while
     /// other levels are. Throws wrong_argument where there is none.
     Memory mip(std::uint32_t level) const;
-    /// One layer of an image2darray or one face of a cube, of level 0, as an image2d over the same texels.
+    /// One layer of an image2darray or one face of a cube, of level 0, as an image2d over the same texels. Throws
+    /// wrong_argument where there is none.
     Memory layer(std::uint32_t layer) const;
 
     explicit operator bool() const { return bool(object_); }

@@ -55,8 +55,9 @@ inline const Form& form_of(const Kernel& kernel, FormName name) {
     return kernel.direct;
 }
 
-/// What is known of memories that a call binds several times and writes through at least one binding. Bindings whose
-/// writes combine alike (Binding::combine) are left aside.
+/// What is known of memories that a call binds several times and writes through at least one binding. Left aside are
+/// bindings whose writes combine alike (Binding::combine) or that the kernel promises to be apart
+/// (Binding::apart_from).
 enum class Sharing : std::uint8_t {
     unknown,    ///< nothing: refused (ErrorCode::aliased_memory), unless all these bindings are read_write
     apart,      ///< no invocation accesses what another one writes, nor by another binding what it writes itself

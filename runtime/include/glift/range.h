@@ -15,7 +15,7 @@ template <class T> struct DeviceScalar {
     Memory memory;
     std::uint64_t offset = 0;
 
-    /// Brings the value to the host. Waits for the commands that it depends on.
+    /// Brings the value to the host. Waits for all commands before it in the stream.
     T await(const Commands& commands) const {
         const Download download = commands.download(memory, offset, sizeof(T));
         T value;
@@ -30,7 +30,7 @@ template <class T> struct DeviceScalar {
 namespace detail {
 
 /// A box's size that is computed on the device. Along axis i it is the number at `value.offset + 4 * i` minus
-/// `before[i]`: `value` is the size of a range, in which the box begins at `before`.
+/// `before[i]`, or 0 where that is negative: `value` is the size of a range, in which the box begins at `before`.
 struct DeviceCount {
     DeviceValue value;
     Extent before{};
@@ -62,7 +62,8 @@ public:
     Address origin() const { return origin_; }
     Address size() const { return size_; }
     bool is_whole() const { return whole_; }
-    /// The device values whose minimum is the number of elements along each axis; none where the host knows it.
+    /// Device values: their minimum, and `size()` at most, is the number of elements along each axis. None where the
+    /// host knows it.
     const std::vector<detail::DeviceCount>& device_counts() const { return counts_; }
 
     /// A box within this one, whose `origin` counts from that of this one.
@@ -82,7 +83,7 @@ public:
         part.counts_.push_back({std::move(count), {}});
         return part;
     }
-    /// An element of the box, left on the device: in place, and copied, as Structure says.
+    /// An element of the box, left on the device, as by Structure::element_in_place and Structure::element.
     auto element_in_place(const Commands& commands, Address address) const {
         require_inside(address, Address(1));
         return structure_.element_in_place(commands, origin_ + address);

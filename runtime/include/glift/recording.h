@@ -13,9 +13,9 @@ namespace detail {
 class RecordingObject;
 }
 
-/// A finished recording. Keeps the memories alive that its passes use. Memories that were made by its Commands, such as
-/// temporaries of pipelines, lie in its workspace: where the last handle of one is gone before another is made, the two
-/// may share storage (buffers only: images have storage of their own on Vulkan devices). Parameters are captured when
+/// A finished recording. Keeps the memories alive that its commands use. Memories that were made by its Commands, such
+/// as temporaries of pipelines, lie in its workspace: where the last handle of one is gone before another is made, the
+/// two may share storage (on Vulkan devices only buffers do: each image has its own). Parameters are captured when
 /// recorded; values that lie on the device (sizes, arguments, conditions) are read anew by each replay.
 class GLIFT_API Recording {
 public:

@@ -28,7 +28,8 @@ namespace detail {
 
 [[noreturn]] GLIFT_API void throw_not_searched(const char* type, std::uint64_t elements);
 
-/// The most addresses that are looked at one by one, which takes a minute on a CPU. More throw too_large.
+/// The most addresses that are looked at one by one, which takes a minute on a CPU. For more, `resident` throws
+/// too_large.
 inline constexpr std::uint64_t most_searched = std::uint64_t{1} << 36;
 
 /// Structures of which not all of the domain need be there. Their member `list` runs a kernel that lists what is there;
@@ -91,14 +92,14 @@ template <class T> std::vector<T> in_order(const std::vector<T>& values, const s
     return sorted;
 }
 
-/// The elements of a box that are there. Counts them, then lists them, in two passes.
+/// The elements of a box that are there, sorted by address. One pass counts them, another one lists them.
 template <class S> ResidentOf<S> resident(const Range<S>& range, const Commands& commands) {
     const std::uint64_t searched = volume_of(extent_of(range.size()));
     if (!S::has_blocks && searched > most_searched) throw_not_searched(S::type_name, searched);
     ResidentOf<S> found;
     if (searched == 0) return found;
     std::uint32_t entries = list(range, commands, 0, found);
-    // Once more if the number has changed in between, since another thread wrote to the structure.
+    // Repeated if the number has changed in between, since another thread wrote to the structure.
     for (std::uint32_t most = 0; most != entries;) {
         most = entries;
         entries = list(range, commands, most, found);
@@ -110,7 +111,7 @@ template <class S> ResidentOf<S> resident(const Range<S>& range, const Commands&
     return {in_order(found.addresses, order), in_order(found.places, order), in_order(found.values, order)};
 }
 
-/// The same of a structure of which all is there: values of a box in row-major order.
+/// The same for a box of a structure of which all is there; `values` are the box's, in row-major order.
 template <class S>
 ResidentOf<S> all_of(typename S::Address origin, typename S::Address size, std::vector<typename S::Element> values) {
     using A = typename S::Address;

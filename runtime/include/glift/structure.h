@@ -1,4 +1,5 @@
-// What all generated structures share: moving boxes of elements between host and device.
+// What generated structures and views share: ranges, single elements, and (structures) boxes of elements that are moved
+// between host and device.
 #pragma once
 
 #include <glift/draw_iteration.h>
@@ -33,8 +34,8 @@ concept HasRows = requires(const S& s, typename S::Address a) {
 
 inline constexpr std::size_t most_rows = 1 << 16, most_regions = 1024;
 
-/// The box as copy regions from row-major host bytes; adjacent rows are merged. None where rows are not contiguous or
-/// too many: a kernel moves such boxes.
+/// The box as copy regions from row-major host bytes; adjacent rows are merged. None where rows are not contiguous, or
+/// where there are too many rows or regions: a kernel moves such boxes.
 template <class S> std::optional<std::vector<CopyRegion>> rows_of(const S& structure, typename S::Address origin,
                                                                   typename S::Address size) {
     using Address = typename S::Address;
@@ -118,7 +119,8 @@ public:
 
 /// The base of a generated structure `Self` with virtual addresses of type A and elements of type T. Copies of a
 /// structure share its memory. Values of a box are in row-major order, x running fastest. Within a body of
-/// Device::record `write`, `fill` and `copy_from` are recorded, and `read` and `map` throw, since they wait.
+/// Device::record `write`, `copy_from` and `fill` (a member of `Self`) are recorded, and `read`, `read_resident` and
+/// `map` throw, since they wait.
 template <class Self, class A, class T> class Structure {
 public:
     using Address = A;
@@ -142,7 +144,7 @@ public:
     }
     void write(std::span<const T> values) { write({}, self().domain(), values); }
 
-    /// Waits for what the box depends on, no more.
+    /// Waits for all commands before it in the stream, not for later ones.
     std::vector<T> read(A origin, A size) const {
         check("read", origin, size);
         std::vector<T> values(count(size));
@@ -155,8 +157,9 @@ public:
     }
     std::vector<T> read() const { return read({}, self().domain()); }
 
-    /// The elements of a box that are there, those that `find` has, with their addresses. Where the structure has
-    /// blocks only these are looked at, else all addresses of the box. Waits as `read` does. Gives a Resident.
+    /// The elements of a box that are there (for which `find` of the language finds one), with their addresses. Where
+    /// the structure has blocks only these are looked at, else all addresses of the box. Waits as `read` does. Gives a
+    /// Resident.
     auto read_resident(A origin, A size) const {
         check("read_resident", origin, size);
         const Commands commands(device());
@@ -187,7 +190,8 @@ public:
     /// The first elements along each axis, as many as a value on the device says.
     Range<Self> first(DeviceScalar<A> count) const { return Range<Self>(self()).first(std::move(count)); }
 
-    /// A box of another structure with the same elements; the two may be laid out differently.
+    /// Copies a range of another structure, with elements and addresses of the same types, to the box at `to_origin`.
+    /// The two structures may be laid out differently.
     template <class Other> void copy_from(const Range<Other>& from, A to_origin = {}) {
         static_assert(std::is_same_v<typename Other::Element, T>);
         static_assert(std::is_same_v<typename Other::Address, A>);
@@ -218,7 +222,8 @@ private:
     }
 
     /// Boxes are moved in parts of about 1 GiB at most, so that staging memory stays bounded: calls f(origin, size,
-    /// elements before it) for each part, split along the last axis that is longer than one.
+    /// elements before it) for each part. Splits along the last axis that is longer than one, then, where that is not
+    /// enough, along the one before it.
     template <class F> static void each_part(A origin, A size, F f, std::size_t before = 0) {
         constexpr std::uint64_t most = (std::uint64_t{1} << 30) / sizeof(T) + 1;
         const std::uint64_t elements = detail::volume_of(detail::extent_of(size));

@@ -18,8 +18,8 @@ namespace glift {
 /// The tolerance between two devices where a test uses functions that are not exact (docs/language.md, Accuracy),
 /// relative to the larger of 1 and the value.
 inline constexpr double inexact_tolerance = 1e-3;
-/// The absolute tolerance of colours of eight bits that are drawn: each device rounds them in its way, and again where
-/// it blends.
+/// The absolute tolerance, in tests that are not exact, of colours of eight bits that are drawn: each device rounds
+/// them in its way, and again where it blends.
 inline constexpr double drawn_tolerance = 2.01 / 255.0;
 
 /// All elements of one structure at the end of a test, and the layout of an element, `scalars`: one letter a scalar (f
@@ -83,7 +83,8 @@ public:
     }
 
     /// Keeps all elements of a structure, to be compared with those of another device. False where its domain is too
-    /// large to read: then the caller keeps its memories and tables.
+    /// large to read: then the caller keeps its memories and tables. Of an array in a buffer that is too large it only
+    /// notes that it was not compared.
     template <class S> bool keep(const char* name, const S& structure, std::string_view scalars) {
         if (!structure) return true;
         const Extent domain = detail::extent_of(structure.domain());
@@ -104,11 +105,11 @@ public:
         return true;
     }
 
-    /// Keeps the elements of a buffer in the order in which they lie there.
+    /// Keeps the elements of a buffer in the order in which they lie there; notes that an image was not compared.
     GLIFT_API void keep_memory(const Commands& commands, const char* name, const Memory& memory,
                                std::string_view scalars);
 
-    /// A structure of an extent that the checks choose; empty where the device or the structure refuses it.
+    /// A structure made with arguments that the checks choose; empty where the device or the structure refuses them.
     template <class S, class... Arguments>
     std::optional<S> make(const Commands& commands, const Arguments&... arguments) {
         try {
@@ -120,10 +121,10 @@ public:
             return std::nullopt;
         }
     }
-    /// Why no extent could be tried; empty: some were.
+    /// Why `make` made nothing at all; empty: it made something, or was not called.
     std::string why_nothing_was_made() const { return made_ == 0 ? refused_ : std::string(); }
 
-    /// Checks a translation with the state of a structure that this test made.
+    /// Checks a translation with the state of a structure that this test made, once for each title.
     template <class Check> void check_as_made(const char* title, const Check& check) {
         check_as_made(
             title, [](const void* body) { (*static_cast<const Check*>(body))(); }, &check);
@@ -158,8 +159,8 @@ GLIFT_API void fail_box(Test& test, const char* name, unsigned rank, const Exten
                         const Extent& wrong, const Extent& domain);
 }
 
-/// Checks that boxes of a structure cover their elements exactly once: what is written to a box comes back, and nothing
-/// else changes.
+/// Checks with one box that boxes of a structure cover their elements exactly once: what is written to it comes back,
+/// and nothing else changes. Does nothing where the domain is empty or has more than 2^20 elements.
 template <class S, class Value> void check_boxes(Test& test, const char* name, S& structure, const Value& value) {
     using A = typename S::Address;
     using T = typename S::Element;
@@ -199,8 +200,9 @@ struct TestCase {
     const char* why_not_alone = "";  ///< if `run` is null: why it cannot be checked by itself
 };
 
-/// `program [--filter TEXT] [--device NAME]`: runs all tests on the host device and on another one and compares what
-/// they leave behind. Returns the exit code.
+/// `program [--filter TEXT] [--device NAME]`: runs the tests whose titles contain TEXT on the host device and, unless
+/// NAME is `host`, on the device of that name (Device::open), and compares what they leave behind. Returns the exit
+/// code.
 GLIFT_API int run_tests(std::span<const TestCase> tests, int argc, char** argv);
 
 }  // namespace glift

@@ -8,7 +8,8 @@
 
 namespace glift {
 
-/// Addresses that a translator is tested with: all of a small domain, else samples at a regular step.
+/// Addresses that a translator is tested with: all of a small domain, else samples at a regular step; or what the
+/// translators before it have made of these.
 template <class A> struct Tried {
     std::vector<A> addresses;
     std::string domain;    ///< of the structure, as text
@@ -26,7 +27,7 @@ template <class A> Tried<A> tried(const A& domain) {
     return result;
 }
 
-/// Thrown where a translator reads a table out of bounds: the result depends on the table, and is not checked.
+/// Thrown where a translator reads a table out of bounds: what it makes of that address is then not checked.
 struct OutsideTable {};
 
 /// A copy of a table's elements on the host, for translators that read it. A view's are computed on the device.
@@ -74,8 +75,8 @@ struct Translated {
     Extent physical, address;
 };
 
-/// Whether no two addresses map to the same physical one. Reports the first that do to `test`, if it is not null. Sorts
-/// `all` by physical address.
+/// Whether no two addresses map to the same physical one. Reports the first few that do to `test`, if it is not null.
+/// Sorts `all` by physical address.
 GLIFT_API bool is_one_to_one(Test* test, const std::string& name, std::vector<Translated>& all, unsigned rank,
                              unsigned physical_rank, const std::string& domain);
 GLIFT_API void fail_inverse(Test& test, const std::string& name, unsigned rank, const Extent& address,
@@ -83,8 +84,9 @@ GLIFT_API void fail_inverse(Test& test, const std::string& name, unsigned rank, 
 
 }  // namespace detail
 
-/// Checks one translator with the state that a structure gives it: `invert` undoes `translate`, and, where it is
-/// declared one-to-one, no two addresses map to the same one. Returns the physical addresses.
+/// Checks one translator with the state that a structure gives it: `invert`, if it is not null, undoes `translate`,
+/// and, where the translator is declared one-to-one, no two addresses map to the same one. Returns the physical
+/// addresses, each once.
 template <class A, class Translate, class Invert>
 auto check_translator(Test& test, const std::string& name, const Tried<A>& from, const Translate& translate,
                       const Invert& invert, bool is_claimed_one_to_one) {

@@ -246,8 +246,8 @@ template <class T, unsigned N> struct array {
     constexpr const T* end() const { return values + N; }
 };
 
-/// Sets all elements to zero. (g++ 12 rejects `a = {}` and `a = array<T, N>{}` where T has default member
-/// initialisers.)
+/// Sets a value, such as an array, to zeros. (g++ 12 rejects `a = {}` and `a = array<T, N>{}` where T has default
+/// member initialisers.)
 template <class T> constexpr void reset(T& value) {
     const T zeros{};
     value = zeros;

@@ -14,9 +14,9 @@
 
 namespace glift::vulkan {
 
-/// The features to make a device with: everything that Glift needs and everything it can use on this physical device.
-/// Chain `features` (a VkPhysicalDeviceFeatures2 with all the rest behind it) into VkDeviceCreateInfo::pNext, add
-/// your own, and enable the extensions.
+/// The features to make a device with: those of Vulkan 1.0 to 1.3 and of float atomics that this physical device has,
+/// without a few that cost speed or serve capture tools. Chain `features` (a VkPhysicalDeviceFeatures2 with all the
+/// rest behind it) into VkDeviceCreateInfo::pNext, add your own, and enable the extensions.
 class GLIFT_API DeviceFeatures {
 public:
     /// Throws unsupported_version, missing_feature or no_loader. get_instance_proc_addr: null for the system's loader.
@@ -59,10 +59,11 @@ struct Extensions {
     std::span<const char*const> instance = {}, device = {};
 };
 
-/// Opens a device as Device::open does, on an instance and a device with these extensions. For programs that use the
-/// queue of `objects(device)` themselves, between calls of Glift: what Glift submits is ordered after what they
-/// submitted before, and what they submit later after Glift's. Throws missing_feature where no driver has an instance
-/// extension or the device lacks one of its own, and wrong_argument for `host`, which has no Vulkan.
+/// Opens a device as Device::open does, on an instance and a device with these extensions, of which at least one is
+/// named. For programs that use the queue of `objects(device)` themselves, between calls of Glift: what Glift submits
+/// is ordered after what they submitted before, and what they submit later after Glift's. Throws missing_feature where
+/// no driver has an instance extension or the device lacks one of its own, and wrong_argument for `host`, which has no
+/// Vulkan.
 GLIFT_API Device open(const Extensions& extensions, std::string_view which = {});
 
 /// Records into the user's command buffer, which is in the recording state. A barrier against everything earlier on the
@@ -75,13 +76,13 @@ GLIFT_API void finish(const Commands& commands);
 
 struct BufferHandle {
     VkBuffer buffer;
-    VkDeviceSize offset, bytes;  ///< from 0; the memory's size, rounded up to a multiple of 16
+    VkDeviceSize offset, bytes;  ///< 0, and the memory's size, at least 16 and rounded up to a multiple of 16
     VkDeviceAddress address;
 };
 
 struct ImageHandle {
     VkImage image;
-    VkImageView view;  ///< of all mips and layers, for sampling
+    VkImageView view;  ///< of all mips and layers, for sampling; null where an adopted image's usage lacks that
     VkFormat format;
     VkImageLayout layout;  ///< always VK_IMAGE_LAYOUT_GENERAL
 };
@@ -103,9 +104,9 @@ struct UserImage {
 };
 
 /// A memory over the user's image, which a structure is made with in place of its own: `Film(device, extent, memory)`.
-/// Draws to it then go into the image, or into one of its levels and layers. It has to be in VK_IMAGE_LAYOUT_GENERAL
-/// whenever commands of Glift that use it run, and is left in it; its texels stay what they are. Commands throw
-/// missing_feature where the usage lacks what they need. Throws wrong_argument.
+/// What is drawn or written to the structure then goes into the image. The image has to be in VK_IMAGE_LAYOUT_GENERAL
+/// whenever commands of Glift that use it run, and is left in it; its texels stay what they are until commands write
+/// them. Commands throw missing_feature where the usage lacks what they need. Throws wrong_argument.
 GLIFT_API Memory adopt_image(const Device& device, const UserImage& image);
 
 /// The Vulkan objects of a device, opened or adopted.

@@ -49,7 +49,7 @@ private:
     std::recursive_mutex mutex_;  ///< a recording holds it around all of its steps
 };
 
-/// Records commands with copies of their arguments.
+/// Records commands with copies of their arguments, except for kernels, which it refers to (kernel.h).
 class HostRecordingStream final : public HostStream {
 public:
     HostRecordingStream(DeviceObject& device, HostCounters& counters)

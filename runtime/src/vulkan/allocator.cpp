@@ -157,7 +157,8 @@ bool Allocator::allocate(const VkMemoryRequirements& needs, MemoryUse use, bool 
         }
     }
     if (!block) {
-        // Large memories get a block of their own; small ones open a block, twice as large each time.
+        // Large memories get a block of their own; small ones open a block, twice as large each time up to
+        // largest_block.
         if (needs.size * 2 <= from.next_block) block = add_block(from, from.next_block);
         if (block) from.next_block = std::min(from.next_block * 2, largest_block);
         if (!block) block = add_block(from, needs.size);
@@ -175,7 +176,7 @@ void Allocator::free(const Allocation& allocation) {
     allocation.block->used -= allocation.bytes;
     used_ -= allocation.bytes;
     if (allocation.block->used) return;
-    // One empty block of ordinary size is kept for the next memory.
+    // Each pool keeps one empty block of ordinary size for its next memory.
     Pool& pool = *pools_[allocation.block->pool];
     const auto spare = [&](const auto& block) {
         return block.get() != allocation.block && !block->used && block->bytes <= largest_block;

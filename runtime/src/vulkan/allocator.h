@@ -11,7 +11,7 @@ namespace glift::detail {
 
 /// What memory is for. `device`: the device alone. `parameters`: little that the host or a pass writes and later passes
 /// read; device memory where the host can write it, so that passes need not read over the bus. `upload`: staging for
-/// uploads. `readback`: staging for downloads.
+/// uploads. `readback`: staging for downloads, and the kernels' status records.
 enum class MemoryUse : std::uint8_t { device, parameters, upload, readback };
 
 struct Block;
@@ -29,7 +29,8 @@ public:
     explicit Allocator(Context& context);
     ~Allocator();
 
-    /// False if there is no memory left (or GLIFT_MEMORY_LIMIT is reached). `linear`: for a buffer, else for an image.
+    /// False if there is no memory of a fitting type left (or GLIFT_MEMORY_LIMIT is reached). `linear`: for a buffer,
+    /// else for an image.
     bool allocate(const VkMemoryRequirements& needs, MemoryUse use, bool linear, Allocation& result);
     void free(const Allocation& allocation);
 

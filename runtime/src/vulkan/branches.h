@@ -1,4 +1,4 @@
-// Whether a device skips branches that no lane takes. Shaders have other code for devices that do.
+// Whether a Vulkan device skips branches that no lane takes. Shaders have other code for devices that do.
 #pragma once
 
 #include <glift/device.h>

@@ -236,8 +236,8 @@ void Encoder::dispatch(const Kernel& kernel, const Call& call) {
                               static_cast<std::uint32_t>(groups.count[1]), static_cast<std::uint32_t>(groups.count[2]));
 }
 
-// Dispatches parts within the device's limits, each with its own parameters that hold its base. They write different
-// elements, so they need no barriers between them.
+// Dispatches parts within the device's limits, each with its own parameters that hold its base. The parts are
+// invocations of one pass, so they need no barriers between them.
 void Encoder::dispatch_split(const Pipeline& pipeline, const Call& call, const Groups& groups) {
     const auto& limit = context_.properties.max_workgroups;
     std::array<std::uint64_t, 3> base = {};

@@ -87,7 +87,7 @@ private:
     VkPipeline bound_ = VK_NULL_HANDLE;
     Hazards hazards_;
     /// The list of passes that the last preparing pass reads (prepare_indirect.comp). Passes are added to it as long as
-    /// nothing has written the values that they take.
+    /// it has room and nothing has written the values that they take.
     Slice prepared_;
     std::uint32_t prepared_count_ = 0;
     std::uint64_t prepared_at_ = 0;  ///< Hazards::writes() when that pass was recorded

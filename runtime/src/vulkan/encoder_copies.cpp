@@ -41,8 +41,8 @@ std::vector<VkBufferImageCopy> image_copies(const VulkanMemory& image, std::span
     return result;
 }
 
-/// The most bytes of one buffer copy or vkCmdFillBuffer here. Larger ones are split, since some drivers count bytes in
-/// 32 bits. Uploads arrive in smaller parts already (vulkan_stream.cpp).
+/// The most bytes of one copy between buffers or one vkCmdFillBuffer here. Larger ones are split, since some drivers
+/// count bytes in 32 bits. Uploads to buffers arrive in smaller parts already (vulkan_stream.cpp).
 constexpr std::uint64_t most_at_once = std::uint64_t(1) << 30;
 
 std::vector<VkBufferCopy> buffer_copies(std::span<const CopyRegion> regions, VkDeviceSize from, VkDeviceSize to) {
@@ -56,7 +56,8 @@ std::vector<VkBufferCopy> buffer_copies(std::span<const CopyRegion> regions, VkD
 }
 
 /// Fills of up to this many bytes are compute dispatches (VulkanDevice::fill_pass): around vkCmdFillBuffer an H200
-/// waits for all work. Larger ones use vkCmdFillBuffer, which reaches the memory's bandwidth at that size.
+/// waits for all work. Larger ones use vkCmdFillBuffer, which reaches the memory's bandwidth at that size, unless they
+/// are under conditions (Encoder::fill_where).
 constexpr std::uint64_t most_filled_by_pass = 1u << 20;
 
 std::uint32_t count(const auto& list) { return static_cast<std::uint32_t>(list.size()); }

@@ -30,7 +30,7 @@ template <class Visit> void for_each_target(const Kernel& kernel, const DrawTarg
 
 }  // namespace
 
-// One barrier for the memories of the shaders and for the targets.
+// Records at most one barrier, for the memories of the shaders and for the targets.
 void Encoder::order_targets(const Kernel& kernel, const Call& call) {
     bool conflict = kernel.reports && reported_;  // an earlier draw may still write its status record
     for_each_target(kernel, *call.targets, [&](const VulkanMemory& memory, Access access) {

@@ -11,7 +11,8 @@
 
 namespace glift::detail {
 
-/// The features that the physical device offers and Glift may use, chained and ready for VkDeviceCreateInfo.
+/// The features of Vulkan 1.0 to 1.3 and of float atomics that the physical device offers, without a few that Glift
+/// does not want (features.cpp), chained and ready for VkDeviceCreateInfo; the extensions that Glift uses.
 struct FeatureChain {
     FeatureChain(const Instance& instance, VkPhysicalDevice physical);
     FeatureChain(const FeatureChain&) = delete;
@@ -25,7 +26,8 @@ struct FeatureChain {
     VkPhysicalDeviceShaderAtomicFloatFeaturesEXT atomic_float = {};
     VkPhysicalDeviceShaderAtomicFloat2FeaturesEXT atomic_float2 = {};
 
-    /// Whether the device's Vulkan is older than 1.3. Nothing but `properties` is filled in then.
+    /// Whether the device's Vulkan is older than 1.3. Of what is asked of the device only `properties` is filled in
+    /// then.
     bool old() const { return properties.apiVersion < VK_API_VERSION_1_3; }
     std::string missing() const;  ///< names of required features that are absent, empty if none
     void require() const;         ///< throws unsupported_version or missing_feature

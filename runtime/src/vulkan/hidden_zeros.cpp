@@ -12,7 +12,7 @@ namespace {
 
 using namespace spirv;
 
-constexpr std::uint32_t unpack_snorm_2x16 = 60, unpack_unorm_4x8 = 64;  ///< of GLSL.std.450, with halves between them
+constexpr std::uint32_t unpack_snorm_2x16 = 60, unpack_unorm_4x8 = 64;  ///< of GLSL.std.450; those between unpack, too
 constexpr std::size_t value_of_atomic = 6;  ///< index of an atomic operation's value operand
 
 using Words = SpirvWords;
@@ -231,8 +231,8 @@ std::uint32_t Hiding::zeros(Module& module, std::uint32_t type) {
     return result;
 }
 
-/// Converts a 32-bit integer to 64 bits. Mesa 22.3 gets comparisons of the result with constants wrong where it sees
-/// both.
+/// Converts an integer to 32 or 64 bits and combines it with the hidden zero: Mesa 22.3 gets comparisons of a 64-bit
+/// integer with constants wrong where it sees that the integer was converted.
 void Hiding::widen(Module& module, Words conversion) {
     const std::uint32_t bits = zeros(module, conversion[1]), widened = fresh();
     append(module, op_of(conversion), {conversion[1], widened, conversion[3]});
@@ -267,7 +267,8 @@ std::uint32_t Hiding::as_integer(Module& module, Words atomic) {
     return result;
 }
 
-/// Emits the hidden zero at the beginning of a function: the top bit of the invocation's x, which is never set.
+/// Emits the hidden zero at the beginning of a function, the top bit of the number's x, which is never set; then the
+/// constants `used` that are replaced in the function.
 void Hiding::begin(Module& module, const std::vector<std::uint32_t>& used) {
     const std::uint32_t all = fresh(), first = fresh();
     bit_ = fresh();

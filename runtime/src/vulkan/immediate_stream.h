@@ -1,4 +1,4 @@
-// A device's own stream: batches of commands, submitted when a result is needed or the batch is large.
+// A device's own stream: batches of commands, submitted as commands.h says.
 #pragma once
 
 #include "vulkan_stream.h"
@@ -38,7 +38,7 @@ private:
     std::unique_ptr<CommandBatch> batch_;
     std::deque<std::unique_ptr<CommandBatch>> in_flight_;
     bool ends_in_download_ = false;   ///< the next command other than a download opens a new batch
-    std::uint64_t staged_bytes_ = 0;  ///< bytes of staging that large uploads took in the open batch
+    std::uint64_t staged_bytes_ = 0;  ///< bytes of staging that uploads took in the open batch
 };
 
 }  // namespace glift::detail

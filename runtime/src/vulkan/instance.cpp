@@ -79,7 +79,8 @@ VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT
     return VK_FALSE;
 }
 
-// Filtered by type, not severity: images in layout GENERAL raise a performance warning, which is intended.
+// Filtered by type, too, not by severity alone: images in layout GENERAL raise a performance warning, which is
+// intended.
 VkDebugUtilsMessengerCreateInfoEXT messenger_info(Instance* instance) {
     return {.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
             .messageSeverity =

@@ -20,7 +20,7 @@ using Module = std::vector<std::uint32_t>;
 class Known {
 public:
     explicit Known(SpirvWords spirv) : known_(spirv[spirv_bound_word]), variable_of_(spirv[spirv_bound_word]) {
-        // What a loop stores is known after the loads that precede the store in the text.
+        // In a loop, a store makes loads known that precede it in the text: read again until nothing is added.
         do {
             has_changed_ = false;
             for_each_instruction(spirv, [&](std::uint32_t op, SpirvWords w) { read(op, w); });

@@ -5,7 +5,8 @@
 
 namespace glift::detail {
 
-/// Kernel::digest or, where that is 0, a hash of the kernel's contents.
+/// Kernel::digest or, where that is 0, a hash of those of the kernel's contents that its pipelines and reports depend
+/// on.
 std::uint64_t digest_of(const Kernel& kernel);
 
 }  // namespace glift::detail

@@ -17,7 +17,7 @@ struct MemoryParts {
     bool is_users = false;                      ///< the image is destroyed by the user
     bool is_mutable = false;                    ///< a user's image, which may have views of other formats
     VkImageView sampled_view = VK_NULL_HANDLE;  ///< all mips; null where the usage lacks it
-    VkImageView storage_view = VK_NULL_HANDLE;  ///< mip 0; null for formats that cannot be stored to
+    VkImageView storage_view = VK_NULL_HANDLE;  ///< mip 0; null where the usage lacks it
     /// Views of levels and faces that have been drawn to.
     struct AttachmentView {
         std::uint32_t mip, face;

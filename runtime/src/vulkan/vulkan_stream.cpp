@@ -8,7 +8,7 @@ namespace glift::detail {
 
 namespace {
 
-// Large uploads are split, so that staging stays small.
+// Large uploads to buffers are split, so that staging stays small.
 constexpr std::uint64_t part_bytes = std::uint64_t(32) << 20;
 
 }  // namespace

@@ -29,7 +29,7 @@ protected:
     virtual void open() = 0;               ///< before something is recorded
     virtual void recorded() {}             ///< after a command
     virtual void hold(const Memory&) {}    ///< a recorded command uses this memory
-    virtual void staged(std::uint64_t) {}  ///< after a part of a large upload: its bytes of staging
+    virtual void staged(std::uint64_t) {}  ///< after an upload or a part of a large one: its bytes of staging
 
     VulkanDevice& device_;
     Encoder encoder_;

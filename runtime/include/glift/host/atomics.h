@@ -67,8 +67,8 @@ template <class T> void atomic_bit_xor(T& target, T value) {
 // Accesses to elements that workgroups share within a pass (`coherent` parameters).
 namespace memory {
 
-/// The unit of one atomic access to an element: a scalar is accessed as a whole, a compound by 32-bit words if it is
-/// aligned to them, else by bytes.
+/// The unit of one atomic access to an element: a number that C++ has is accessed as a whole, any other value (a
+/// compound, a half) by 32-bit words if it is aligned to them, else by bytes.
 template <class T> using Piece =
     std::conditional_t<std::is_arithmetic_v<T>, T,
                        std::conditional_t<alignof(T) % sizeof(std::uint32_t) == 0, std::uint32_t, unsigned char>>;
@@ -89,7 +89,8 @@ template <class T> void write(T& place, const std::type_identity_t<T>& value) {
             .store(reinterpret_cast<const P*>(&value)[i], std::memory_order_relaxed);
 }
 
-// Atomics that order the accesses around them: a load acquires, a store releases, the others do both.
+// Atomics that order the accesses around them: a load acquires, a store releases, the others are sequentially
+// consistent.
 template <class T> T atomicLoad(T& target) { return std::atomic_ref<T>(target).load(std::memory_order_acquire); }
 template <class T> void atomicStore(T& target, T value) {
     std::atomic_ref<T>(target).store(value, std::memory_order_release);

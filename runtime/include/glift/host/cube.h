@@ -1,4 +1,4 @@
-// Cubes of images on the host device, filtered by direction over the seams between their faces.
+// Cube images on the host device: sampled by direction, with linear filters that go over the seams between faces.
 #pragma once
 
 #include <glift/host/image.h>
@@ -82,7 +82,7 @@ V cube_mix(const HostMemory& memory, const float3& direction, std::uint32_t leve
 
 }  // namespace detail
 
-/// The texel of a cube in a direction.
+/// The texel of a cube, of the nearest level, in a direction.
 template <Format F, class T>
 T sample_cube_nearest(const HostMemory& memory, const float3& direction, float level = 0.0f) {
     const detail::CubePoint point = detail::cube_point(direction);
@@ -92,7 +92,7 @@ T sample_cube_nearest(const HostMemory& memory, const float3& direction, float l
         memory, {detail::cube_texel(point.u, side), detail::cube_texel(point.v, side), point.face}, mip);
 }
 
-/// Linear interpolation between texel centres, over the edges of faces.
+/// Linear interpolation between texel centres of the nearest level, over the edges of faces.
 template <Format F, class T>
 T sample_cube_linear(const HostMemory& memory, const float3& direction, float level = 0.0f) {
     const std::uint32_t mip = detail::nearest_level(memory, level);
@@ -101,7 +101,7 @@ T sample_cube_linear(const HostMemory& memory, const float3& direction, float le
     });
 }
 
-/// The results of comparisons with four texels (1 or 0), interpolated as a linear filter does.
+/// The results of comparisons with four texels of level 0 (1 or 0), interpolated as a linear filter does.
 template <Format F, Compare C> float compare_cube(const HostMemory& memory, const float3& direction, float reference) {
     return detail::cube_mix<float>(memory, direction, 0, [&](const std::array<std::int64_t, 3>& at) {
         return detail::compares<C>(reference, detail::cube_texel<F, float>(memory, at, 0)) ? 1.0f : 0.0f;

@@ -1,5 +1,5 @@
-// Functions that generated fragment shaders call on the host device: sets of pixels of a block, interpolation of
-// varyings, derivatives, the late depth test, blending.
+// Functions that the generated shaders of draws call on the host device: writing and interpolation of varyings, sets of
+// pixels of a block, derivatives, the late depth test, blending.
 #pragma once
 
 #include <glift/host/image.h>
@@ -33,7 +33,7 @@ template <class T> float* put(float* to, const T& value) {
 
 namespace detail {
 
-/// The float at `at` of a vertex, interpolated by the weights of vertices 1 and 2.
+/// Float `at` of a vertex's varyings, interpolated by the weights of vertices 1 and 2.
 inline float between(const Fragments& fragments, std::uint32_t at, float weight1, float weight2) {
     const float first = fragments.corner[0][at];
     return first + weight1 * (fragments.corner[1][at] - first) + weight2 * (fragments.corner[2][at] - first);
@@ -51,8 +51,8 @@ template <class T> T between_all(const Fragments& fragments, std::uint32_t at, f
 
 }  // namespace detail
 
-// A varying that begins at float `at` of each vertex: interpolated perspective-correctly, linearly in the window, or
-// that of the first vertex.
+// A varying that begins at float `at` of each vertex's varyings: `smooth` interpolates it perspective-correctly,
+// `linear` linearly in the window, `flat` gives that of the first vertex of the draw's triangle, line or point.
 template <class T> T smooth(const Fragments& fragments, std::uint32_t pixel, std::uint32_t at) {
     return detail::between_all<T>(fragments, at, fragments.smooth1[pixel], fragments.smooth2[pixel]);
 }
@@ -86,7 +86,7 @@ template <class T> T fwidth(const T (&values)[block_pixels], std::uint32_t pixel
     return abs(dFdx(values, pixel)) + abs(dFdy(values, pixel));
 }
 
-/// The late depth test, with depths that the fragment shader assigned; returns the pixels that pass.
+/// The late depth test, with depths that the fragment shader assigned, clamped to 0 to 1; returns the pixels that pass.
 inline std::uint64_t test_depth(const Fragments& fragments, std::uint64_t pixels, const float* depths) {
     Fragments given = fragments;
     for (std::uint32_t pixel = 0; pixel < block_pixels; ++pixel) given.depth[pixel] = clamp(depths[pixel], 0.0f, 1.0f);

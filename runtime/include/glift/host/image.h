@@ -27,7 +27,7 @@ inline std::uint32_t decode(std::uint16_t c) { return c; }
 inline std::uint32_t decode(std::uint32_t c) { return c; }
 inline std::int32_t decode(std::int32_t c) { return c; }
 
-/// Clamped and rounded to nearest even, as Vulkan converts to unorm; NaN is zero.
+/// Clamped to 0 to 1 and rounded to the nearest fraction, ties to even, as Vulkan may convert to unorm; NaN gives zero.
 inline void encode(Unorm8& c, float v) {
     c.bits = static_cast<std::uint8_t>(convert<uint>(round(clamp(v, 0.0f, 1.0f) * 255.0f)));
 }
@@ -123,7 +123,7 @@ template <Format F, class T> T decode_texel(const std::byte* address) {
 
 }  // namespace detail
 
-/// The texel's value; zero outside of the image.
+/// The texel's value; zero outside of the image, and in a level that it does not have.
 template <Format F, class T, class At> T load_texel(const HostMemory& memory, const At& at, std::int32_t level = 0) {
     const std::byte* address =
         detail::texel_address<F>(memory, detail::coordinates(at), static_cast<std::uint32_t>(level));
@@ -147,13 +147,13 @@ template <Format F, class T> void encode_texel(std::byte* address, const T& valu
 
 }  // namespace detail
 
-/// Does nothing outside of the image.
+/// Stores to level 0; does nothing outside of the image.
 template <Format F, class T, class At> void store_texel(const HostMemory& memory, const At& at, const T& value) {
     std::byte* address = detail::texel_address<F>(memory, detail::coordinates(at));
     if (address) detail::encode_texel<F>(address, value);
 }
 
-/// A texel of one 32-bit channel, for atomics. Outside of the image: a dummy.
+/// A texel of level 0, of one 32-bit channel, for atomics. Outside of the image: a dummy of the thread's.
 template <Format F, class T, class At> T& texel(const HostMemory& memory, const At& at) {
     static thread_local T nowhere;
     std::byte* address = detail::texel_address<F>(memory, detail::coordinates(at));
@@ -182,7 +182,8 @@ T clamped_texel(const HostMemory& memory, std::array<std::int64_t, 3> at, std::u
 
 }  // namespace detail
 
-/// The texel that contains the normalised coordinates.
+/// The texel of the nearest level that contains the normalised coordinates, clamped to the edge. A third coordinate is
+/// rounded to the number of a layer if the image has layers.
 template <Format F, class T, class At> T sample_nearest(const HostMemory& memory, const At& at, float level = 0.0f) {
     const std::array<float, 3> point = detail::as_array(at);
     const std::uint32_t mip = detail::nearest_level(memory, level);
@@ -194,7 +195,8 @@ template <Format F, class T, class At> T sample_nearest(const HostMemory& memory
     return detail::clamped_texel<F, T>(memory, texel, mip);
 }
 
-/// Linear interpolation between texel centres along each axis, x first; the layer of an array is the nearest one.
+/// Linear interpolation between texel centres of the nearest level along each axis, x first; the layer of an array is
+/// the nearest one.
 template <Format F, class T, class At> T sample_linear(const HostMemory& memory, const At& at, float level = 0.0f) {
     const std::array<float, 3> point = detail::as_array(at);
     const std::uint32_t mip = detail::nearest_level(memory, level);
@@ -252,7 +254,8 @@ template <Compare C> bool compares(float reference, float texel) {
 
 }  // namespace detail
 
-/// The four texels that a linear filter takes of a 2-D image, x first; of an image with layers in the nearest layer.
+/// The four texels that a linear filter takes of level 0 of a 2-D image, x first; of an image with layers in the
+/// nearest layer.
 template <Format F, class T, class At> vec<T, 4> gather(const HostMemory& memory, const At& at) {
     const detail::Corner corner = detail::corner_of(memory, at);
     vec<T, 4> texels;
@@ -260,7 +263,7 @@ template <Format F, class T, class At> vec<T, 4> gather(const HostMemory& memory
     return texels;
 }
 
-/// The results of comparisons with four texels (1 or 0), interpolated as a linear filter does.
+/// The results of comparisons with four texels of level 0 (1 or 0), interpolated as a linear filter does.
 template <Format F, Compare C, class At> float compare_linear(const HostMemory& memory, const At& at, float reference) {
     const detail::Corner corner = detail::corner_of(memory, at);
     float passed[4];

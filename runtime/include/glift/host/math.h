@@ -1,5 +1,5 @@
-// The built-in functions of the language (compiler/ir/intrinsics.def) for scalars and vectors, with the semantics of
-// GLSL. Those marked exact give the same bits as on a GPU.
+// The built-in functions of the language for scalars and vectors, with the semantics of GLSL. Those that
+// compiler/ir/intrinsics.def marks as exact give the same bits as on a GPU.
 #pragma once
 
 #include <glift/vector.h>
@@ -19,8 +19,8 @@ template <class T> inline constexpr bool is_scalar = std::is_arithmetic_v<T> || 
 
 }  // namespace detail
 
-// A function of one, two or three scalars, and the same for each component of vectors. In those that take more than one
-// parameter, a scalar after the first is broadcast.
+// Each defines, beside a function of one, two or three scalars, the same for each component of vectors. The second of
+// two parameters may also be a scalar, which is broadcast.
 #define GLIFT_MATH_1(name)                                                                                             \
     template <class T, unsigned N> constexpr auto name(const vec<T, N>& a) {                                           \
         return detail::map([](T x) { return name(x); }, a);                                                            \
@@ -61,7 +61,7 @@ inline half ceil(half x) { return ceil(static_cast<float>(x)); }
 inline float trunc(float x) { return __builtin_truncf(x); }
 inline double trunc(double x) { return __builtin_trunc(x); }
 inline half trunc(half x) { return trunc(static_cast<float>(x)); }
-/// Rounds halves to even.
+/// Rounds numbers halfway between two integers to the even one.
 inline float round(float x) { return __builtin_rintf(x); }
 inline double round(double x) { return __builtin_rint(x); }
 inline half round(half x) { return round(static_cast<float>(x)); }
@@ -266,7 +266,7 @@ constexpr float4 unpackUnorm4x8(std::uint32_t bits) {
 
 // -------------------------------------------------------------------------------------------------------- geometry
 
-/// Summed in the order of the components.
+/// Dot products are summed in the order of the components.
 template <class T>
 requires detail::is_scalar<T>
 constexpr T dot(T a, detail::same<T> b) { return a * b; }

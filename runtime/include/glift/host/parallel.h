@@ -97,15 +97,15 @@ namespace detail {
 /// Elements of one task: enough to amortise its start, few enough to balance the load.
 inline constexpr std::size_t task_elements = 1 << 14;
 
-/// Calls `run(body, begin, end)` in parallel for parts that partition [0, count), none shorter than half of `grain`.
-/// Defined in the runtime, since oneTBB's headers take longer to compile than most kernels.
+/// Calls `run(body, begin, end)` in parallel for parts that partition [0, count), none shorter than half of `grain`
+/// unless `count` is. Defined in the runtime, since oneTBB's headers take longer to compile than most kernels.
 GLIFT_API void spread(std::size_t count, std::size_t grain, void (*run)(const void* body, std::size_t, std::size_t),
                       const void* body);
 
 /// How many threads `spread` uses at most.
 GLIFT_API std::size_t thread_count();
 
-/// The same with a function object that takes (begin, end).
+/// `spread` with a function object that takes (begin, end).
 template <class Body> void spread(std::size_t count, std::size_t grain, const Body& body) {
     const auto run = [](const void* called, std::size_t begin, std::size_t end) {
         (*static_cast<const Body*>(called))(begin, end);
@@ -113,7 +113,7 @@ template <class Body> void spread(std::size_t count, std::size_t grain, const Bo
     spread(count, grain, run, &body);
 }
 
-/// The same for parts of `grain`, which start in order: none before all earlier ones have started.
+/// Like `spread`, but for parts of `grain`, which start in order: none before all earlier ones have started.
 GLIFT_API void spread_in_order(std::size_t count, std::size_t grain,
                                void (*run)(const void* body, std::size_t, std::size_t), const void* body);
 
@@ -154,7 +154,8 @@ template <class Body> void for_rows(const std::array<std::uint32_t, 4>& size, co
 }
 
 /// Calls `body(const Rows&)` for parts of one row of invocations, each of which takes `items` of `size` elements.
-/// Invocations start in order, so that one which waits for its predecessors (decoupled look-back) finds them running.
+/// Invocations start in order, so that one which waits for its predecessors (decoupled look-back) finds them running or
+/// done.
 template <class Body> void for_strides(std::uint32_t size, std::uint32_t items, const Body& body) {
     const std::array<std::uint32_t, 4> count = {static_cast<std::uint32_t>((std::uint64_t{size} + items - 1) / items),
                                                 1, 1, 1};
@@ -279,7 +280,7 @@ template <std::size_t N, class T> void copy_row(const T* from, T* to) {
 }
 
 /// Parts of rows are computed in blocks of this many elements: one vector of the widest kind, or a few narrow ones.
-/// There is no scalar remainder: the last block of a part overlaps the one before it.
+/// There is no scalar remainder: where a part is no multiple of them, its last block overlaps the one before it.
 inline constexpr std::size_t block_elements = 16;
 
 /// Where block `block` (a multiple of block_elements) begins: the last one is moved back so that it ends with the part.

@@ -40,11 +40,12 @@ struct Fragments {
     alignas(64) float depth[side * side];
     /// Barycentric weights of vertices 1 and 2 in the window, for `linear` varyings; that of vertex 0 is 1 - both.
     alignas(64) float linear1[side * side], linear2[side * side];
-    /// The same, perspective-correct, for `smooth` varyings.
+    /// The same, perspective-correct, for `smooth` varyings. Set, as `w` is, if Draw::has_smooth.
     alignas(64) float smooth1[side * side], smooth2[side * side];
     alignas(64) float w[side * side];  ///< 1 / w, as gl_FragCoord.w
 
-    /// The late depth test: tests and writes depth; returns those of `pixels` that pass.
+    /// The late depth test: tests and writes depth; returns those of `pixels` that pass, all of them if there is no
+    /// depth target or the test was early.
     GLIFT_API std::uint64_t test(std::uint64_t pixels) const;
 };
 

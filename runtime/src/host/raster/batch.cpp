@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint32_t max_tiles = 1024;
 constexpr std::int32_t smallest_tile = 64;
 
-/// A box of tiles or blocks, the last ones exclusive.
+/// A box of tiles or blocks; `right` and `bottom` are exclusive.
 struct Box {
     std::int32_t left, top, right, bottom;
 };

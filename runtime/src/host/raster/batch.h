@@ -20,11 +20,11 @@ Tiles tiles_of(uint2 size);
 /// The number of vertices of a primitive.
 std::uint32_t corners_of(Topology topology);
 
-/// Consecutive triangles of the draw, and for each tile those that may touch it, in order.
+/// Consecutive triangles of the draw, and for each tile those that may touch it, in the order of the draw.
 class Chunk {
 public:
     /// Runs the vertex shader for `count` vertices from `first` on, and sets up the triangles of their primitives: a
-    /// clipped triangle is none, one or several, a line or a point two.
+    /// clipped triangle is none, one or several, a line or a point up to two.
     void make(const Draw& draw, const Window& window, const Clipper& clipper, const Tiles& tiles, std::uint64_t first,
               std::uint32_t count, std::uint32_t instance);
     const std::vector<Triangle>& triangles() const { return triangles_; }

@@ -10,8 +10,8 @@ namespace glift::host::raster {
 
 namespace {
 
-/// An edge function at a block's first pixel, in units in which a step of one pixel is `a` or `b`. Clamped to 32 bits,
-/// where that changes the sign at no pixel of the block.
+/// An edge function at a block's first pixel, in units in which a step of one pixel is `a` or `b`. Clamped to 2^29
+/// either way, so that the block's values fit 32 bits; that changes the sign at none of its pixels.
 std::int32_t start_of(const Edge& edge, std::int32_t x, std::int32_t y) {
     const std::int64_t value = (edge.c >> subpixel_bits) + std::int64_t{edge.a} * x + std::int64_t{edge.b} * y;
     constexpr std::int64_t limit = 1 << 29;
@@ -96,7 +96,8 @@ Rows rows_of(std::uint64_t covered) {
 
 GLIFT_HOST_KERNEL void interpolate_depth(const Triangle& triangle, std::int32_t left, std::int32_t top,
                                          const Rows& rows, Fragments& fragments) {
-    // Weights are interpolated from the block's first pixel, where they are exact: large triangles lose no precision.
+    // Weights are interpolated from the block's first pixel, where they are computed in double precision, so that they
+    // do not get worse with the size of the triangle.
     float start[3], right[3], down[3];
     for (int i = 1; i < 3; ++i) {
         const Edge& edge = triangle.edges[static_cast<std::size_t>(i)];

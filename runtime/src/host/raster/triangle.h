@@ -30,7 +30,7 @@ struct Triangle {
     float z[3], inverse_w[3];
     const float* corner[3];                 ///< varyings of each vertex
     const float* flat = nullptr;            ///< varyings of the primitive's first vertex, before clipping
-    std::int32_t left, top, right, bottom;  ///< pixels that may be covered, the last ones exclusive
+    std::int32_t left, top, right, bottom;  ///< pixels that may be covered; `right` and `bottom` are exclusive
     bool is_front;
 };
 
@@ -64,7 +64,8 @@ inline Corner corner_of(const Window& window, const float* vertex) {
 /// `corner_of` of `count` consecutive vertices. The points of those outside the guard band mean nothing.
 void corners_of(const Window& window, const float* vertices, std::uint32_t count, Corner* corners);
 
-/// Sets up a triangle; none if it covers no pixel or is culled.
+/// Sets up a triangle, all but `flat`; none if its bounding box has no pixel centre in the viewport, or if it has no
+/// area or is culled.
 std::optional<Triangle> triangle_of(const Window& window, const Corner& corner0, const Corner& corner1,
                                     const Corner& corner2);
 
