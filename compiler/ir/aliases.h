@@ -13,11 +13,11 @@ std::vector<Name> public_names(const Structure& structure, std::uint32_t module)
 bool is_public(const Structure& structure, std::uint32_t module);
 
 /// The name of the structure in a module: the first public name that the module gives it, else the first private one,
-/// else that of a module that it imports. Empty if there is none.
+/// else the first that a module gives it which this one imports, directly or through others. Empty if there is none.
 Name name_in(const Program& program, const Structure& structure, std::uint32_t module);
 
-/// The public functions of a structure or adaptor, each once: first the methods that C++ calls, then the others that
-/// the program uses.
+/// The public functions of a structure or adaptor, those whose only structure it is, each once: first the methods that
+/// C++ calls, then the others that the program uses.
 std::vector<FunctionId> public_functions(const Program& program, std::uint32_t structure);
 
 }  // namespace gliftc::ir

@@ -32,7 +32,7 @@ const Blocks* visited_blocks(const Program& program, const Kernel& kernel);
 /// Whether the root of the chain is a view, so that elements are computed and not loaded.
 bool is_computed(const Program& program, const Structure& structure);
 
-/// The type of the structure's physical addresses; none if it has no memory.
+/// The type of the structure's physical addresses; none if it has neither a translator nor a structure as its memory.
 TypeId physical_type(const Program& program, const Structure& structure);
 
 /// Whether a translator of some link reads structures, such as a page table.
@@ -55,7 +55,7 @@ bool has_resident_part(const Program& program, const Structure& structure);
 /// The first structure of the chain that has a translator, else its root, as a path of members.
 RareVector<std::uint32_t> translated_by(const Program& program, const Structure& structure);
 
-/// Whether no address leads beyond the structure's own memory, along all of its axes.
+/// Whether it is proved that no address leads beyond the structure's own memory, along any of its axes.
 bool is_contained(const Program& program, const Structure& structure);
 
 /// Whether making the structure allocates memory: false for views that make no members, or only such views.

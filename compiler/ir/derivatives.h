@@ -6,9 +6,9 @@
 namespace gliftc::ir {
 
 /// Whether an operand of a derivative, or a condition under which a derivative is reached, depends on a load from a
-/// buffer or storage image. Derivatives also use helper invocations, the fragments of a quad that lie outside the
-/// triangle; on some devices their loads give zeros (DeviceProperties::helpers_load). Loads from sampled images do not
-/// count. False for kernels that do not draw.
+/// buffer or storage image; a parameter in a storage buffer counts as one. Derivatives also use helper invocations, the
+/// fragments of a quad that lie outside the triangle; on some devices their loads give zeros
+/// (DeviceProperties::helpers_load). Loads from sampled images do not count. False for kernels that do not draw.
 bool derives_loads(const Program& program, const Pass& pass);
 
 }  // namespace gliftc::ir

@@ -13,7 +13,7 @@ inline bool is_load(Op op) {
            op == Op::image_gather || op == Op::image_compare;
 }
 
-/// Whether the argument is a structure or a range of one, and not a value.
+/// Whether the parameter takes a structure or a range of one, and not a value.
 inline bool is_structure(const KernelParam& param) {
     return param.pattern != Pattern::value && param.pattern != Pattern::argument;
 }
@@ -33,9 +33,9 @@ struct PatternTraits {
 const PatternTraits& traits_of(Pattern pattern);
 
 inline bool visits(Pattern pattern) { return traits_of(pattern).course == Course::visits; }
-/// Whether the parameter's range has the size of the visited range.
+/// Whether the parameter's range is visited, or has the size of those that are.
 inline bool follows_iteration(Pattern pattern) { return traits_of(pattern).course != Course::stays; }
-/// Whether the parameter is a range whose size is independent of the visited range.
+/// Whether the parameter's elements are accessed, in a range whose size is independent of the visited ones.
 inline bool has_own_range(Pattern pattern) {
     return traits_of(pattern).course == Course::stays && traits_of(pattern).reach != Reach::nothing;
 }

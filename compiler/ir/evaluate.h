@@ -18,8 +18,8 @@ struct Lane {
     bool operator==(const Lane&) const = default;
 };
 
-/// A value of a scalar, vector, matrix, array, struct or optional type, its scalars in order. An optional has its
-/// flag first, then the value's lanes (zeros for none).
+/// A value of a scalar, enum, vector, matrix, array, struct or optional type: its scalars one after the other, those of
+/// a matrix by columns. An optional has its flag first, then the value's lanes (zeros for none).
 struct Value {
     TypeId type;
     SmallVector<Lane, 4> lanes;
@@ -40,14 +40,14 @@ using Definitions = std::unordered_map<LocalId, ExprId>;
 /// The same; a local's value is that of its expression in `definitions`.
 std::optional<Value> evaluate(const Program& program, ExprId expr, const Definitions& definitions);
 
-/// Gives the values of operations that depend on the context (state, member, memory_extent, domain), or nothing where
-/// one is not known.
+/// Gives the values of operations that the interpreter cannot compute itself, since they depend on the context (state,
+/// member, memory_extent, domain, …); nothing where a value is not known.
 using Surroundings = std::function<std::optional<Value>(const Expr&)>;
 
-/// The value of `expr`, where `surroundings` gives the values of operations that depend on the context.
+/// The value of `expr`, with the values that `surroundings` gives.
 std::optional<Value> evaluate(const Program& program, ExprId expr, const Surroundings& surroundings);
 
-/// The result of a function for these arguments.
+/// The result of a function for these arguments; nothing if it is not known.
 std::optional<Value> call(const Program& program, FunctionId function, std::vector<Value> arguments,
                           const Surroundings& surroundings);
 

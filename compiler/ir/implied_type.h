@@ -1,12 +1,13 @@
-// The type of an operation as implied by its operands. The text of the IR (print.h) gives a type only where the actual
-// one differs, or where none is implied.
+// The type of an operation as implied by its operands, or by the function, field or binding that it names. The text of
+// the IR (print.h) gives a type only where the actual one differs or none is implied, and for operations that are spelt
+// with their type, such as conversions.
 #pragma once
 
 #include "ir/pass.h"
 
 namespace gliftc::ir {
 
-/// Types::error if the operands imply none. `intern` returns the TypeId of a Type, existing or new.
+/// Types::error if none is implied. `intern` returns the TypeId of a Type, existing or new.
 template <class Intern>
 TypeId implied_type(const Program& program, const Pass* pass, const Expr& node, Intern&& intern) {
     const Types& types = program.types;

@@ -5,7 +5,7 @@
 
 namespace gliftc::ir {
 
-/// Ids within a grouped kernel; all uint.
+/// Ids and sizes within a kernel with a group; all uint.
 enum class Invocation : std::uint8_t {
     local_index,
     group_index,

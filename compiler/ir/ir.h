@@ -1,10 +1,9 @@
 // long: the nodes of the program, which name each other
-// The resolved, instantiated program: every name bound, every type concrete. sema makes it, lower/ rewrites it down to
-// memory operations, layout/ and emit/ read it.
+// The resolved, instantiated program: every name bound, every type concrete. sema makes it; lower/ adds passes
+// (ir/pass.h), kernels whose operations of structures ("element", "near", "read", "write") have become operations of
+// memory ("load", "store", …) on numbered bindings; layout/ and emit/ read both.
 //
-// Kernels, pipelines and passes share these nodes. Operations of structures ("element", "near", "read", "write") are
-// turned by lower/ into operations of memory ("load", "store", …) on bindings of a Pass. ir/levels.h says which
-// operation belongs to which level.
+// Kernels, pipelines and passes share these nodes. ir/levels.h says which operation belongs to which level.
 #pragma once
 
 #include "base/arena.h"
@@ -144,7 +143,7 @@ struct Stmt {
 enum class Storage : std::uint8_t { value, shared };
 
 struct Local {
-    Name name;  ///< as in the source; printers make it unique where needed
+    Name name;  ///< as in the source, or as a pass of lower/ calls it; printers make it unique where needed
     TypeId type;
     Span span;
     bool is_mutable = false;
@@ -154,14 +153,14 @@ struct Local {
 
 // ------------------------------------------------------------------------------------------------------ functions
 
-/// A write by a function, or by a function that a kernel calls: to elements of the structure at a place, by scatter or
-/// coherent access.
+/// An effect of a function, or of a kernel by a call: writes to elements of the structure at a place by scatter, or
+/// coherent access to them.
 struct Effect {
     Place place;  ///< its root is an index in Function::structures or in Kernel::params
     Pattern pattern = Pattern::scatter;
     Combine combine = Combine::replace;
-    Span span;            ///< where the function declares it, or where the kernel calls the function
-    Name by;              ///< the function that writes
+    Span span;            ///< where the function declares it; if inherited: the call
+    Name by;              ///< the function that declares it; if inherited: the function that is called
     bool is_own = false;  ///< the function itself declares it; false: inherited from a call
 };
 
@@ -178,7 +177,7 @@ struct Function {
     std::vector<StmtId> body;  ///< a function with a group returns only by its last statement
     bool is_pub = false;
     bool reads_memory = false;    ///< it or a function that it calls reads elements of structures
-    std::vector<Effect> effects;  ///< writes, its own and those of the functions that it calls
+    std::vector<Effect> effects;  ///< those that it declares, and those inherited from functions that it calls
     std::uint32_t module = 0;
     std::string extern_name;  ///< the C++ function to call instead (host only); else empty
     std::string doc;
@@ -199,7 +198,8 @@ struct StructField {
 struct Struct {
     Name name;
     std::string display;
-    std::string key;  ///< display with module-qualified names: the same in each run of gliftc, as are all keys below
+    std::string
+        key;  ///< display with module-qualified names: the same in each run of gliftc, as are all fields called key
     std::uint32_t module = 0;
     bool is_pub = false;
     std::vector<StructField> fields;
@@ -229,7 +229,8 @@ enum class Mapping : std::uint8_t {
     many_to_one,         ///< declared by @many_to_one
 };
 
-/// Properties of a translator: inferred, or declared by @attributes and checked against the code.
+/// Properties of a translator: inferred from the code, or declared by @attributes. It is an error to declare
+/// @many_to_one beside `invert`, or an access complexity other than an inferred O(1); the rest is taken as declared.
 struct Properties {
     bool partial = false;     ///< translate gives an optional
     bool invertible = false;  ///< has invert
@@ -253,9 +254,11 @@ struct Translator {
     std::vector<StructField> scalars;       ///< state that is values: Op::state reads the one at its slot
     std::vector<std::uint32_t> structures;  ///< state that is structures, as instances: Place root i in its functions
     std::vector<Name> structure_names;
-    FunctionId translate;     ///< (virtual address) -> physical address, or an optional of it
-    FunctionId wide;          ///< copy of translate with a 64-bit result, if it is scalar; made by lower/widen
-    FunctionId wide_of_wide;  ///< copy of translate with 64-bit arguments and a 64-bit result
+    FunctionId translate;  ///< (virtual address) -> physical address, or an optional of it
+    /// Made by lower/widen for scalar physical addresses: the copy of translate with a 64-bit result; translate itself
+    /// if nothing in it needs 64 bits.
+    FunctionId wide;
+    FunctionId wide_of_wide;  ///< the same for a 64-bit virtual address; only if virtual addresses are scalar, too
     FunctionId invert;        ///< (physical address) -> virtual address; absent if not invertible
     FunctionId ranges;        ///< not used: how a box splits into contiguous parts is inferred (lower/affine.h)
     FunctionId domain;        ///< () -> extent of the virtual domain
@@ -314,8 +317,9 @@ struct Memory {
     MemoryShape shape = MemoryShape::buffer;
     TypeId element;  ///< the value type that loads give (float for r8, float4 for rgba8)
     Format format = Format::none;
-    ExprId extent;                  ///< uint, uint2, uint3, over the structure (root 0); in 64 bits after lower/widen
-    ExprId mips;                    ///< of an image: the number of its mip levels; absent: one
+    ExprId extent;  ///< uint, uint2, uint3, over the structure (root 0); lower/widen makes it 64 bits wide for
+                    ///< buffers, and for images if its arithmetic may exceed 32 bits
+    ExprId mips;    ///< of an image: the number of its mip levels; absent: one
     std::optional<ImagePart> part;  ///< the image is this part of another one; none: it is made with the structure
     bool linear = false;            ///< of an image: declared with `filter linear`
     Compare compare = Compare::less_equal;
@@ -433,7 +437,7 @@ struct Kernel {
     TypeId domain_type;                              ///< type of the visited addresses: uint or vector of uint
     std::vector<StmtId> body;
     std::vector<LocalId> shared;  ///< workgroup memory
-    std::vector<Effect> effects;  ///< writes of the functions that it calls through `calls` parameters
+    std::vector<Effect> effects;  ///< those of the functions that it calls through `calls` parameters
     /// Pairs of parameters declared @disjoint(read, written): no element that is read through the first one is written
     /// through the second one in the same pass.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> disjoint;
@@ -469,7 +473,7 @@ struct Pipeline {
     bool is_pub = false;
     std::optional<std::uint32_t> owner;  ///< of an adaptor's pipeline: the adaptor's instance
     std::vector<PipelineParam> params;
-    TypeId result;  ///< void, a value, device value, or slice
+    TypeId result;  ///< void, a value, device value, structure, or slice
     std::vector<StmtId> body;
     Span host_needed;  ///< the first statement that waits or changes host state; none: allowed under a device condition
     bool is_value =
@@ -525,8 +529,9 @@ struct Program {
         std::uint32_t structure, read_kernel, write_kernel, fill_kernel;
         std::uint32_t box_structure;
         /// The kernel that lists the elements that are there, and the structures (indices in Program::structures) that
-        /// it fills: the addresses, the places in the memory, the values, and the number of entries. All 0xffffffff
-        /// where every address of the domain always has an element of its own, and in `gliftc test`.
+        /// it fills: the addresses, the places in the memory, the values, and the number of entries. All 0xffffffff for
+        /// views, where every address of the domain is known to have an element of its own always, and in `gliftc
+        /// test`.
         std::uint32_t list_kernel;
         std::uint32_t addresses, places, values, counter;
     };

@@ -1,7 +1,8 @@
 // Levels of the IR: each operation and each kind of statement belongs to one, which says where it may occur.
 //
-// Kernels as sema makes them contain operations of the levels value, shape and structure; pipelines and tests value,
-// shape and host; lowered passes value and memory; their variants for the host device also cpu.
+// Kernels as sema makes them contain operations of the levels value, shape and structure, fragment parts also the
+// statement `discard` of the level memory; pipelines and tests value, shape and host; lowered passes value and memory;
+// their variants for the host device also cpu.
 #pragma once
 
 #include "ir/ir.h"

@@ -50,7 +50,8 @@ inline bool is_row(const Types& types, const PassBinding& binding, TypeId type) 
 
 enum class ParameterSource : std::uint8_t {
     uniform,  // `value`, an expression that the host evaluates for each call: constants, arithmetic, calls, locals that
-              // are the kernel's value parameters, and member / memory_extent / domain of its structure parameters
+              // are the kernel's value parameters, and member / memory_extent / host_state / domain of its structure
+              // parameters and of structures nested in them
     origin,   // first virtual address of the range of kernel parameter `param`
     size,     // size of the visited range (uint or vector of uint)
     range_size,  // size of the range of kernel parameter `param`
@@ -63,7 +64,7 @@ struct PassParameter {
     std::string name;  ///< unique in the pass and readable: f_extent, g_origin, size, dt
     TypeId type;       ///< bool is stored as uint
     ParameterSource source = ParameterSource::uniform;
-    ExprId value;              ///< for uniform
+    ExprId value;              ///< for uniform; for size in kernels over blocks: an upper bound of it, for the host
     std::uint32_t param = 0;   ///< for origin, range_size, index: a kernel parameter; for address: a binding
     std::uint32_t offset = 0;  ///< byte offset in the parameter block; set by layout/
 };
@@ -84,10 +85,12 @@ struct Pass {
     bool uniform_buffer = false;  ///< parameters are in a uniform buffer, else in a storage buffer; set by layout/
 
     /// The invocation's address relative to the range (uint or vector of uint). Shaders compute it in `prologue`; on
-    /// the host device it is the variable of a loop nest, x innermost.
+    /// the host device it is the variable of a loop nest, x innermost, in kernels without a group. Absent for draws.
     LocalId address;
-    std::vector<StmtId> prologue;  ///< shaders only: declares `address` from builtins, and `in_range`
-    LocalId in_range;  ///< bool: the address is in the range. Kernels without a group return if not; others test it
+    /// Declares `address` from builtins, and `in_range`. For shaders; the host device's variants of kernels with a
+    /// group have a copy in their bodies (lower/split_at_barriers.h).
+    std::vector<StmtId> prologue;
+    LocalId in_range;  ///< bool: the address is in the range. Shaders without a group return if not; others test it
     /// The kernel's bodies. The first one is valid on every device and at every address (of a draw, it is the vertex
     /// part); the others are for some devices only, or under assumptions.
     std::vector<Variant> variants = std::vector<Variant>(1);
@@ -102,7 +105,8 @@ struct Pass {
     Span longest_loop;
     bool has_reports = false;          ///< some statement is a `report`. The same in all forms
     std::vector<std::uint32_t> files;  ///< source files that reports name, the kernel's first. The same in all forms
-    bool exact = true;                 ///< calls no inexact intrinsic: devices agree bit for bit
+    bool exact = true;                 ///< devices agree bit for bit: no inexact intrinsic, no sampler that filters or
+                                       ///< compares, no texels of 8 bits read as floats, no rasterisation
 
     Variant& plain() { return variants.front(); }
     const Variant& plain() const { return variants.front(); }

@@ -5,7 +5,8 @@
 
 namespace gliftc::ir {
 
-/// Reserves the names of the kernel's parameters and the pass's bindings, so that no local gets them.
+/// Reserves the names of the pass's bindings and of the kernel's parameters other than values (which are locals
+/// themselves), so that no local gets them.
 Printer::Printer(const Program& program, const Pass* pass, const Kernel* kernel)
     : p(program), pass_(pass), kernel_(kernel) {
     if (pass == nullptr) return;

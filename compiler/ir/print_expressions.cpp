@@ -74,7 +74,7 @@ std::string Printer::operand(ExprId id) {
     return is_compound && !needs_type(node) ? "(" + expr(id) + ")" : expr(id);
 }
 
-/// Whether the operands do not imply the type.
+/// Whether a type has to be added to the operation's text: it is not implied (ir/implied_type.h), nor part of the text.
 bool Printer::needs_type(const Expr& node) {
     if (pass_ == nullptr) return false;
     switch (node.op) {

@@ -145,8 +145,8 @@ ExprId Reader::parenthesized() {
     return inside;
 }
 
-/// Reads what begins with a type: a constant of an enum, a conversion, or a construction. With a single operand of the
-/// same shape it is a conversion.
+/// Reads what begins with a type: a constant of an enum, a conversion, or a construction. With a single operand that
+/// has the same shape, or is of an enum, it is a conversion.
 ExprId Reader::made_of_type() {
     const TypeId made = type();
     if (p.types.kind(made) == TypeKind::enum_) {
@@ -222,7 +222,7 @@ std::uint32_t Reader::member_of(std::uint32_t structure, const std::string& call
     return static_cast<std::uint32_t>(p.structures[structure].members.size() - 1);
 }
 
-/// Reads a path like f.table, up to a name that is followed by no further member.
+/// Reads a path like f.table, up to its end or to a property (domain, member0, memory0, host0).
 Place Reader::place() {
     Place place;
     place.root = kernel_parameter_index();
@@ -243,7 +243,7 @@ Place Reader::place() {
     return place;
 }
 
-/// Gives the structure as many constructor arguments and memories as the text uses.
+/// Gives the structure as many constructor arguments, host states and memories as the property needs.
 void Reader::grow(std::uint32_t structure, const Expr& property) {
     Structure& of = p.structures[structure];
     while (property.op == Op::member && of.constructor.size() <= property.slot) {

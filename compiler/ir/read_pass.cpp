@@ -253,7 +253,7 @@ Bounds Reader::bounds() {
     return made;
 }
 
-/// Reads: inside radius of $domain from $origin.
+/// Reads: inside radius of $domain [from $origin].
 Interior Reader::interior() {
     const auto parameter = [&] {
         expect("$");

@@ -91,7 +91,7 @@ Stmt Reader::copy_of_row() {
     return stmt;
 }
 
-/// Reads: keep var name: type;
+/// Reads the rest of: keep var name: type; or let or tmp instead of var.
 Stmt Reader::keep() {
     const bool is_mutable = accept("var"), is_temporary = !is_mutable && accept("tmp");
     if (!is_mutable && !is_temporary) expect("let");

@@ -1,4 +1,4 @@
-// Checks that a program or pass is well formed: the invariants between stages. A violation is a bug of the compiler.
+// Checks that a lowered pass, or a body during lowering, is well formed. A violation is a bug of the compiler.
 #pragma once
 
 #include "ir/pass.h"
@@ -8,11 +8,11 @@
 
 namespace gliftc::ir {
 
-/// Errors in the lowered pass, one a line; empty if it is valid.
+/// The errors in the lowered pass; empty if it is valid.
 std::vector<std::string> validate(const Program& program, const Pass& pass);
 
-/// The same for statements during lowering, when uniform expressions need not be parameters yet. `declared` are locals
-/// that the body may use without declaring them: a function's parameters.
+/// The same for statements during lowering, when uniform expressions need not be parameters yet, and guarded loads are
+/// allowed. `declared` are locals that the body may use without declaring them: a function's parameters.
 std::vector<std::string> validate(const Program& program, const Pass& pass, const std::vector<StmtId>& body,
                                   const std::vector<LocalId>& declared);
 
