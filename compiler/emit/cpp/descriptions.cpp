@@ -1,4 +1,4 @@
-// What a class and its parts are called, for programs that look into structures without knowing them.
+// What the parts of a class or struct are called, for programs that look into structures without knowing them.
 #include "emit/cpp/unit.h"
 
 namespace gliftc::cpp {

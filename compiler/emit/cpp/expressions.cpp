@@ -110,7 +110,8 @@ Text print_binary(Printer& p, const Expr& expr) {
     case BinaryOp::logical_and:
     case BinaryOp::logical_or: break;
     }
-    // a && b && c, a + b + c: the left operand may be of the same operator without parentheses.
+    // a && b && c, a + b - c: the left operand may be of the same operator without parentheses, in sums and products
+    // also of another of the same level.
     Text left = print(p, expr.operands[0]);
     const Expr& first = p.program.exprs[expr.operands[0]];
     const bool chain = first.op == Op::binary && left.level == op.level &&

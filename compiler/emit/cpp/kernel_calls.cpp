@@ -277,8 +277,8 @@ static void print_blocks(Writer& out, const Globals& globals, const ir::Lowered:
     out.gap();
 }
 
-/// The statements that give the arguments of a call to its glift::Iteration: visited ranges first, since the others are
-/// compared with them.
+/// The statements that give the arguments of a call to its glift::Iteration: visited ranges first, since those of
+/// `near` parameters are compared with them.
 static void print_iteration(const Unit& unit, Writer& out, const Kernel& kernel) {
     for (bool near : {false, true}) {
         for (std::size_t i = 0; i < kernel.params.size(); ++i) {

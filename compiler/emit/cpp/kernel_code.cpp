@@ -72,7 +72,7 @@ struct Words {
     std::string spirv, fragment;
 };
 
-/// The names for the three forms; identical code has one name.
+/// The names for the three forms; a form whose code is that of the form before has its name.
 struct FormWords {
     Words direct, general, wide;
 };
@@ -205,7 +205,7 @@ bool code_adds_functions(const Unit& unit, std::uint32_t kernel) {
            std::ranges::any_of(forms.wide.functions, is_missing);
 }
 
-/// The functions for the host device, by form.
+/// Prints the structs of parameters of all forms, and the functions for the host device; gives these by form.
 static std::map<const Pass*, std::string> print_host_forms(Unit& unit, Writer& out, const ir::Lowered::Forms& forms,
                                                            std::uint32_t index) {
     std::map<const Pass*, std::string> host;

@@ -11,7 +11,7 @@ inline bool mentions(const ir::Program& program, const std::vector<ir::StmtId>& 
     return found;
 }
 
-/// "[[maybe_unused]] " before a parameter that the body does not mention.
+/// What stands before a parameter: "[[maybe_unused]] " if the body does not mention it, else nothing.
 inline const char* unused_mark(const ir::Program& program, const std::vector<ir::StmtId>& body, ir::LocalId local) {
     return mentions(program, body, local) ? "" : "[[maybe_unused]] ";
 }

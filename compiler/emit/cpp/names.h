@@ -1,5 +1,5 @@
-// Names in C++, all of them: as in the source where C++ allows it, else with a '_' behind. docs/language.md, "Names in
-// C++".
+// Names in generated C++: as in the source where C++ allows it, else with a '_' or a number behind. docs/language.md,
+// "Names in C++".
 #pragma once
 
 #include <initializer_list>
@@ -11,8 +11,8 @@
 
 namespace gliftc::cpp {
 
-/// `text` as a C++ name: every run of characters that a name can't have is replaced by one '_', and a '_' is appended
-/// to keywords and macros.
+/// `text` as a C++ name: every run of characters that a name can't have is replaced by one '_', or left out at the end;
+/// an 'n' is put before names that would begin with a digit or '_', and a '_' is appended to keywords and macros.
 std::string identifier(std::string_view text);
 
 /// Variables that the host code of a kernel declares: names of the source that equal one are changed.
@@ -30,7 +30,7 @@ inline constexpr const char* locals_of_groups[] = {
     "group_total", "local_id",    "local_index", "number",      "returned",
 };
 
-/// The namespace of a module: laplacian, std.array → std_array, dup2 → dup2_.
+/// The namespace of a module: laplacian, std.array → std_array; dup2 → dup2_, as C has a function dup2.
 std::string space_of(std::string_view module);
 
 using NameSet = std::unordered_set<std::string>;
@@ -51,13 +51,15 @@ public:
     /// The same for a set, which must outlive the scopes.
     void avoid(const NameSet& names) { avoided_.push_back(&names); }
 
-    /// Declares `wanted`, or the first of wanted_2, wanted_3, … that is free, in the innermost scope.
+    /// Declares identifier(wanted) in the innermost scope, with a '_' behind if it is reserved or avoided; or the first
+    /// of wanted_2, wanted_3, … that is free.
     std::string declare(std::string_view wanted);
     /// Declares a stem, from which names are formed with each of the suffixes; it is not a name itself. Returns
     /// `wanted`, or the first of wanted_2, wanted_3, … for which none of these names is taken.
     std::string declare_stem(std::string_view wanted, std::span<const char* const> suffixes);
 
     const NameSet& used() const { return used_; }
+    /// Whether the name is declared or reserved; avoided ones are left out.
     bool holds(const std::string& name) const { return used_.contains(name) || reserved_.contains(name); }
 
 private:

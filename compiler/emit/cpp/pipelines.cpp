@@ -154,7 +154,8 @@ Text PipelinePrinter::expression(const Expr& expr) {
     ir::misplaced(expr.op, "emit/cpp: a pipeline");
 }
 
-/// Structures first, then values, as the classes' constructors have them.
+/// The commands first, if the structure makes memory, then structures, then values, as the classes' constructors have
+/// them.
 void PipelinePrinter::temporary(const Stmt& stmt) {
     const ir::Type& type = unit.program.types[unit.program.locals[stmt.local].type];
     const ir::Structure& made = unit.program.structures[type.index];
@@ -205,7 +206,7 @@ void PipelinePrinter::expect_same(const Stmt& stmt) {
                (stmt.arguments.size() > 2 ? ", " + print_any(p, stmt.arguments[2]) : "") + ");");
 }
 
-/// The memories that a structure has made itself, as arguments.
+/// The memories that a structure has made itself, and those of the members that it has made, as arguments.
 std::string memories_of(const Unit& unit, const std::string& object, std::uint32_t index) {
     const ir::Structure& structure = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];

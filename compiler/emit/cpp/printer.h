@@ -53,7 +53,7 @@ struct ClassNames {
 /// gliftc agree.
 struct ProgramNames {
     std::vector<std::string> spaces;                ///< of Program::modules: laplacian, std.array → std_array
-    std::vector<NameSet> types;                     ///< of Program::modules: their types, which no other name hides
+    std::vector<NameSet> types;                     ///< of Program::modules: type_names of their Globals
     std::vector<std::string> structs;               ///< of Program::structs
     std::vector<std::vector<std::string>> fields;   ///< of Program::structs
     std::vector<std::string> enums;                 ///< of Program::enums
@@ -81,7 +81,7 @@ struct Globals {
     const Sources& sources;
     std::string space;                                  ///< the namespace
     Scopes names;                                       ///< of the namespace
-    NameSet type_names;                                 ///< of structs and structures: no other name hides them
+    NameSet type_names;                                 ///< of structs, structures, aliases: no other name hides them
     NameSet kernel_symbols;                             ///< of data and code made for kernels beside their functions
     std::vector<std::string> struct_names;              ///< of Program::structs
     std::vector<std::vector<std::string>> field_names;  ///< of Program::structs
@@ -168,6 +168,8 @@ void mark_line(Printer& p, Span span);  ///< a comment with the source line wher
 std::string file_name(const Sources& sources, std::uint32_t file);
 std::string place_text(const Sources& sources, Span span);         ///< laplacian.glift:8
 void require_function(Globals& globals, ir::FunctionId function);  ///< prints it to globals.functions if it isn't there
-bool is_pure(const ir::Program& program, ir::FunctionId function);  ///< accesses nothing but its arguments
+/// Whether the function, with those it calls, uses only its arguments and own locals: no memory, no parameters of the
+/// pass, no workgroup memory, nothing that depends on the invocation; and reports nothing.
+bool is_pure(const ir::Program& program, ir::FunctionId function);
 
 }  // namespace gliftc::cpp

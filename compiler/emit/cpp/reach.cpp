@@ -1,4 +1,5 @@
-// What a module's C++ must contain: its public components, its pipelines, and all that these need.
+// What a module's C++ must contain: its public structs, enums, structures, kernels and pipelines (in a test program the
+// pipelines of its tests instead of the public ones), and all that these need.
 #include "base/parallel.h"
 #include "emit/cpp/translators.h"
 #include "emit/cpp/unit.h"

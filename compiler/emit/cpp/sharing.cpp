@@ -17,7 +17,8 @@ std::size_t structure_number(const ir::Kernel& kernel, std::uint32_t root) {
     return static_cast<std::size_t>(std::count_if(kernel.params.begin(), last, is_structure));
 }
 
-/// The parameters whose memory the kernel declares to be disjoint from this one's, a bit each.
+/// The parameters of which the kernel declares that it accesses other elements than of this one: a bit each, by their
+/// numbers among the structures.
 std::uint32_t promised_apart(const ir::Kernel& kernel, std::uint32_t root) {
     std::uint32_t bits = 0;
     for (std::uint32_t other = 0; other < kernel.params.size(); ++other) {

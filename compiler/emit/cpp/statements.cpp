@@ -121,7 +121,8 @@ bool is_used_up(const Printer& p, const std::vector<ir::StmtId>& body, std::size
 
 bool is_array(const Printer& p, ir::TypeId type) { return p.program.types.kind(type) == ir::TypeKind::array; }
 
-/// Whether a `let` gives another name to an array that is not mentioned afterwards: then it is a reference, not a copy.
+/// Whether an immutable `let` gives another name to an array that is not mentioned afterwards: then it is a reference,
+/// not a copy.
 bool is_name(const Printer& p, const std::vector<ir::StmtId>& body, std::size_t at) {
     const Stmt& stmt = p.program.stmts[body[at]];
     if (stmt.op != StmtOp::let || !stmt.value || p.program.locals[stmt.local].is_mutable) return false;

@@ -148,7 +148,9 @@ std::string pipeline_signature(Unit& unit, std::uint32_t pipeline, bool qualifie
 void print_pipeline(Unit& unit, Writer& out, std::uint32_t pipeline);
 
 // translation_checks.cpp
-/// Prints the functions that check translations; one check for each structure that the module's tests reach.
+/// Prints the functions that check translations. The result has an entry for each stored structure with translators
+/// that the module's C++ contains, and for each structure of the module with translators that it does not: of that one,
+/// only why it is not checked.
 std::vector<TranslationCheck> print_translation_checks(Unit& unit, Writer& out);
 
 // tests.cpp

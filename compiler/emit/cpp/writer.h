@@ -11,10 +11,12 @@ inline constexpr std::size_t line_width = 120;
 
 class Writer {
 public:
-    /// One line at the present depth. A line that is too long is broken after a comma or before an operator, at the
-    /// lowest depth of brackets that has one; comments are not broken.
+    /// One line at the present depth. A line that is too long is broken after a comma or before `&&`, `||`, `?`, `:` or
+    /// `+`: of those places that are not in the first third of the room, at the last one of the lowest depth of
+    /// brackets. Comments are not broken.
     void line(std::string_view text);
-    /// Adds an empty line, unless there is one already or a block has just begun.
+    /// Adds an empty line, unless there is one already, a block has just begun, or the last line is a label
+    /// (`public:`).
     void gap();
     /// `text {` and one level deeper.
     void open(std::string_view text);

@@ -1,6 +1,6 @@
-// Writes that are combined (scatter<S, op>): one atomic operation. Where devices need not have it for floats, these are
-// kept as integers with their bits: sums in buffers are made by compare-and-swap, minima and maxima by integer
-// operations without a loop.
+// Writes that are combined (scatter<S, op>): one atomic operation on integers, and for sums of floats in images, which
+// need GL_EXT_shader_atomic_float. Other floats are kept as integers with their bits: sums in buffers are made by
+// compare-and-swap, minima and maxima by integer operations without a loop.
 #include "emit/glsl/printer.h"
 
 #include <algorithm>

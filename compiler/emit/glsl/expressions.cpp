@@ -271,8 +271,9 @@ std::string print_side(Printer& p, ExprId id, Level least) {
     return print(p, id, least);
 }
 
-/// The arguments of a struct's, an array's, a vector's or an optional's constructor. For a type with bools, structs
-/// that lie in blocks are composed of their parts, since glslang passes them as they lie there.
+/// The arguments of a struct's, an array's, a vector's or an optional's constructor. If the type is no vector and has
+/// bools, structs, arrays and optionals that lie in blocks are composed of their parts, since glslang passes them as
+/// they lie there.
 std::string parts_of_whole(Printer& p, const Expr& expr) {
     const TypeKind kind = p.program.types.kind(expr.type);
     const bool has_parts = kind == TypeKind::struct_ || kind == TypeKind::array || kind == TypeKind::optional;

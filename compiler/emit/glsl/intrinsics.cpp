@@ -1,4 +1,5 @@
-// Intrinsics: the GLSL function of the same name, or a helper where GLSL leaves the result open.
+// Intrinsics: a function or operator of GLSL, or a helper where GLSL has none, leaves the result open, or drivers get
+// it wrong.
 #include "emit/glsl/printer.h"
 #include "ir/walk.h"
 

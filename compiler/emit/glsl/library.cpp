@@ -24,7 +24,7 @@ std::vector<bool> used_parameters(const Program& program, const Pass& pass) {
     return used;
 }
 
-/// What all functions share: the union of their memories and state, by name.
+/// What all functions share: the union of their memories, by place, and of their state, by name.
 struct Interface {
     Pass all;
     Scopes names;

@@ -1,4 +1,4 @@
-// Names in GLSL: as in the source where possible, unique in their scope, never a word of GLSL.
+// Names in GLSL: as in the source where possible, different from all that are visible, never a word of GLSL.
 #pragma once
 
 #include <string>
@@ -8,10 +8,12 @@
 
 namespace gliftc::glsl {
 
-/// Whether it is a keyword, a built-in function, a reserved word, or a name that the printer itself uses.
+/// Whether it is a keyword, a built-in function, a reserved word, or a name that the printer itself uses; or begins
+/// like one of these (gl_, atomic, …), contains "__", or is empty.
 bool is_reserved(std::string_view name);
 
-/// `text` with every run of characters that a GLSL name can't have replaced by one '_'.
+/// `text` with every run of characters that a GLSL name can't have replaced by one '_', or left out at the beginning
+/// and the end; an 'n' is put before a digit. "value" if nothing is left.
 std::string identifier(std::string_view text);
 
 /// Nested scopes. A name declared inside never hides one declared outside.
@@ -22,7 +24,8 @@ public:
     void enter() { scopes_.emplace_back(); }
     void leave();
 
-    /// Declares `wanted`, or the first of wanted_1, wanted_2, … that is free, in the innermost scope.
+    /// Declares identifier(wanted), or the first of wanted_1, wanted_2, … that is free, in the innermost scope; with
+    /// "the_" before it if the beginning is reserved.
     std::string declare(std::string_view wanted);
     bool is_free(const std::string& name) const { return !is_reserved(name) && !used_.contains(name); }
 

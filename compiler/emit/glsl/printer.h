@@ -168,8 +168,8 @@ Text print(Printer& p, ir::ExprId expr);
 std::string print(Printer& p, ir::ExprId expr, Level least);          ///< in parentheses if looser than `least`
 std::string print_any(Printer& p, ir::ExprId expr);                   ///< where any expression can stand: an argument
 std::string print_as(Printer& p, ir::ExprId expr, ir::TypeId shape);  ///< a scalar made a vector where `shape` is one
-std::string print_place(Printer& p, ir::ExprId expr);  ///< for an atomic operation: memory that it changes
-std::string print_negated(Printer& p, ir::ExprId condition);
+std::string print_place(Printer& p, ir::ExprId expr);         ///< for an atomic operation: memory that it changes
+std::string print_negated(Printer& p, ir::ExprId condition);  ///< `!condition`, or a < b for !(a >= b) and the like
 std::string join_arguments(Printer& p, const ir::Operands& arguments);
 bool is_constant(const Printer& p, ir::ExprId expr);  ///< a constant, or made of constants only
 
@@ -206,9 +206,10 @@ std::string texel_text(Printer& p, ir::ExprId id);
 std::string bindings_text(Printer& p);
 std::string parameter_members(Printer& p);
 std::string parameters_text(Printer& p);
-/// Where parameters lie in a buffer and specialisation constant 103 says so, the shader copies them to variables when
-/// it begins: llvmpipe, which does not know that nobody writes them, would read them again for each lane wherever they
-/// are used. GPUs read them in place; there copies would take registers.
+/// How the names in p.parameter_names read the parameters. Where they lie in a buffer and specialisation constant 103
+/// says so, the shader copies scalars and vectors to variables when it begins (print_parameter_copies): llvmpipe, which
+/// does not know that nobody writes them, would read them again for each lane wherever they are used. GPUs read them in
+/// place; there copies would take registers.
 void name_parameter_reads(Printer& p);
 void print_parameter_copies(Printer& p);
 /// Whether the binding's elements are floats that are combined by atomic operations on integers: it is declared as ints

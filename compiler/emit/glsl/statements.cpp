@@ -178,7 +178,7 @@ std::string barrier_text(Printer& p) {
     return "controlBarrier(gl_ScopeWorkgroup, gl_ScopeWorkgroup, " + memory + ", gl_SemanticsAcquireRelease);";
 }
 
-/// Whether the statement only moves a value of an empty type, which is not printed.
+/// Whether the statement only declares, assigns or evaluates a value of an empty type: then it is not printed.
 bool is_about_nothing(const Printer& p, const Stmt& stmt) {
     if (stmt.op == StmtOp::let) return is_empty(p.program, p.program.locals[stmt.local].type);
     if (stmt.op == StmtOp::assign) return is_empty(p.program, p.program.exprs[stmt.target].type);

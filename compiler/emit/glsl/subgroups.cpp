@@ -1,5 +1,5 @@
 // Subgroup operations. GLSL exchanges scalars and vectors between lanes; other types are exchanged part by part, in a
-// function for each type. Where the lane that is asked is not in the subgroup, the lane that asks gets its own value.
+// function for each type. A lane that asks for the value of a lane which is not in the subgroup gets its own.
 #include "emit/glsl/printer.h"
 
 #include <stdexcept>
@@ -72,8 +72,8 @@ Text exchange(Printer& p, Helper helper, const Expr& expr) {
     return {need(p, helper, expr.type) + "(" + join_arguments(p, expr.operands) + ")"};
 }
 
-/// GLSL's broadcast wants the same lane for all invocations; that it is the same is known of constants only. Others are
-/// shuffled.
+/// GLSL's broadcast wants the same lane number in all invocations, which is known of constants only. With another
+/// number it is a shuffle.
 Text broadcast(Printer& p, const Expr& expr) {
     return exchange(p, is_constant(p, expr.operands[1]) ? Helper::broadcast : Helper::shuffled, expr);
 }

@@ -28,9 +28,10 @@ struct Body {
 
 /// An element of a buffer: `f_data[index]`, or through its row pointer, `f_data_row[i]`.
 std::string element_text(Body& body, std::uint32_t binding, ir::ExprId index);
-/// Prints the functions of the pass that access memory or parameters, as lambdas.
+/// Prints the functions of the pass that are not pure (cpp::is_pure), as lambdas.
 void print_local_functions(Body& body);
-/// Declarations of the bindings and parameters that were used, to stand before `text`.
+/// Prints declarations of the bindings and parameters that `body` has used so far, to stand before its code: they read
+/// the HostCall `call`, whose parameters are a `<name>_parameters`.
 void declare_used(Body& body, cpp::Writer& out, const std::string& name);
 bool returns_early(const ir::Program& program, const std::vector<ir::StmtId>& body);
 

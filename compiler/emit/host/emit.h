@@ -1,8 +1,8 @@
 // Lowered kernels as C++ for the host device.
 //
-// A kernel without a group becomes a function for one row of elements, x innermost, which the host device calls for all
-// rows in parallel. Memory that a row runs through in order is reached by a pointer to the row's first element. Where a
-// kernel looks at neighbours, the part of a row away from the sides of the domain runs without checks.
+// A kernel without a group becomes a function for rows of elements along x, which the host device calls for parts of
+// all rows in parallel. Memory whose index advances by one along a row is reached by a pointer to the row's first
+// element. Where a kernel looks at neighbours, the part of a row away from the sides of the domain runs without checks.
 //
 // A kernel with a group becomes a function for one workgroup: the code between two barriers is a loop over the
 // invocations, values that live on across a barrier are arrays with an element for each invocation.
