@@ -13,7 +13,8 @@ using Kernel = void (*)(const glift::Commands&, const glift::Range<Numbers>& x, 
 
 enum class Zero { signed_, either };  ///< how zeros are compared; either: the sign of a zero is unspecified
 
-/// A function whose results have the same bits on every device (NaNs apart).
+/// A function whose results have the same bits on every device, but for those of NaNs and, with Zero::either, the signs
+/// of zeros.
 struct Exact {
     const char* name;
     Kernel kernel;

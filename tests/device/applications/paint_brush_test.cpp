@@ -217,7 +217,8 @@ const Words* page_in(const State& state, Word frame) {
     return nullptr;
 }
 
-/// The pool is 8 frames of 17 texels along each axis: 136 texels, of which the picture has a pixel for each.
+/// The pool's 64 frames are shown in 8 rows of 8, each frame by its 17 x 17 columns of texels along z: 136 x 136
+/// pixels.
 TEST_P(PaintBrush, ShowsAllFramesAndTheTable) {
     Canvas canvas(device, model(), small(64));
     for (const Stroke& stroke : random_strokes(2, 21)) canvas.paint(stroke);

@@ -87,7 +87,8 @@ struct Held {
     }
 };
 
-/// Alters every byte of the header and every 1000th of the rest, and cuts the file at every multiple of 4096 bytes.
+/// Alters every byte of the header and every 1000th of the rest, and cuts the file at every multiple of 4096 bytes and
+/// at four other sizes.
 void expect_damage_is_refused(Held& file) {
     ASSERT_EQ(file.refused(file.bytes()), "");
     for (std::size_t at = 0; at < 64; ++at)

@@ -60,8 +60,8 @@ public:
     /// Whether a page that shares a node of a level is not resident: then a coarser page decides the node's value.
     bool hangs(const Place& node, Word level) const { return !all_around(node, level); }
 
-    /// The weighted mean of the up to 27 nodes of the next finer level about a node; none where one of the pages that
-    /// share the node there is not resident, or none of these nodes is painted.
+    /// The weighted mean of the up to 27 nodes of the next finer level about a node; none on level 0, or where one of
+    /// the pages that share the node on the finer level is not resident, or none of the 27 nodes is painted.
     std::optional<Colour> mean(const Place& node, Word level) const;
 
 private:

@@ -1,6 +1,6 @@
 // Adaptive fields (quadtrees and octrees) with random pages and values, sampled everywhere, also on the edges of pages
 // and at hanging nodes; compared with an interpolator in double precision that has no frames or tables. For pools that
-// are too small, each policy is compared with a model of which pages are resident.
+// are too small, each policy but evict_coarsen is compared with a model of which pages are resident.
 #include "model.h"
 #include "property.h"
 

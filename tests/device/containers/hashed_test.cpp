@@ -1,4 +1,4 @@
-// Sparse arrays whose page table is a hash map of pages: random requests, dismissals, writes, refinements and reads, at
+// Sparse arrays whose page table is a hash set of pages: random requests, dismissals, writes, refinements and reads, at
 // both ends of the axes and in the middle. Each change is compared with std::unordered_map, for each policy of pools
 // that are too small: status, contents, the order of frames and the layout of the hash map, which are the same on every
 // run and device.
@@ -188,8 +188,8 @@ private:
         return made;
     }
 
-    /// Requests from kernels are limited by the set of wanted pages, whose size is twice the capacity. A list of pages
-    /// may be longer if the pool grows.
+    /// Requests from kernels are limited by the set of wanted pages, whose size is twice the capacity at the start. A
+    /// list of pages may be longer if the pool grows.
     void request() {
         const bool is_long = policy_of<Sheet> == Policy::grow && round_.chance(2);
         std::vector<uint2> asked = places(is_long ? 5 * capacity_ : 2 * capacity_);

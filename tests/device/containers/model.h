@@ -111,7 +111,7 @@ private:
 
     Overflow policy_;
     Number bound_;
-    Number round_ = 0, next_ = 0;  ///< next_: the first frame that was never used
+    Number round_ = 0, next_ = 0;  ///< next_: the first frame from which on none was used since the last `compact`
     Status status_;
     std::map<Number, Number> frames_;
     std::unordered_map<Number, Number> used_;

@@ -1,4 +1,4 @@
-// Runs an example the way a user does, with caches in the build tree and lavapipe as the Vulkan device.
+// Runs an example the way a user does, with caches in the build tree, and on lavapipe unless `environment` says other.
 #pragma once
 
 #include "support/process.h"

@@ -1,4 +1,5 @@
-// Draws of the language in recordings, and in the command buffer of a program that uses Vulkan itself.
+// Draws of the language in recordings, in the command buffer of a program that uses Vulkan itself, and into its images;
+// and derivatives of what draws load.
 #include "draws.glift.hpp"
 #include "plain_vulkan.h"
 #include "user_image.h"

@@ -1,4 +1,5 @@
-// Glift in a program that has its own Vulkan device: the runtime adopts the program's objects.
+// Glift in a program that has its own Vulkan device: the runtime adopts the program's objects. Also devices that are
+// opened with extensions of the program's, and whether validation reports mistakes.
 #include "plain_vulkan.h"
 
 namespace {

@@ -1,5 +1,6 @@
-// Fault injection: of the Vulkan calls that the work below makes and that can fail, each is made to fail once. The
-// result must be an Error or the right data, never a crash or wrong data.
+// Fault injection: of the Vulkan calls that the work below makes, those that can fail (listed in plain_vulkan.cpp) are
+// made to fail one by one, with each of three errors. The result must be an Error or the right data, never a crash or
+// wrong data.
 #include "plain_vulkan.h"
 
 namespace {
