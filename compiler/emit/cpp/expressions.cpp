@@ -224,7 +224,7 @@ Text print_index(Printer& p, const Expr& expr) {
     return {is_of_array ? as_value(p, expr, std::move(text)) : std::move(text)};
 }
 
-/// A part of an element, as an lvalue in memory.
+/// An element or a part of one, as an lvalue in memory.
 std::string print_place(Printer& p, ir::ExprId id) {
     const Expr& expr = p.program.exprs[id];
     if (expr.op == Op::load || expr.op == Op::row_load || expr.op == Op::image_load) return p.outer_place(expr);

@@ -19,7 +19,7 @@ using ir::PassBinding;
 using ir::PassParameter;
 using ir::Pattern;
 
-/// How the structure passed for a parameter is spelled in the kernel's function.
+/// How the argument passed for a parameter is spelled in the kernel's function.
 const std::string& param_name(const Unit& unit, const KernelParam& param) {
     return unit.globals.param_names.at(&param);
 }
@@ -84,7 +84,7 @@ std::string memories_text(Unit& unit, const Kernel& kernel, const Pass& pass) {
     return text;
 }
 
-/// The parameter whose range gives the size of the iteration.
+/// The first visited parameter. Its range gives the size of the iteration, except in draws and kernels over blocks.
 const KernelParam* first_visited(const Kernel& kernel) {
     for (const KernelParam& param : kernel.params) {
         if (ir::visits(param.pattern)) return &param;
@@ -173,8 +173,8 @@ void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& p
     out.line("commands.dispatch(" + name + "_kernel, " + call + "});");
 }
 
-/// The condition for the direct form: all ranges are whole structures, and parameters that it takes to be made alike
-/// (KernelParam::alike) have equal states.
+/// The condition for the direct form, but for the one on sharing: all ranges are whole structures, and parameters that
+/// the form takes to be made alike (KernelParam::alike) have equal states.
 std::string direct_condition(const Unit& unit, const Kernel& kernel) {
     std::string condition = "iteration.is_whole()";
     for (std::size_t i = 0; i < kernel.params.size(); ++i) {
@@ -223,7 +223,8 @@ std::optional<std::size_t> range_of_first_at(const Kernel& kernel) {
     return ir::range_giver(kernel.params, 0);
 }
 
-/// `[[maybe_unused]] ` before a value that no form of the kernel has a parameter for.
+/// What stands before a value: `[[maybe_unused]] ` if no form of the kernel has a parameter that is computed from it,
+/// else nothing.
 static std::string value_mark(const Unit& unit, std::uint32_t kernel, ir::LocalId value) {
     bool used = false;
     const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];

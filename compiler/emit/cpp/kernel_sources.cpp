@@ -12,7 +12,8 @@ namespace {
 /// How many kernels a source has on average at least: for fewer it is not worth compiling the headers once more.
 constexpr std::size_t kernels_of_a_source = 8;
 
-/// A hash of the kernel's name alone, so that a kernel stays in its source when others come and go.
+/// A hash of the kernel's name alone, so that a kernel stays in its source when others come and go, as long as the
+/// number of sources that are used stays the same.
 std::uint32_t hash_of_name(const ir::Program& program, std::uint32_t kernel) {
     std::uint32_t hash = 2166136261u;
     for (char c : program.kernels[kernel].display) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;

@@ -9,6 +9,9 @@
 //   <name>.glift.kernels.cpp          the code of the module's own kernels (kernel_sources.cpp)
 //   <name>.glift.library.kernels.cpp  the code of kernels of other modules
 //
+// With several shards there are also .glift.kernels.2.cpp and so on, and with Options::spirv_files .spirv files beside
+// the sources of kernels.
+//
 // Several headers may define a class: an #ifndef of its name skips all definitions but the first. A function of a
 // module that has a source of its own is defined there; instances of generics and functions of other modules are weak
 // symbols, so that it does not matter how many sources define them.

@@ -198,7 +198,7 @@ struct Naming {
         }
     }
 
-    /// Public kernels are named first, so that they get the names that users wrote.
+    /// Public kernels are named before pipelines and other kernels, so that they get the names that users wrote.
     void functions() {
         names.kernels.resize(program.kernels.size());
         kernels_that_are(true);

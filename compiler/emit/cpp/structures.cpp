@@ -84,7 +84,7 @@ bool is_written_as(const Structure& structure, std::size_t member) {
     return structure.members[member].by_reference || (!structure.base.empty() && structure.base[0] == member);
 }
 
-/// The accessor of the memory, if that is a structure with another name than the member's.
+/// The accessors of the memory, if that is a structure with another name than the member's.
 void print_base(const Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
     if (names.base.empty()) return;
     const Structure& structure = unit.program.structures[index];
@@ -248,8 +248,8 @@ std::string member_value(Unit& unit, Printer& p, const std::string& owner, const
     return unit.class_name(member.structure) + "(" + arguments + ")";
 }
 
-/// The value of a member that is given to the constructor, with the check that it was made as the structure would have
-/// made it.
+/// The value of a member that is given to the constructor, with the check that it was made with the values that the
+/// structure would have given it; structures that it was made with are not compared.
 std::string adopted_part(Unit& unit, Printer& p, std::uint32_t index, std::size_t i, const ClassNames& names) {
     const ir::MemberStructure& member = unit.program.structures[index].members[i];
     const ClassNames& made = unit.globals.class_names[member.structure];

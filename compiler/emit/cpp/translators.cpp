@@ -62,7 +62,8 @@ void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, 
     out.close(";");
 }
 
-/// Whether a translator is a total affine map, not many-to-one, that depends on the structure's arguments alone.
+/// Whether a translator is a total affine map, not many-to-one, that reads no other structures, and whose function
+/// print_method can print.
 static bool is_plain_map(const ir::Program& program, const ir::Translator& translator) {
     return translator.properties.affine && !translator.properties.partial &&
            translator.properties.mapping != ir::Mapping::many_to_one && translator.structures.empty() &&

@@ -1,6 +1,6 @@
 // Helpers: operations that GLSL lacks or does not define for all operands, as functions printed before the source's own
-// where they are used. Each gives what the host device and the constant evaluator give, bit for bit, except `angle`
-// (atan2) away from (0, 0).
+// where they are used. Those of arithmetic give what the host device and the constant evaluator give, bit for bit, if
+// the division does (Rounding::correct); except `angle` (atan2) away from (0, 0).
 #include "emit/glsl/printer.h"
 
 #include <algorithm>

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t line_length = 110;
 
-/// The best place to break a line before `limit`: at the last of the operators and commas at the lowest depth of
-/// brackets.
+/// The best place to break a line before `limit`: of the spaces before an operator or behind a comma, the last one at
+/// the lowest depth of brackets. npos: there is none, but for the first few characters.
 std::size_t break_point(const std::string& text, std::size_t from, std::size_t limit) {
     std::size_t best = std::string::npos;
     int depth = 0, best_depth = 1000;
@@ -107,7 +107,7 @@ void print_if(Printer& p, const Stmt& stmt, const std::string& before) {
     line(p, "}");
 }
 
-/// Whether the expression has the same value in each iteration of a loop.
+/// Whether the expression obviously has the same value in each iteration of a loop.
 bool is_steady(const Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
     switch (expr.op) {
