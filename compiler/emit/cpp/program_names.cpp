@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t longest_name = 48;
 
-/// Names of members that every generated class of the kind has, itself or from its base.
+/// Names of members that generated classes of the kind have, all or some of them, themselves or from their base.
 NameSet members_of_class(ir::StructureKind kind) {
     NameSet names{"address", "box",        "commands",  "describe", "domain", "other",
                   "range",   "same_state", "type_name", "value",    "See",    "see"};

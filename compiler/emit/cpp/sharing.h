@@ -10,7 +10,7 @@ namespace gliftc::cpp {
 /// format.
 bool may_share(const ir::Pass& pass);
 
-/// The fields of glift::Binding that say how the parameter accesses the memory.
+/// The fields of glift::Binding that say which parameter the memory belongs to and how that accesses it.
 std::string sharing_fields(const ir::Program& program, const ir::Kernel& kernel, const ir::PassBinding& binding);
 
 }  // namespace gliftc::cpp
