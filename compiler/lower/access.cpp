@@ -1,5 +1,5 @@
-// Expander: reads and writes of elements. Makes the address, the guard (the condition under which the access is
-// allowed), and the load or store.
+// Expander: reads, writes and atomic operations on elements. Makes the address, the guard (the condition under which
+// the access is allowed), and the load, store or atomic operation.
 #include "ir/chain.h"
 #include "ir/walk.h"
 #include "lower/expand.h"
@@ -71,8 +71,8 @@ bool Expander::is_coherent(const Place& place) const {
     });
 }
 
-/// The target of an atomic operation: `part`, which is an element or a field or component of one, on the load `element`
-/// in place of the read of that element.
+/// The target of an atomic operation: `part`, which is an element or a part of one (field, component, array item), on
+/// the load `element` in place of the read of that element.
 ExprId Expander::part_of(ExprId part, ExprId element) {
     Expr node = p.exprs[part];
     if (node.op == Op::read) return element;
@@ -81,7 +81,8 @@ ExprId Expander::part_of(ExprId part, ExprId element) {
     return p.exprs.add(std::move(node));
 }
 
-/// An atomic operation on an element of a coherent parameter. At an unmapped address it does nothing and gives zero.
+/// An atomic operation on an element of a coherent parameter. Outside the domain and at an unmapped address it does
+/// nothing and gives zero, if it has a result.
 Pair Expander::atomic(const Expr& node) {
     const Expr target = place_of(p, node.operands[0]);
     Place place = resolved(target.place);
@@ -187,7 +188,7 @@ ExprId Expander::element(std::uint32_t root, Span) {
     ExprId value = guarded_load(place, centre(root), guard, {}, otherwise_around(place), cx.name_of(place) + "_value");
     const bool is_read_only = cx.kernel.params[root].direction == Direction::in && !may_be_written_elsewhere(cx, root);
     if (is_read_only || p.exprs[value].op == Op::local) return value;
-    // The memory is also written: a `let` keeps the load from moving past a store.
+    // The memory may also be written: a `let` keeps the load from moving past a store.
     return make.local(let(cx.name_of(place) + "_value", value, span_));
 }
 

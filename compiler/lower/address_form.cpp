@@ -16,8 +16,8 @@ Pair Expander::through_form(const Place& place, const Stage& stage, ExprId addre
     return form.is_known ? made_again(form, address, name) : expanded(place, stage, address, name);
 }
 
-/// Whether no component of the address is uniform. Where one is, expanding the translator would give other code, since
-/// the host evaluates calls with uniform arguments.
+/// Whether the address is known to have no uniform component. Where it has one, expanding the translator would give
+/// other code, since the host evaluates calls with uniform arguments.
 bool Expander::varies_in_all(ExprId address) {
     const Expr& node = p.exprs[address];
     if (is_uniform(cx, address)) return false;
@@ -55,8 +55,8 @@ void Expander::find_form(AddressForm& form, TypeId address) {
     form.is_known = is_value && (!form.has || make.is_constant(form.has)) && collect_nodes(form, first);
 }
 
-/// Collects the nodes of the form. True if they use only components of the address, not the vector as a whole: that
-/// would be the result of folding uint2(a.x, a.y) to a, which does not hold for every address.
+/// Collects the nodes of the form. True if the address is a scalar, or they use only its components, not the vector as
+/// a whole: that would be the result of folding uint2(a.x, a.y) to a, which does not hold for every address.
 bool Expander::collect_nodes(AddressForm& form, ExprId first) {
     const bool is_vector = p.types.is_vector(make.type(form.address));
     bool is_known = !is_vector || form.value != form.address;

@@ -75,7 +75,7 @@ Parts Degrees::call(FunctionId id, std::vector<Parts> arguments) {
     return result;
 }
 
-/// The result of an operation that is not linear: uniform if all operands are, else `other`.
+/// The result of an operation that is not known to be linear: uniform if all operands are, else `other`.
 Parts Degrees::joined(const Expr& node) {
     Degree degree = Degree::uniform;
     for (ExprId operand : node.operands) degree = std::max(degree, highest(of(operand)));

@@ -1,5 +1,6 @@
 // Expander: kernels over blocks. An invocation's `address` is {position in its block, number of the block}. First come
-// the values that depend on the number alone, then the test whether the element is visited, then the body.
+// the values that depend on the number alone, then the test whether the element is visited (with Guards::block: whether
+// all elements of the block are), then the body.
 #include "lower/blocks.h"
 
 #include "ir/chain.h"
@@ -102,8 +103,8 @@ Pair Expander::of_owner(FunctionId function, std::vector<Pair> arguments) {
     });
 }
 
-/// x, where the value is written as x * divisor; absent otherwise. A block that begins at such a product begins at a
-/// multiple of its size, and x is its number along the axis.
+/// x, where the value is written as x * divisor (divisor 1: the value itself); absent otherwise. A block that begins at
+/// such a product begins at a multiple of its size, and x is its number along the axis.
 ExprId Expander::quotient_of(ExprId value, std::uint64_t divisor) {
     const Expr* node = &p.exprs[value];
     if (node->op == Op::local)
@@ -222,7 +223,8 @@ ExprId Expander::is_block_there() {
     return make.both(block_.is_there, make.both(all_less(first, size), all_less(last, size)));
 }
 
-/// Whether the value is the same for all elements of a block.
+/// Whether nothing in the expression depends on the element's position in its block. (Loads in it may still give other
+/// values after a store.)
 bool Expander::is_of_block(ExprId id) {
     const Expr& node = p.exprs[id];
     if (node.op == Op::builtin || (node.op == Op::local && p.locals[node.local].is_mutable)) return false;
@@ -250,16 +252,17 @@ ExprId Expander::without_block_tests(ExprId condition) {
     return make.both(without_block_tests(node.operands[0]), without_block_tests(node.operands[1]));
 }
 
-/// Whether the statement is a `let` of a pure value that depends on the block alone: it may come before the test
-/// whether the element is visited.
+/// Whether the statement gives an immutable local a pure value that depends on the block alone: it may come before the
+/// test whether the element is visited.
 bool Expander::is_value_of_block(StmtId id) {
     const Stmt& stmt = p.stmts[id];
     return stmt.op == StmtOp::let && stmt.value && !p.locals[stmt.local].is_mutable && is_of_block(stmt.value) &&
            numbers_.is_pure(stmt.value);
 }
 
-/// The prelude and the body, under the condition that they are valid: the element is visited, or with Guards::block,
-/// all elements of the block are.
+/// The prelude, and the body under the condition that it is valid. That is an `if` that the element is visited, before
+/// which only those values of the prelude stand that depend on the block alone; with Guards::block an `evaluate` after
+/// the prelude: all elements of the block are visited, and block_.holds.
 Expander::Block Expander::visited_block(Block body) {
     return collect([&] {
         if (guards_ != Guards::block) {

@@ -37,8 +37,8 @@ public:
     explicit BlockValues(Context& context) : cx(context), numbers_(context) {}
 
     bool has(ExprId id);
-    /// Whether the statement is a `let` of such a value. The local of any other `let` is noted as varying, so this has
-    /// to be called for all statements in order.
+    /// Whether the statement is a `let` that gives such a value to an immutable local. The local of any other `let` is
+    /// noted as varying, so this has to be called for all `let`s, in the order of the body.
     bool has(const ir::Stmt& stmt);
 
 private:

@@ -45,7 +45,8 @@ std::optional<Parts> Following::translated(Parts address) {
     return address;
 }
 
-/// Narrows the bounds of numbers that vary by facts: sums that are at least zero.
+/// Narrows the upper bounds of unknowns that vary by facts, which are sums that are at least zero: in the values of
+/// locals, such an unknown is replaced by one with a smaller upper bound.
 void Following::assume(const std::vector<Sum>& facts) {
     for (const Sum& fact : facts) {
         for (const auto& [product, factor] : fact) {

@@ -1,7 +1,7 @@
-// Lowers kernels on several threads. The program is the trunk, of which each thread has a branch: the branch sees the
-// trunk's nodes, which nobody changes meanwhile, and adds its own. Afterwards the branches' nodes are moved to the
-// trunk in the order of the kernels ("grafted"), so that the result does not depend on which thread did what.
-// Expressions and statements are not copied: the arenas hand over whole blocks of memory.
+// For lowering kernels on several threads (pipeline.cpp). The program is the trunk, of which each thread has a branch:
+// the branch sees the trunk's nodes, which nobody changes meanwhile, and adds its own. Afterwards the branches' nodes
+// are moved to the trunk in the order of the kernels ("grafted"), so that the result does not depend on which thread
+// did what. Expressions and statements are not copied: the arenas hand over whole blocks of memory.
 #pragma once
 
 #include "ir/pass.h"
@@ -19,7 +19,7 @@ struct Branch {
     Names names;
     ir::Program program;
     // Names and types with ids below first_name and first_type are the trunk's own. For those that the branch added,
-    // the vectors have the trunk's ids, as far as they have been grafted.
+    // trunk_names and trunk_types have the trunk's ids, as far as they have been grafted.
     const std::uint32_t first_name, first_type;
     std::vector<Name> trunk_names;
     std::vector<ir::TypeId> trunk_types;
@@ -30,7 +30,7 @@ struct Branch {
 struct Growth {
     Branch* branch = nullptr;
     Mark begin, end;
-    std::uint32_t names = 0, types = 0;  ///< how many of them the branch had at `end`
+    std::uint32_t names = 0, types = 0;  ///< how many names and types the branch had at `end`
     Mark to;
 };
 

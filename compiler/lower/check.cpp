@@ -1,9 +1,10 @@
 // Expander: checks of checked builds (gliftc --checked). Accesses by address outside a structure are reported.
 //
-// Reported is a read or write by address, in a kernel or a function that it calls, outside the domain of a structure
-// that does not define what lies outside. A structure defines that by `otherwise`, or by a first translator that is
-// partial (a border, a page table). Not reported are accesses by translators and views, which may rely on reading zeros
-// outside, nor `near`, `sample`, `find` and `contains`, which are meant for addresses that may be outside.
+// Reported is a read, write or atomic operation by address, in a kernel or a function that it calls, outside the domain
+// (or range) of a structure that does not define what lies outside. A structure defines that by an `otherwise` of its
+// own or of its memory, or by a first translator that is partial (a border, a page table). Not reported are accesses by
+// translators, views and functions of blocks, which may rely on reading zeros outside, nor `near`, `sample`, `find` and
+// `contains`, which are meant for addresses that may be outside.
 #include "ir/chain.h"
 #include "lower/expand.h"
 

@@ -71,8 +71,9 @@ private:
         for (StmtId id : stmt.otherwise) visit(cx.p.stmts[id]);
     }
 
-    /// The stored value is evaluated before any store. Addresses and conditions are evaluated later, when other
-    /// elements may have stored, so they must not depend on memory that is written.
+    /// The value of a store outside of ifs is evaluated before any store. Addresses, conditions and all that is inside
+    /// an if are evaluated later, when other elements may have stored, so they must not depend on memory that is
+    /// written, nor on mutable locals.
     void visit_store(const Stmt& stmt) {
         fits_ = fits_ && (is_store(stmt) || stmt.op == StmtOp::if_);
         for_each_root(stmt, [&](ExprId root) {
@@ -219,9 +220,9 @@ private:
         }
     }
 
-    /// The statements under the condition that there is a second element. Where all loads come before the first store,
-    /// stores need it only if loads are shared: otherwise the second element is a copy of the first where there is
-    /// none, and storing it again changes nothing.
+    /// The statements under the condition that there is a second element. Where both elements are computed before the
+    /// first store (run), the second one's stores need the condition only if loads are shared: otherwise the second
+    /// element is a copy of the first where there is none, and storing it again changes nothing.
     StmtId where_there_is_one(const std::vector<StmtId>& statements) {
         Stmt stmt = statement(StmtOp::if_, cx.p.stmts[statements.front()].span);
         stmt.value = has_next_;

@@ -18,8 +18,9 @@ struct Coarsened {
     std::array<std::uint32_t, 3> elements = {1, 1, 1};  ///< how many elements along each axis
 };
 
-/// Two elements, all loads before the first store. `made` is the expander that made the body: it knows which values
-/// neighbour reads gave, some of which the second element uses again.
+/// Two elements, both computed before the first store; loads that come later are of memory that the pass does not
+/// write. `made` is the expander that made the body: it knows which values neighbour reads gave, some of which the
+/// second element uses again.
 Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander& made);
 
 /// Two elements, one after the other: the statements of the first, then, if there is a second one, those of the second.
@@ -31,15 +32,15 @@ Coarsened coarsened_in_turn(Context& cx, const std::vector<StmtId>& body);
 /// these, devices that skip branches run the elements without a loop.
 Coarsened coarsened_in_block(Context& cx, const std::vector<StmtId>& body, const std::vector<StmtId>& whole);
 
-/// Whether all stores of a body may be delayed until other elements have made their loads; and how many loads and nodes
-/// the body has.
+/// Whether a body has stores, all of which may be delayed until other elements have made their loads; and how many
+/// loads and nodes it has.
 struct StoredLast {
     bool holds = false;
     std::size_t loads = 0, nodes = 0;
 };
 StoredLast stored_last(Context& cx, const std::vector<StmtId>& body);
 
-/// Whether the statement is or contains a store.
+/// Whether the statement is or contains a store to a buffer or image (atomic updates do not count).
 bool has_store(const ir::Program& program, const ir::Stmt& stmt);
 
 /// Makes a store that may be delayed: a `let` of its value is added to `before`, if needed. `ends_in_stores`: only

@@ -3,8 +3,8 @@
 // less often.
 //
 // Blocks all of whose elements are visited have separate code, on devices that skip branches: elements without a loop,
-// at constant positions in the block, several of which load before any is stored. A loop that stores before it loads
-// again would wait for memory in every iteration.
+// at constant distances from the invocation's first one, several of which load before any of these is stored. A loop
+// that stores before it loads again would wait for memory in every iteration.
 #include "ir/walk.h"
 #include "lower/blocks.h"
 #include "lower/coarsen.h"

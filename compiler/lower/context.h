@@ -1,4 +1,4 @@
-// The context of lowering one kernel in one form: what its passes share.
+// The context of lowering one kernel in one form: what the transformations of its bodies share.
 #pragma once
 
 #include "base/id_set.h"
@@ -25,7 +25,8 @@ struct FunctionKey {
     ir::FunctionId function;
     std::vector<std::vector<std::uint32_t>> places;  ///< for each structure its Place: root, then members
     std::vector<std::uint32_t> state;  ///< of a translator's function: place of the structure, then index of the stage
-    bool is_within = false;            ///< called by a translator or view: checked builds do not check its accesses
+    bool is_within = false;  ///< called by a translator, a view or a function of blocks: checked builds do not check
+                             ///< its accesses
     auto operator<=>(const FunctionKey&) const = default;
 };
 
@@ -66,15 +67,16 @@ struct Context {
     ExprId first_expr;
     LocalId first_local;
 
-    /// The value of each immutable local that a `let` of this pass declares.
+    /// The values of immutable locals that `let`s of the lowered bodies declare (not all of them: `address` and
+    /// `in_range`, for example, are left out).
     NodeMap<LocalId, ExprId> definitions{first_local};
     /// Names that the source gives to values, used for locals that passes introduce for them.
     NodeMap<ExprId, Name> names{first_expr};
     void name(ExprId id, std::string_view text) { names.emplace(id, p.names->intern(text)); }
     std::map<FunctionKey, ir::FunctionId> instances;
     std::vector<std::unique_ptr<AddressForm>> address_forms;
-    /// Results of calls whose arguments are all integer constants, such as unit(2), by function and arguments; absent:
-    /// the call cannot be evaluated.
+    /// Results of calls whose arguments are all constants of integers, bools or enums, such as unit(2), by function and
+    /// arguments; absent: the call cannot be evaluated.
     std::map<std::vector<std::uint64_t>, ExprId> known_calls;
     /// The functions in `instances`. They may load, so calls of them are not uniform.
     std::unordered_set<ir::FunctionId> made_functions;
@@ -107,8 +109,8 @@ std::uint32_t uniform_size(Context& cx, ExprId id);
 constexpr std::uint32_t largest_uniform = 1024;
 inline bool is_uniform(Context& cx, ExprId id) { return uniform_size(cx, id) != 0; }
 
-/// Whether the expression is so short (a name, a constant, or a component or field of one) that a local for it is not
-/// worth it.
+/// Whether the expression is so short that a local for it is not worth it: a constant, parameter, builtin, immutable
+/// local or property of a structure, or a component, field or optional's part of one.
 bool is_trivial(const Context& cx, ExprId id);
 
 }  // namespace gliftc::lower

@@ -33,7 +33,7 @@ struct Live {
     IdSet<Local> declared;  ///< locals that the body declares: nothing outside of it reads them
 };
 
-/// The local that an assignment changes, wholly or in part; none if the statement is anything else or has other
+/// The local that an assignment changes, wholly or in part; none if the statement is anything else or its target has
 /// effects.
 LocalId assigned(const Program& p, const Stmt& stmt) {
     if (stmt.op != StmtOp::assign || has_effect(p, stmt.target)) return {};

@@ -5,8 +5,8 @@
 
 namespace gliftc::lower {
 
-/// Sets what the pass says of its dispatch: rank, group, items, whether it visits blocks. Makes the locals `address`
-/// and `in_range`, except for draws. Called before the body is made.
+/// Sets what the pass says of its dispatch: rank, group, items, whether it visits blocks, whether it can be split; and
+/// its workgroup memory. Makes the locals `address` and `in_range`, except for draws. Called before the body is made.
 void choose_dispatch(Context& cx);
 
 /// The condition that in_range stands for.

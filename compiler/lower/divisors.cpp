@@ -1,7 +1,8 @@
-// Expander: divisors that are computed from the state of structures alone. In the language, dividing by zero is
-// dividing by one. Such divisors are uniform, so the host computes max(divisor, 1) and shaders need no test. The
-// extents of visited structures need no max: they are not zero, or the kernel would not run. The printer of GLSL relies
-// on all this: a parameter that is computed from structures alone is not zero where it is a divisor (glsl/guards.cpp).
+// Expander: unsigned divisors that are computed from the state of structures alone. In the language, dividing by zero
+// is dividing by one. Such divisors are uniform, so the host computes max(divisor, 1) and shaders need no test. The
+// extents of structures that are visited, or read around the visited element (`near`), need no max: they are not zero,
+// or the kernel would not run. The printer of GLSL relies on all this: a parameter that is computed from structures
+// alone is not zero where it is a divisor (glsl/guards.cpp).
 #include "ir/walk.h"
 #include "lower/expand.h"
 
@@ -19,7 +20,7 @@ bool is_visited(Pattern pattern) {
 
 }  // namespace
 
-/// Whether the value is the extent, or a component of it, of a structure that the kernel visits.
+/// Whether the value is the extent, or a component of it, of a structure given as `each`, `near` or `at`.
 bool Expander::is_visited_extent(ExprId id) {
     for (std::uint32_t root = 0; root < cx.kernel.params.size(); ++root) {
         if (!is_visited(cx.kernel.params[root].pattern)) continue;

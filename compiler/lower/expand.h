@@ -2,10 +2,10 @@
 // operations access elements of structures. The Expander's methods are in the files named below.
 //
 // Needs: a kernel that sema accepts. Guarantees: no operation of structures is left; offsets of `near` are constants
-// within the parameter's radius; every load that could be outside a structure is a guarded_load or under a branch,
-// every such store is under a branch; optionals are pairs (has, value) wherever they need no storage; functions are
-// inlined where that gives straight-line code that is not too large. A value that is used twice is one node with two
-// parents, until share.h gives it a local.
+// within the parameter's radius; every load that could be outside a structure is a guarded_load or under a branch
+// (but see rows.cpp for whole vectors), every such store is under a branch; optionals are pairs (has, value) wherever
+// they need no storage; functions are inlined where that gives straight-line code that is not too large. A value that
+// is used twice is one node with two parents, until share.h gives it a local.
 #pragma once
 
 #include "ir/empty.h"
@@ -115,7 +115,8 @@ private:
     ExprId expand_invocation(const ir::Expr& node);
 
     // divisors.cpp
-    ExprId divisor(ExprId id);  ///< replaces a divisor by one that is not zero, if the host can compute that
+    /// The divisor; made not zero if it is unsigned and depends on the state of structures alone.
+    ExprId divisor(ExprId id);
     bool is_visited_extent(ExprId id);
 
     // expand_statements.cpp
@@ -231,7 +232,7 @@ private:
     ExprId inside_memory(const ir::Place& place, ExprId physical);
     ExprId all_less(ExprId address, ExprId extent);
     ExprId less_where_unknown(const ir::Structure& structure, ExprId address, ExprId extent);
-    bool is_total(const ir::Structure& structure);  ///< the first translator is not partial
+    bool is_total(const ir::Structure& structure);  ///< the chain's first translator is not partial, or there is none
 
     // access.cpp
     ExprId element(std::uint32_t root, Span span);
@@ -358,7 +359,8 @@ private:
     // check.cpp
     bool checks_range(const ir::Place& place);
     void check_range(const ir::Place& place, ExprId address, ir::Access access, Span span);
-    template <class F> auto within(F&& work) {  ///< runs `work` for code of a translator or view: no range checks
+    /// Runs `work` for code of a translator, view or function of blocks, whose accesses are not checked (check.cpp).
+    template <class F> auto within(F&& work) {
         ++within_;
         auto result = work();
         --within_;
@@ -397,8 +399,9 @@ private:
     /// In the direct form: the place below the first parameter that has the same state. Else the place itself.
     ir::Place canonical(const ir::Place& place) const;
     std::uint32_t canonical_root(std::uint32_t root) const;
-    ExprId named(const std::string& name, ExprId value);  ///< makes a `let` of the value, unless it is trivial
-    void note_name(ExprId value, Name name);              ///< notes the name that the source gives to a value
+    /// Makes a `let` of the value, unless it is trivial or uniform.
+    ExprId named(const std::string& name, ExprId value);
+    void note_name(ExprId value, Name name);  ///< notes the name that the source gives to a value
     ExprId guarded_load_of(ExprId value) const;
     LocalId let(const std::string& name, ExprId value, Span span);
     LocalId variable(const std::string& name, TypeId type, ExprId value);
@@ -430,7 +433,7 @@ private:
     Frame* frame_ = nullptr;
     Block* out_ = nullptr;
     const Block* top_ = nullptr;  ///< the kernel's top-level statements, which are executed unconditionally
-    Block prelude_;               ///< statements before the body: addresses of the current element
+    Block prelude_;               ///< statements before the body, mostly addresses of the current element
     Span span_;                   ///< source location of the statement that is being expanded
     std::unordered_map<std::uint32_t, Pair> centres_;
     std::unordered_map<std::uint32_t, ExprId> addresses_;
@@ -445,7 +448,7 @@ private:
     bool compares_extents_ = false;                        ///< see divisors.cpp
     unsigned depth_ = 0;
     LocalId window_;       ///< in fragment parts: the pixel's centre from the viewport's origin, depth, 1 / w
-    unsigned within_ = 0;  ///< how many translators and views enclose the code that is being expanded
+    unsigned within_ = 0;  ///< how many translators, views and functions of blocks enclose the code that is expanded
 };
 
 }  // namespace gliftc::lower

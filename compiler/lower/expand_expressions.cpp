@@ -197,8 +197,8 @@ Pair Expander::expand_local(const Expr& node) {
     return {without_empty(make.local(node.local)), {}};
 }
 
-/// A value parameter without its empty parts, which are not in the parameter block: where it has some, the value is
-/// constructed from its other parts.
+/// A value parameter or constructor argument without its empty parts, which are not in the parameter block: where it
+/// has some, the value is constructed from its other parts.
 ExprId Expander::without_empty(ExprId whole) {
     const TypeId id = make.type(whole);
     const Type type = p.types[id];

@@ -89,7 +89,7 @@ void Expander::expand_statement(StmtId id) {
     case StmtOp::evaluate: {
         Stmt copy = statement(StmtOp::evaluate, stmt.span);
         copy.value = value_of(stmt.value);
-        // A call that was expanded as statements leaves its result in a local, which nothing reads.
+        // A call or atomic operation that was expanded as statements leaves its result in a local, which nothing reads.
         const Op source = p.exprs[stmt.value].op;
         const bool is_call = source == Op::call || source == Op::intrinsic;
         if (copy.value && !(is_call && p.exprs[copy.value].op == Op::local)) append(std::move(copy));

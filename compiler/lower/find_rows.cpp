@@ -170,8 +170,8 @@ bool is_clamp(const Program& program, const Expr& node) {
            (node.intrinsic == Intrinsic::clamp || node.intrinsic == Intrinsic::min || node.intrinsic == Intrinsic::max);
 }
 
-/// Whether the node is x < n ? y : … of uints, as in translators that map addresses beyond the border back inside,
-/// where y is x.
+/// Whether the node is x < n ? y : … of uints, as in translators that map addresses beyond the border back inside (in
+/// these, y is x).
 bool is_choice_of_inside(const Program& program, const Expr& node) {
     if (node.op != Op::select || node.type != program.types.uint) return false;
     const Expr& condition = program.exprs[node.operands[0]];
@@ -222,7 +222,7 @@ Bounds bounds_of(Context& cx, const Expr& identity) {
                                                 : Bounds{operands[0], operands[1], {}};
 }
 
-/// Replaces each such operation by its operand.
+/// Replaces each of these operations by the operand that it equals in the middle of a row.
 class Unclamping {
 public:
     Unclamping(Context& context, const Identities& identities) : cx(context), identities_(identities) {}
@@ -258,8 +258,8 @@ bool is_independent(const Context& cx, const std::vector<StmtId>& body) {
     });
 }
 
-/// Whether elements may be executed twice, and that pays: no memory is both read and written, and the body is
-/// straight-line code.
+/// Whether elements may be executed twice, and that pays: no memory is or may be both read and written, and the body
+/// is straight-line code.
 bool may_be_repeated(const Context& cx, const std::vector<StmtId>& body) {
     for (std::uint32_t i = 0; i < cx.pass.bindings.size(); ++i)
         if (cx.pass.bindings[i].access == Access::read_write || cx.pass.bindings[i].one_place != i) return false;

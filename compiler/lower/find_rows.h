@@ -1,8 +1,8 @@
 // Prepares the host device's loop over the elements of a row for vectorisation by C++ compilers. Finds accesses whose
 // index advances by one from element to element: they become row_load, row_store and row_item, accesses through a
 // pointer to the row, since compilers cannot know that a 32-bit index does not wrap. Clamps of an index (of border
-// translators) hide such accesses; a variant without clamps is made for the middle of a row, where they change nothing.
-// Also finds in which order elements may be executed.
+// translators), or selects that do the same, hide such accesses; a variant without these "clamps" is made for the
+// middle of a row, where they change nothing. Also finds in which order elements may be executed.
 //
 // Needs: variants for the host device of a kernel without a group. Guarantees: the operations above for such accesses
 // that every element executes; the variant without clamps, if there are clamps and it has such accesses;

@@ -22,7 +22,8 @@ namespace {
 /// least_volume: smaller blocks have more elements around them than in them, so that a copy does not pay.
 constexpr std::uint64_t most_numbers = 1u << 15, least_volume = 8;
 
-/// Whether the pass does not write the memory of the structure at the place.
+/// Whether the pass reads the memory of the structure at the place and neither writes it nor accesses it as coherent
+/// memory.
 bool is_only_read(const Context& cx, const Place& of) {
     const Place place = root_of(cx.p, cx.structure_at(of), of);
     const auto& bindings = cx.pass.bindings;
@@ -157,8 +158,8 @@ ExprId Expander::in_halo(Halo& halo, const std::vector<std::int64_t>& offset) {
     return make.index(make.local(halo.copy), at);
 }
 
-/// The adjacent block along one axis. Where it does not exist, `begin` is that of the own block, so that looking it up
-/// is harmless.
+/// The adjacent block along one axis (step 0: the own one). Where it does not exist, `begin` is that of the own block,
+/// so that looking it up is harmless.
 Expander::NextBlock Expander::next_block(std::uint32_t root, std::uint32_t width, std::uint32_t axis, int step) {
     const OwnBlock::Axis& own = block_.axes[axis];
     if (step == 0) return {own.begin, {}, {}};
@@ -246,8 +247,8 @@ Expander::Copied Expander::places_of(const Halo& halo, const Halo::Part& part, N
     return copied;
 }
 
-/// The physical address of the copied element. Statements that do not depend on the loops are added before them; the
-/// others are put into `inner`.
+/// The physical address of the copied element. Pure `let`s that do not depend on the loops are added before them; the
+/// other statements are put into `inner`.
 Pair Expander::looked_up(const Halo& halo, const Copied& copied, Block& inner) {
     const Place place{halo.root, {}};
     Pair physical;

@@ -13,7 +13,7 @@ namespace gliftc::lower {
 /// For each near parameter (its index) the offsets at which it is read.
 using NearOffsets = std::map<std::uint32_t, std::set<std::vector<std::int64_t>>>;
 
-/// The local array for one near parameter: a block's elements, and around them those of its neighbours that are read.
+/// The local array for one near parameter: a block's elements, and around them those of adjacent blocks that are read.
 struct Halo {
     std::uint32_t root = 0;             ///< the near parameter
     std::vector<std::uint32_t> block;   ///< size of a block
@@ -35,8 +35,9 @@ struct Halo {
     }
 };
 
-/// The halos for the near parameters whose offsets reach no further than the adjacent blocks, whose elements are
-/// scalars or vectors (not of bools), and whose memory the pass does not write; as many as are small enough together.
+/// The halos for the near parameters that are read at offsets other than zero but no further away than the adjacent
+/// blocks, whose elements are scalars or vectors (not of bools) and are not computed by a view, and whose memory the
+/// pass does not write; as many as are small enough together. None if blocks are very small or large.
 std::vector<Halo> halos_of(Context& cx, const NearOffsets& offsets);
 
 }  // namespace gliftc::lower

@@ -12,7 +12,8 @@ using namespace ir;
 namespace {
 
 /// A function that is only `let`s and a return is inlined everywhere if it has no more nodes. Others are inlined if
-/// they take structures or give an optional, and in the code of translators and views.
+/// they take structures or give an optional, and in the code of translators, views and functions of blocks. All this as
+/// far as InlineSizes allows.
 constexpr std::size_t plain_call_limit = 40;
 constexpr unsigned depth_limit = 64;
 constexpr std::uint32_t largest_tree = 1024;  ///< number of nodes as a tree from which on a value gets a local
@@ -29,8 +30,8 @@ bool is_short(const Program& p, const Function& function) {
 
 }  // namespace
 
-/// The value of a call whose arguments are integer constants. It is remembered, since unrolled loops repeat such calls.
-/// Absent: it cannot be evaluated, or some argument is no such constant.
+/// The value of a call whose arguments are scalar constants (not floats). It is remembered, since unrolled loops repeat
+/// such calls. Absent: it cannot be evaluated, or some argument is no such constant.
 ExprId Expander::known_call(const Expr& node, const std::vector<Pair>& arguments) {
     std::vector<std::uint64_t> key{node.function.index};
     for (const Pair& argument : arguments) {
@@ -179,7 +180,8 @@ Pair Expander::run_returning_if(const Stmt& stmt, const std::vector<StmtId>& res
     return merged(condition, std::move(yes), a, std::move(no), b, type);
 }
 
-/// Executes an `if` symbolically: afterwards a local is a select between its values on both sides.
+/// Executes an `if` symbolically: afterwards a local that differs is a select between its values on both sides, or a
+/// variable that both sides assign.
 void Expander::run_if(const Stmt& stmt) {
     ExprId condition = value_of(stmt.value);
     if (make.is_true(condition) || make.is_false(condition)) {
@@ -201,8 +203,8 @@ void Expander::run_if(const Stmt& stmt) {
     std::sort(changed.begin(), changed.end());
     for (LocalId local : changed) {
         Pair a = *after_yes.find(local), b = *after_no.find(local);
-        // The sides' statements are added with the first local. Other locals may use what they declare only if they are
-        // not conditional.
+        // With selects, the statements of both sides are added unconditionally with the first local; the values of
+        // further locals may use what these statements declare.
         if (is_speculatable(yes) && is_speculatable(no)) {
             frame_->locals[local] =
                 bounded(prefixed((*p.names)[p.locals[local].name]),

@@ -82,7 +82,7 @@ void Expander::leave_window(Function& made, Current outer) {
 
 FunctionId Expander::instance(FunctionId id, Frame frame) {
     const Function original = p.functions[id];
-    // A function without structures and state is used as it is, by all passes.
+    // A function without structures and state is used as it is, by all passes, unless it zeroes a long array.
     if (frame.places.empty() && frame.stage == nullptr && !has_long_zero(id)) return id;
     FunctionKey key{id, {}, {}};
     auto path = [](const Place& place) {

@@ -85,8 +85,8 @@ private:
         return node.op == Op::local ? most(node.local) : unknown;
     }
 
-    /// A variable's bound that lowering knows, or that of its value: a loop may run to what is left of `x % n` where
-    /// the bound of x made the remainder x.
+    /// A local's bound that lowering knows (Make::limits), or that of its value: a loop may run to `x % n`, of which
+    /// only x is left, since quotients.cpp knew that x is below n.
     std::uint64_t most(LocalId local) {
         if (const auto known = cx.make.limits.find(local); known != cx.make.limits.end()) return known->second;
         const ExprId* definition = cx.definitions.find(local);

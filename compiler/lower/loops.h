@@ -1,5 +1,5 @@
-// Summary of a lowered pass: a bound on the iterations of its loops, the functions that it calls, whether results are
-// the same on all devices.
+// Summary of a lowered pass: a bound on the iterations of its loops, the functions that it calls, whether it has
+// reports, whether results are the same on all devices.
 #pragma once
 
 #include "lower/context.h"

@@ -47,7 +47,7 @@ public:
     /// The same operation as `node` on other operands, folded.
     ExprId again(const ir::Expr& node, Operands operands);
 
-    /// The expressions and inner statements of a statement.
+    /// The expressions and inner statements of a statement, without its arguments.
     struct Parts {
         ExprId target, value, limit;
         std::vector<StmtId> body, otherwise;
@@ -55,7 +55,7 @@ public:
     /// A copy of the statement with other parts; the statement itself if the parts are its own.
     StmtId again(StmtId id, Parts parts);
 
-    /// Whether `id` is a constant, or is constructed of constants alone; nothing is evaluated.
+    /// Whether `id` is a constant or `none`, or is constructed of such alone; nothing is evaluated.
     bool is_constant(ExprId id) const;
     /// The bits of the constant, if `id` is a scalar constant.
     std::optional<std::uint64_t> bits_of(ExprId id) const;
@@ -64,7 +64,8 @@ public:
     TypeId type(ExprId id) const { return p.exprs[id].type; }
 
     ir::Program& p;
-    std::unordered_map<LocalId, std::uint64_t> limits;  ///< known upper bounds of uint locals, for quotients.cpp
+    /// Known upper bounds of uint locals, for quotients.cpp and loops.cpp.
+    std::unordered_map<LocalId, std::uint64_t> limits;
 
 private:
     std::optional<std::uint64_t> limit_of(ExprId id) const;

@@ -2,7 +2,7 @@
 // by one load_rows or store_rows statement, a copy that C++ compilers vectorise.
 //
 // Needs: expressions are trees. Guarantees: no loop is left that copies a whole array in this way, an iteration a row;
-// arrays in workgroup memory and coherent memory excepted.
+// arrays of bools, arrays in workgroup memory and coherent memory excepted.
 #pragma once
 
 #include "lower/context.h"

@@ -47,7 +47,7 @@ std::uint8_t Numbers::find_traits(ExprId id) {
     return trait;
 }
 
-/// A hash of everything in the node but its operands.
+/// A hash of the node without its operands, and of the version of the local or memory that it reads.
 ShapeKey Numbers::shape_of(const Expr& node) const {
     ShapeKey key;
     key.mix(static_cast<std::uint64_t>(node.op) << 32 | node.type.index);
@@ -99,7 +99,7 @@ ValueNumber Numbers::of(ExprId id) {
     for (ExprId operand : node.operands) key.mix(of(operand));
     ValueNumber& number = memory_->number_of(key);
     if (number == 0) number = ++next_;
-    // An expression with an effect has another value at each evaluation.
+    // An expression with an effect may have another value at each evaluation.
     if (!(traits & impure)) memory_->learn(id, number, !(traits & changes));
     return number;
 }

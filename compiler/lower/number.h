@@ -49,7 +49,8 @@ public:
     /// Whether equal numbers mean equal values: false for what has an effect or differs at each evaluation.
     bool is_pure(ExprId id) { return !(traits_of(id) & impure); }
     bool has_load(ExprId id) { return traits_of(id) & loads; }
-    /// Whether the value cannot change within the pass: no mutable local, no load from memory that is written.
+    /// Whether the value cannot change within the pass: no effect, no mutable local or workgroup memory, no load from
+    /// memory that is written.
     bool is_fixed(ExprId id) { return !(traits_of(id) & (changes | impure)); }
 
 private:

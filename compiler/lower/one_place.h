@@ -5,9 +5,9 @@
 // alias it (number.h), so that no load is moved over it. No special passes are compiled, since there would be one for
 // each partition of the set of parameters. Vulkan devices run the wide form, whose buffers are pointers that may be
 // equal. Images have descriptors in every form; an image that is loaded after a store by a binding that may alias it is
-// a storage image in these two forms, not a texture, so that the invocation sees its own store. The direct form assumes
-// that there are no aliases. Where it computes two elements an invocation, all loads before the first store, the other
-// forms compute them one after the other instead, since loads must not move over stores.
+// a storage image, not a texture, so that the invocation sees its own store (in all forms, see agree() in loops.h). The
+// direct form assumes that there are no aliases. Where it computes two elements an invocation, both before the first
+// store, and another form must not because of aliases, that one computes them one after the other.
 #pragma once
 
 #include "lower/context.h"
@@ -18,11 +18,12 @@ namespace gliftc::lower {
 /// or its own index.
 std::uint32_t first_of_place(const Context& cx, const ir::PassBinding& binding);
 
-/// Whether the element that an invocation reads by this parameter may be written by another one, which may alias it.
+/// Whether the element that an invocation reads by this parameter may be written by another parameter, which may alias
+/// it.
 bool may_be_written_elsewhere(const Context& cx, std::uint32_t root);
 
-/// Whether, among bindings that may alias (`place` is their one_place), a load may come after a store. Loaded from a
-/// sampled image, the value would be that from before the pass.
+/// Whether, among bindings that may alias (`place` is their one_place), a load may come after a store in the body.
+/// Loaded from a sampled image, the value would be that from before the pass.
 bool loads_after_store(const ir::Program& program, const ir::Pass& pass, std::uint32_t place);
 
 }  // namespace gliftc::lower

@@ -29,7 +29,8 @@ std::span<const BodyPass> body_passes();
 /// The passes that then run over the bodies for the host device, in order. What they make are separate variants.
 std::span<const BodyPass> host_passes();
 
-/// A step that makes a body, or works on all bodies of a kernel.
+/// A step that works on functions that all kernels share, makes a body, works on all bodies of a kernel, or on a
+/// variant for the host device.
 struct KernelPass {
     std::string_view name;
     std::string_view needs;

@@ -50,7 +50,8 @@ void check([[maybe_unused]] const Context& cx, [[maybe_unused]] const std::vecto
 #endif
 }
 
-/// Called after each pass: validates its result in development builds, and writes it to the trace.
+/// Called after each pass: validates its result in development builds, writes it to the trace if that asks for it, and
+/// notes whether lowering stops here (--stop-after).
 void finished(Context& cx, std::string_view pass, const std::vector<Variant>& variants,
               const std::vector<ExprId>& facts, std::string_view what) {
     for (const Variant& variant : variants) check(cx, statements_of(variant), pass);
@@ -403,8 +404,8 @@ Lowered lower(Program& program, Diagnostics& diagnostics, Settings settings) {
     mark_contained(program);
     widen_extents(program);  // after the other two, which need extents as they are written
     widen_translators(program);
-    // Depends on the number of kernels only, so that all machines do the same. A trace must be in the order of the
-    // kernels.
+    // Does not depend on the number of processors, so that all machines do the same. A trace must be in the order of
+    // the kernels.
     const bool are_few = program.kernels.size() < 2 * kernels_of_a_thread || settings.trace != nullptr;
     Lowered result{(are_few ? lowered_in_order : lowered_on_threads)(program, diagnostics, settings), {}};
     release_temporaries(program);

@@ -70,7 +70,8 @@ ValueNumber Polynomials::atom(ExprId id) {
     return number;
 }
 
-/// The definition of a local, if it is a binary operation or select that does not change within the pass; else absent.
+/// The definition of a uint local, if it is a binary operation or select that does not change within the pass; else
+/// absent.
 ExprId Polynomials::definition(const Expr& node) {
     if (node.op != Op::local || node.type != cx.p.types.uint) return {};
     const ExprId* found = cx.definitions.find(node.local);
@@ -171,7 +172,7 @@ ExprId Polynomials::expression(const Polynomial& polynomial) {
     ExprId sum;
     for (const Term& term : polynomial) {
         ExprId product, condition;
-        // From the last atom on: z * (y * x), so that y * x is shared with other terms.
+        // From the last atom on: x * (y * z), so that y * z is shared with other terms.
         for (std::size_t i = term.product.size(); i-- > 0;) {
             if (const ExprId* found = choices_.find(term.product[i]); found != nullptr && !condition) {
                 condition = *found;

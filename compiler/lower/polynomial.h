@@ -34,7 +34,7 @@ public:
     /// The terms of `varying` without those that are a condition (1 or 0) times a uniform amount.
     Polynomial unchosen(const Polynomial& varying);
 
-    /// a - b; or b - a, to be subtracted, where that has fewer operations.
+    /// a - b; or b - a, to be subtracted, where all factors of a - b are above 2^31 (negative).
     struct Difference {
         Polynomial terms;
         bool is_negative = false;  ///< `terms` are b - a

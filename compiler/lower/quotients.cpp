@@ -106,7 +106,7 @@ std::optional<ExprId> Make::put_together(ExprId quotients, ExprId rest) {
     return is_same(whole, product.operands[0]) ? std::optional(remainder.operands[0]) : std::nullopt;
 }
 
-/// Simplifies an operation on uints by the identities above.
+/// Simplifies an operation on uints by these identities, if the bound of any local is known.
 std::optional<ExprId> Make::simpler_number(const Expr& node, ExprId a, ExprId b) {
     if (limits.empty() || node.type != p.types.uint || type(a) != p.types.uint) return std::nullopt;
     const auto divisor = bits_of(b);

@@ -14,7 +14,7 @@ ExprId Expander::own_address(std::uint32_t root) {
     return make.component(address, cx.kernel.params[root].pattern == Pattern::instance ? 1 : 0);
 }
 
-/// The origin, in the framebuffer, of the range that is drawn to; absent if it is zero.
+/// The origin, in the framebuffer, of the range that is drawn to; absent if it is known to be zero.
 ExprId Expander::viewport_origin() {
     const std::uint32_t root = *cx.kernel.raster->pixels;
     if (cx.is_direct() || cx.kernel.params[root].pattern != Pattern::target) return {};

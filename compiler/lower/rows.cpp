@@ -1,9 +1,10 @@
 // Expander: `s.load(a)` and `s.store(a, x)`, which access rows of four elements that are consecutive along x (single
-// elements, if their number is not a multiple of four). Elements that are also consecutive in a buffer are accessed as
-// vectors of four numbers, if all rows begin at a multiple of four elements and lie in the domain, and if loads are of
-// an `in` parameter; else one by one. A row of four elements of N numbers each is N such vectors. If there is one row
-// of four scalars, and it is known to begin at such a multiple, it is loaded without a test that all of it is in the
-// domain: shaders may read a buffer up to the next multiple of 16 bytes (glift/memory.h).
+// elements, if their number is not a multiple of four). Elements of one to three 32-bit numbers that are also
+// consecutive in a buffer are accessed as vectors of four numbers, if all rows begin at a multiple of four elements and
+// lie in the domain, and if loads are of an `in` parameter; else one by one. A row of four elements of N numbers each
+// is N such vectors. If there is one row of four scalars, and it is known to begin at such a multiple, it is loaded
+// without a test that all of it is in the domain: shaders may read a buffer up to the next multiple of 16 bytes
+// (glift/memory.h).
 #include "ir/chain.h"
 #include "lower/expand.h"
 #include "lower/polynomial.h"
@@ -15,8 +16,9 @@ namespace gliftc::lower {
 
 using namespace ir;
 
-/// Makes a loop over the rows, with what `body` makes for one. Shaders unroll it, so that arrays of elements become
-/// registers and all loads are issued before the first is waited for.
+/// Makes a loop over the rows, if there are several, with what `body` makes for one. Shaders unroll it if there are no
+/// more than unroll_limit, so that arrays of elements become registers and all loads are issued before the first is
+/// waited for.
 template <class Body> void Expander::for_each_row(const Rows& rows, Body&& body) {
     if (rows.count == 1) return body(make.uint(0));
     Stmt loop = statement(StmtOp::for_, span_);
@@ -65,7 +67,8 @@ ExprId Expander::address_in(const Rows& rows, ExprId row, std::uint32_t lane) {
 }
 
 /// Whether rows can be accessed as vectors: there are four elements in each, of one, two or three 32-bit numbers (four
-/// are a vector by themselves), in a buffer, and physical addresses advance like virtual ones, at every address.
+/// are a vector by themselves), in a buffer, and every address is mapped, to physical addresses that advance like
+/// virtual ones.
 bool Expander::lie_in_vectors(const Rows& rows) {
     const Structure& structure = cx.structure_at(rows.place);
     if (structure.kind != StructureKind::stored || rows.width != row_width || !is_total(structure)) return false;

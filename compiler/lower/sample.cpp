@@ -1,5 +1,6 @@
-// Expander: filtered reads, `sample`, `gather` and `compare`. They use the device's sampler where it can do that, for
-// which the memory must be an image in which elements have their own addresses; else a weighted sum of reads.
+// Expander: `sample`, `gather` and `compare`, which access the elements around a point. They use the device's sampler
+// where it can do that, for which the memory must be an image in which elements have their own addresses; else the
+// elements are read one by one, and `sample` and `compare` make a weighted sum.
 #include "ir/chain.h"
 #include "lower/expand.h"
 #include "lower/memory.h"

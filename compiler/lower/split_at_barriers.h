@@ -1,11 +1,11 @@
-// Loop fission at barriers, for the host device, on which a workgroup is a loop: the statements between two barriers
-// are executed for one invocation after the other. A statement that contains a barrier, or that breaks out of or
-// continues a loop with one, is executed once for all invocations, with the first one's value of its condition, which
-// must be uniform on every device.
+// Loop fission at workgroup barriers, for the host device, on which a workgroup is a loop: the statements between two
+// barriers are executed for one invocation after the other. A statement that contains a barrier, or that breaks out of
+// or continues a loop with one, is executed once for all invocations, with the first one's value of its condition,
+// which must be uniform on every device.
 //
-// Needs: a kernel with a group, and its prologue. Guarantees: no barrier is inside an `invocations` statement; a local
-// that is used in several of them, or in one and outside, has a value for each invocation (`keep`), unless it is
-// workgroup memory or the variable of a loop that all execute together.
+// Needs: a kernel with a group, and its prologue. Guarantees: no workgroup barrier is inside an `invocations`
+// statement; a local that is used in several of them, or in one and outside, has a value for each invocation (`keep`),
+// unless it is workgroup memory or the variable of a loop that all execute together.
 #pragma once
 
 #include "lower/context.h"

@@ -198,7 +198,7 @@ ExprId Expander::centre_address(std::uint32_t root) {
     return addresses_[root];
 }
 
-/// The physical address of a parameter's current element, in named locals: one, or one for each component.
+/// The physical address of a parameter's current element in a named local, and whether there is one in another.
 Pair Expander::centre(std::uint32_t root) {
     // Structures with equal state share addresses, unless tables are read, which each has for itself.
     const std::uint32_t shared = canonical_root(root);

@@ -184,7 +184,8 @@ bool Finder::stands_for_less(ExprId at, ExprId extent, std::uint64_t count, Test
 }
 
 /// Adds the test that implies `remainder` == `of` in all iterations, `remainder` being at % width; false if there is
-/// none. It is the same in all of them if `at` changes by multiples of width, a power of two, even if sums wrap.
+/// none. The remainder is the same in all of them if `at` changes by multiples of width, a power of two, even if sums
+/// wrap.
 bool Finder::stands_for_multiple(ExprId remainder, ExprId of, Tests& wanted) const {
     const Expr& node = program.exprs[remainder];
     if (node.op != Op::binary || node.binary != BinaryOp::remainder) return false;

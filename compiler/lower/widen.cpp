@@ -216,7 +216,8 @@ Value Widener::rebuilt(Expr node) {
     return {add(std::move(node)), {}};
 }
 
-/// The operation on narrow operands if all are narrow; else on 64-bit ones, with a 64-bit result.
+/// The operation on narrow operands if all are narrow; else on 64-bit ones, with a 64-bit result if the original one is
+/// of uints.
 Value Widener::joined(Expr node, const std::vector<Value>& values) {
     const bool is_wide = std::ranges::any_of(values, [](const Value& each) { return static_cast<bool>(each.wide); });
     for (std::size_t i = 0; i < values.size(); ++i) node.operands[i] = is_wide ? widened(values[i]) : values[i].narrow;
