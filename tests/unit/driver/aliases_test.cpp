@@ -1,4 +1,5 @@
-// Names that modules give to structures: they do not depend on which other modules are compiled in the same run.
+// Names that modules give to structures: neither they nor what headers include depend on which other modules are
+// compiled in the same run. Also which output has what several modules share.
 #include "driver/compile.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
-// What the printer writes for kernels that run over rows. Tests on devices show that the code is right (tests/device
-// and `gliftc test`).
+// What the printer writes for kernels that run over rows, for names and for long lines. Tests on devices show that the
+// code is right (tests/device and `gliftc test`).
 #include "builder.h"
 
 #include "emit/cpp/kernel_parts.h"

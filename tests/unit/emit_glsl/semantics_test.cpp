@@ -1,5 +1,5 @@
 // Operations that the language defines for all operands and GLSL does not: printed with guards where they are needed,
-// and only there.
+// and only there. Also loops, parentheses, literals, atomics, subgroups and built-in functions.
 #include "builder.h"
 
 #include "emit/glsl/emit.h"
@@ -21,7 +21,7 @@ std::string proved(Builder& b) {
     return text;
 }
 
-/// The text of a kernel that stores `value(address)`, of any type.
+/// The text of a kernel that stores `make(builder, address)`, of any type.
 template <class Make> std::string stored(Make make) {
     Builder b;
     ExprId address = b.one_axis();

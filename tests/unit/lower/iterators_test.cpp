@@ -135,7 +135,7 @@ kernel k(f: in any<Field>, g: out each<Field>, a: at<Field>) { if let i = first(
     EXPECT_EQ(pass.loop_rounds, 101u);
 }
 
-// Loops whose trip count is bounded by a bit count, a remainder or a mask.
+// Loops whose trip count is bounded by a bit count, a remainder, a mask or a shift.
 TEST(Iterators, RoundsAreKnownOfLimitsThatHaveABound) {
     Lowering lowering(R"(kernel k(g: out each<Field>, a: at<Field>) {
         var sum = 0.0;

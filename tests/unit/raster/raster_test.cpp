@@ -1,5 +1,6 @@
 // Compares the rasteriser's coverage with exact integer arithmetic, and its interpolation and clipping with double
-// precision.
+// precision. Also the order of triangles, culling, depth tests, clip distances, quads, and vertices that are no
+// numbers.
 #include <glift/host/raster.h>
 
 #include <gtest/gtest.h>

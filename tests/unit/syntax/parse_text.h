@@ -39,7 +39,7 @@ inline std::string expression(const std::string& text) {
     return print(std::get<ast::Const>(parsed.tree.decls[parsed.module.decls[0]].body).value, parsed.tree, parsed.names);
 }
 
-/// The type of `const c: TEXT = 0;`.
+/// The type of `const c: TEXT = 0;` as an S-expression, or the errors.
 inline std::string type(const std::string& text) {
     Parsed parsed("module m; const c: " + text + " = 0;");
     if (parsed.diagnostics.has_errors()) return parsed.errors();

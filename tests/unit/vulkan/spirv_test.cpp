@@ -69,9 +69,9 @@ TEST(HiddenZeros, TellTheWidthOfATypeFromAValue) {
     EXPECT_THAT(disassembled(hidden), Not(HasSubstr("OpFMul %float %65 %float_0")));
 }
 
-/// Sums and differences of a constant with: itself (%40), a number that was loaded (%41), the value of a variable to
-/// which a constant is stored after its load (%43), the value of a variable to which a loaded number was stored (%45);
-/// and of vectors of constants (%46).
+/// Sums and differences of a constant with: itself (%40), a number converted from one that was loaded (%41), the value
+/// of a variable to which a constant is stored after its load (%43), the value of a variable to which that number was
+/// stored (%45); and of vectors of constants (%46).
 const std::string sums = R"(
     OpCapability Shader
     OpMemoryModel Logical GLSL450
