@@ -12,13 +12,13 @@ namespace bench {
 struct AlgorithmCase {
     std::string algorithm, variant;
     /// `bytes`: the least memory traffic: input read once, output written once. Of select and unique, whose output's
-    /// size depends on the input, only the reads count.
+    /// size depends on the input, and where the output is small (reduce, histogram), only the reads count.
     std::uint64_t elements = 0, bytes = 0;
     std::function<void(const glift::Commands&)> work;
     std::function<double()> error = nullptr;  ///< relative error of the result; null: it is exact
 };
 
-/// The algorithms of algorithms.glift, each over n elements.
+/// The algorithms of algorithms.glift, each over n elements (sorts with values: n pairs).
 std::vector<AlgorithmCase> algorithm_cases(const glift::Device& device, std::uint32_t n);
 
 /// n tridiagonal systems of n unknowns, with one right-hand side and with three; of the same data each time, and

@@ -1,4 +1,5 @@
-// The input of all algorithm benches; bench/cuda/rivals.cuh generates the same.
+// The input of bench_rivals; algorithms.glift (for bench_algorithms) and cuda/rivals.cuh generate the same. Other
+// benches use the hash alone.
 #pragma once
 
 #include <cstdint>

@@ -14,9 +14,9 @@ struct Case {
     std::string name;
     std::uint64_t elements = 0;
     std::function<void(const glift::Commands&)> generated, handwritten;
-    std::function<std::vector<std::byte>()> result;  ///< reads the output of the last pass
-    std::function<void()> clear;                     ///< overwrites the output
-    std::vector<std::uint32_t> generated_spirv, handwritten_spirv;
+    std::function<std::vector<std::byte>()> result;                 ///< reads the output of the last pass
+    std::function<void()> clear;                                    ///< overwrites the output
+    std::vector<std::uint32_t> generated_spirv, handwritten_spirv;  ///< empty in bench_lookups
 };
 
 /// All cases of glift_bench. The work grows with `scale`: 1 suits lavapipe; faster devices need more to be measured.

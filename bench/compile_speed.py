@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Measures how fast gliftc is, from the start of the process to its exit, with all outputs but SPIR-V.
+"""Measures how fast gliftc is, from the start of the process to its exit.
 
     bench/compile_speed.py GLIFTC [--runs N] [--json FILE]
 
-Times bench/small.glift, and generated files, each also at twice its length: functions that nothing calls, which are
-only parsed and checked; public kernels that are only parsed and checked, too (--stop-after=sema); and public kernels
-that are compiled for all targets but SPIR-V.
+Times bench/small.glift, compiled for all targets but SPIR-V, and generated files, each also at twice its length: functions
+that nothing calls, which are only parsed and checked, whatever the targets; public kernels that are only parsed and
+checked, too (--stop-after=sema); and public kernels that are compiled for all targets but SPIR-V.
 """
 import argparse
 import json
@@ -56,8 +56,8 @@ HEADERS = {
     "kernels": "module large;\n\nuse std.address;\nuse std.array;\n\npub structure Volume = Array<3, float>;\n",
 }
 BODIES = {"functions": FUNCTION, "kernels": KERNEL}
-# Name: (what is generated, its number of lines, options of gliftc). Fewer lines of kernels where they are compiled for
-# all targets: each kernel makes hundreds of lines of output.
+# Name: (what is generated, its number of lines, options of gliftc). Fewer lines of kernels where they are compiled:
+# each kernel makes hundreds of lines of output.
 CASES = {
     "functions, all outputs": ("functions", 100000, OUTPUTS),
     "kernels, read and checked": ("kernels", 100000, ["--stop-after=sema"]),

@@ -2,8 +2,8 @@
 """Depth of field in two layers on the Vulkan device and on the host: its time, its share of the copy bound, and cuSPARSE's
 time.
 
-    bench/depth_of_field.py FILE.json... -o FILE.png      draws time against pixels; files as bench_depth_of_field, the CUDA rivals
-                                                          and run.py write them
+    bench/depth_of_field.py FILE.json... -o FILE.png      prints tables and draws time against pixels; files as bench_depth_of_field,
+                                                          the CUDA rivals and run.py write them
 """
 import argparse
 import os
@@ -17,7 +17,8 @@ CPU_SIZES, GPU_SIZES = "256x256,512x512,1024x1024,1920x1080", "256x256,512x512,1
 
 
 def measure(bench, options, folder):
-    """The groups of figures (figures.py) of the Vulkan device, with those of cuSPARSE, and of the host, joined over the rounds."""
+    """The groups of figures (figures.py) of the Vulkan device, on a GPU with nvcc also those of cuSPARSE, and of the host, joined over
+    the rounds."""
     ours = os.path.join(bench, "bench_depth_of_field")
     gpu = algorithms.is_gpu(os.path.join(bench, "bench_algorithms"), folder)
     cuda = algorithms.build_cuda(os.path.join(folder, "cuda")) if gpu else None
@@ -36,7 +37,7 @@ def by_size(group, algorithm, by=None):
 
 
 def solves(group):
-    """{size: seconds} of cuSPARSE: rows and columns, each by the quicker of its two solvers."""
+    """{size: seconds} of cuSPARSE: the time of rows plus that of columns, each by the quicker of the two solvers."""
     ways = {direction: [by_size(group, f"{direction}_{way}") for way in ("strided", "interleaved")] for direction in ("rows", "columns")}
     return {size: sum(min(way[size]["seconds"] for way in both) for both in ways.values()) for size in ways["rows"][0]}
 

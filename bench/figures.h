@@ -1,4 +1,5 @@
-// Results of the algorithm benches: rows, grouped by device, in the format that bench/figures.py reads.
+// Results of the algorithm benches and of bench_depth_of_field: rows, grouped by device, in the format that
+// bench/figures.py reads.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -19,7 +20,7 @@ struct Figure {
     double error = -1;  ///< largest relative error; negative: it was not measured (most results are exact)
 };
 
-/// Prints a row to stderr as soon as it is measured.
+/// Prints a row to stderr.
 void print(const Figure& figure);
 
 struct DeviceFigures {

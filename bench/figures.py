@@ -1,4 +1,5 @@
-"""Figures of algorithms: groups of rows of one device, as bench_algorithms, bench_rivals and the CUDA rivals write them.
+"""Figures of algorithms: groups of rows of one device, as bench_algorithms, bench_rivals, bench_depth_of_field and the CUDA
+rivals write them.
 
 A group is {"device": name, "rows": [...]}; a row has by, algorithm, variant, elements, seconds, bytes_moved, runs, and, where it
 was measured, error: the largest relative one. docs/performance.md says what the algorithms and their variants are.
@@ -21,7 +22,8 @@ def key_of(row):
 
 
 def joined(groups):
-    """Joins the groups of each device into one; of rows that were measured several times, the median."""
+    """Joins the groups of each device into one; of rows that were measured several times, the median of the times, the sum of the
+    runs and the largest of the errors."""
     devices = {}
     for group in groups:
         rows = devices.setdefault(group["device"], {})

@@ -1,4 +1,5 @@
-// Measures the host's time per dispatch by generated functions: single kernel calls, and a pipeline.
+// Measures the host's time per dispatch by generated functions: single kernel calls, and a pipeline that is recorded
+// and one that is replayed.
 #include "dispatch.glift.hpp"
 
 #include <benchmark/benchmark.h>

@@ -1,4 +1,5 @@
-// bench_host: times a generated kernel on the host device and a hand-written loop, alternately.
+// bench_host: times a generated kernel on the host device and a hand-written loop, alternately; this for both forms of
+// the loop (handwritten/diffusion.h).
 //
 //     bench_host [--runs N] [--size N] [--steps N] [--json FILE]
 #include "handwritten/diffusion.h"
@@ -24,7 +25,7 @@ constexpr float rate = 0.125f;
 struct Options {
     int runs = 20;
     std::uint32_t size = 256;
-    int steps = 8;  ///< pairs of steps in one run
+    int steps = 8;  ///< pairs of steps that a run times
     std::string json;
 };
 

@@ -24,7 +24,8 @@ using Range = tbb::blocked_range<std::size_t>;
 
 constexpr std::size_t grain = std::size_t{1} << 16;  // oneTBB splits larger ranges only; also the size of a block
 
-// The loops. Each is compiled with function multiversioning (`Wide`) and without (`Narrow`).
+// The loops. Those that sum or count are compiled with function multiversioning (`Wide`) and without (`Narrow`), the
+// others only without.
 
 inline std::uint32_t sum_elements(const std::uint32_t* x, std::size_t count) {
     std::uint32_t sum = 0;
@@ -46,7 +47,8 @@ inline float sum_elements(const float* x, std::size_t count) {
     return sum;
 }
 
-// Four elements in a round: each addition needs the result of the one before, and that latency is the bottleneck.
+// Four elements in a round, of which only one addition needs the result of the round before: its latency is the
+// bottleneck.
 inline std::uint32_t scan_elements(const std::uint32_t* x, std::size_t count, std::uint32_t run, std::uint32_t* y) {
     std::size_t i = 0;
     for (; i + 4 <= count; i += 4) {

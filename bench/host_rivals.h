@@ -1,6 +1,6 @@
 // Hand-written C++ versions of stdlib/algorithms with oneTBB: rivals on the host device. All run on all cores.
-// Functions with vectorised loops have a second form, `narrow`, without function multiversioning: vectors only as wide
-// as the compiler's flags allow.
+// Functions with loops that sum or count have a second form, `narrow`, in which these are compiled without function
+// multiversioning: vectors only as wide as the compiler's flags allow.
 #pragma once
 
 #include <cstdint>

@@ -18,7 +18,7 @@ struct Shader {
     std::map<std::uint32_t, std::uint32_t> constants;  ///< values of specialisation constants
 };
 
-/// The same for a shader whose specialisation constants have been replaced by their values first.
+/// The same, after replacing the shader's specialisation constants by their values.
 std::size_t instructions_of(const Shader& shader);
 
 }  // namespace bench

@@ -11,8 +11,8 @@ namespace {
 
 using Pass = std::function<void(const glift::Commands&)>;
 
-/// Seconds of one pass, by device timestamps. A first pass is not counted: the caches may still hold the other pass's
-/// data.
+/// Seconds of one pass, the mean of `repeats`, by device timestamps. A first pass is not counted: the caches may still
+/// hold the other pass's data.
 double time_of(const glift::Device& device, const Pass& pass, int repeats) {
     glift::Commands commands = device.commands();
     pass(commands);

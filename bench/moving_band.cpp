@@ -1,11 +1,11 @@
-// bench_moving_band [--seconds S] [--steps N] [--json FILE]: the pages around a moving spherical shell
+// bench_moving_band [--seconds S] [--steps N] [--runs N] [--json FILE]: the pages around a moving spherical shell
 // (examples/narrow_band), for three domain sizes with the same shell, and for 1024^3 with a shell whose radius is in
 // proportion to the domain. A "change" of topology allocates and releases pages; a step is a change and two stencils
 // over the resident pages. Times are of replayed recordings, by device timestamps.
 //
-// Costs that grow with the domain are measured apart: `tables` is a change in a domain in which no page is wanted,
-// which leaves only the bit sets and scans over all pages. `ask`, part of each change, asks for the pages that are
-// wanted next; `everywhere` puts the same question to all pages.
+// Costs that grow with the domain are measured apart: `tables` is a change without `ask` in a domain in which no page
+// is wanted, which leaves only the bit sets and scans over all pages. `ask`, part of each change, asks for the pages
+// that are wanted next; `everywhere` puts the same question to all pages.
 #include "moving_shell.glift.hpp"
 #include "timing.h"
 

@@ -1,5 +1,6 @@
-// bench_neighbours [--seconds S] [--points N] [--json FILE]: builds a grid of lists of random points anew, and counts
-// the neighbours within a radius of each point, about 20. Times are of replayed recordings, by device timestamps.
+// bench_neighbours [--seconds S] [--runs N] [--points N] [--json FILE]: builds a grid of lists of random points anew,
+// and counts the neighbours within a radius of each point, about 20. Times are of replayed recordings, by device
+// timestamps.
 #include "bench_input.h"
 #include "neighbours.glift.hpp"
 #include "timing.h"

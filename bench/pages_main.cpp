@@ -24,7 +24,7 @@ struct Options {
     std::string json;
 };
 
-/// What depends on the number of axes; for planes.
+/// What depends on the number of axes: here for planes, below for volumes.
 struct Planar {
     using Dense = pages::Plane;
     using Address = glift::uint2;

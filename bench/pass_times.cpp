@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t most_queries = 8192;  // of a command buffer
 
-/// The functions that are intercepted, as the driver has them.
+/// The functions that are intercepted.
 #define BENCH_INTERCEPTED(X)                                                                                           \
     X(vkBeginCommandBuffer)                                                                                            \
     X(vkQueueSubmit2)                                                                                                  \
@@ -28,6 +28,7 @@ constexpr std::uint32_t most_queries = 8192;  // of a command buffer
     X(vkCmdClearColorImage)                                                                                            \
     X(vkCmdClearDepthStencilImage)
 
+/// These functions, and others that are called here, as the driver has them.
 struct Driver {
 #define BENCH_DECLARE(name) PFN_##name name = nullptr;
     BENCH_INTERCEPTED(BENCH_DECLARE)

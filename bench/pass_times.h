@@ -1,5 +1,5 @@
 // How long each pass of a submission takes on a Vulkan device: a second device over the same VkDevice, whose command
-// buffers write a timestamp after every dispatch, draw, copy, fill and clear.
+// buffers write a timestamp after every dispatch, rendering (with all its draws), copy, fill and clear.
 #pragma once
 
 #include <glift/glift.h>
@@ -11,7 +11,7 @@ namespace bench {
 
 struct PassTime {
     std::string name;  ///< the kernel's name, or "(copy)", "(fill)", "(clear)"
-    double seconds;    ///< from the end of the pass before to its own end
+    double seconds;  ///< from the end of the pass before (of the first: from the command buffer's begin) to its own end
 };
 
 /// Times passes. There may be only one at a time, and it must not live longer than `device`.

@@ -2,8 +2,8 @@
 //
 //     bench_rivals [--device NAME] [--log2 22,24] [--host-log2 22,24] [--runs N] [--unchecked] [--json FILE]
 //
-// The GLSL versions ("twins") run on the device given by --device or GLIFT_DEVICE, which cannot be the host device;
-// those in C++ run on the host.
+// The GLSL versions ("twins") run on the device given by --device or GLIFT_DEVICE (else the best there is), which
+// cannot be the host device; those in C++ run on the host. --unchecked only times.
 #include "algorithm_twins.h"
 #include "bench_input.h"
 #include "figures.h"
@@ -36,7 +36,7 @@ struct Options {
     bool unchecked = false;
 };
 
-/// The memories and the algorithms on a device; checks read results from here.
+/// The memories and the GLSL versions on a device; checks read results from here.
 class OnDevice {
 public:
     OnDevice(const glift::Device& device, std::uint32_t most)

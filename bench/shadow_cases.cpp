@@ -46,7 +46,8 @@ std::uint32_t first_of_level(std::uint32_t levels, std::uint32_t level) {
     return ((1u << 2 * (levels - 1 - level)) - 1) / 3;
 }
 
-/// Which texels of the resident pages the pixels of a frame look up: each of them the four around its place.
+/// Which texels of the resident pages the pixels of a frame look up: each of them the four around its place, whatever
+/// the filter; with the trilinear one those of two levels.
 class Touched {
 public:
     Touched(const Frame& frame, const ShadowCase& one) : one_(one), side_(one.settings.cells + 1) {
@@ -70,7 +71,8 @@ public:
     }
 
 private:
-    /// In the page of this level, or in the finest coarser one that is there; not where the standard map is finer.
+    /// In the page of this level, or in the finest coarser one that is there, unless the standard map is finer than
+    /// this.
     void look_up(const glift::float4& s, std::uint32_t level) {
         const std::uint32_t levels = one_.settings.levels;
         const std::uint32_t wanted = std::min(level, levels - 1);

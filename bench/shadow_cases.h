@@ -20,7 +20,7 @@ struct ShadowCase {
     bool is_static = false;  ///< scene and light stand still, and pages are kept
 };
 
-/// All cases that bench_shadows knows, each with some of `settings` changed.
+/// All cases that bench_shadows knows: with these settings, or with some of them changed.
 std::vector<ShadowCase> shadow_cases(const Settings& settings);
 
 struct ShadowFrames {
@@ -33,11 +33,11 @@ struct ShadowFrames {
     std::vector<PassTime> passes;              ///< means over the frames; empty on the host device
 };
 
-/// The scenes of a path, which takes a while to make.
+/// The scenes of a path, which take a while to make.
 std::vector<scenes::Scene> scenes_along(const std::string& name, const std::vector<path::Step>& steps);
 
-/// Times each frame of a path `runs` times, and takes the median. Throws std::runtime_error if depths are missing
-/// (Frame::status).
+/// Times each frame of a path `runs` times, and takes the median; also counts pages and, where frames move, the texels
+/// that are looked up, and times passes. Throws std::runtime_error if depths are missing (Frame::status).
 ShadowFrames measure(const glift::Device& device, const ShadowCase& one, const std::vector<scenes::Scene>& along,
                      glift::uint2 size, unsigned runs);
 

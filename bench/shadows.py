@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Tables and plots of frames with shadow maps (thesis section 11.4.3), from what bench_shadows writes.
 
-    bench/shadows.py FILE.json [-o FOLDER]      FOLDER gets shadows_times.png, shadows_distribution.png, shadows_parts.png and,
-                                                if other sizes of pages were measured, shadows_pages.png
+    bench/shadows.py FILE.json [-o FOLDER]      FOLDER gets shadows_times.png, shadows_distribution.png, if passes were timed
+                                                shadows_parts.png and, if other sizes of pages were measured, shadows_pages.png
 """
 import argparse
 import json
@@ -14,8 +14,9 @@ import plot
 
 METHODS = {"standard": "standard map", "asm": "ASM", "rmsm": "RMSM"}
 THESIS = {"asm / rmsm": "2 to 10", "rmsm / standard": "2 to 4", "asm / rmsm static": "1 to 3", "rmsm / standard static": "1 to 2"}
-# Kernels of examples/shadows with which a part of a frame ends, and those with which one begins. What lies between belongs to the part
-# that has begun, so that library kernels, which several parts call, are told apart.
+# Kernels of examples/shadows with which a part of a frame ends, each with the part that follows, and those with which a part begins,
+# each with this part. What lies between belongs to the part that has begun, so that library kernels, which several parts call, are told
+# apart.
 ENDS = {"project": "look", "find_surface": "standard map", "draw_light": "ask", "ask_all": "allocate", "ask_at_edges": "allocate",
         "put_all": "allocate", "find_lit": "ask"}
 BEGINS = {"mark": "fill", "find_lit": "find_lit", "shade": "shade"}
@@ -118,7 +119,7 @@ def lookups(scenes):
 
 
 def longest(scenes, number=8):
-    """The kernels that take longest, all of a name together."""
+    """The kernels that take longest in a frame of RMSM, all of a name together."""
     rows = []
     for scene, cases in scenes.items():
         if "rmsm" not in cases or not cases["rmsm"]["passes"]:

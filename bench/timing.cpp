@@ -27,7 +27,7 @@ void warm_up(const glift::Device& device, const glift::Recording& recording) {
     while (std::chrono::steady_clock::now() - start < enough);
 }
 
-/// A recording that takes about `seconds`.
+/// A recording that repeats a work for about `seconds`, but at most 200 times.
 struct Repeated {
     glift::Recording recording;
     int times = 1;

@@ -84,7 +84,7 @@ void solve_three(const glift::Commands& commands, const Systems& s, const Unknow
     solvers::solve_three(commands, s.a.lower, s.a.middle, s.a.upper, s.right3, x.three);
 }
 
-/// Cycling through this many bytes leaves none of them in a cache.
+/// More bytes than a GPU's caches hold: cycling through so many leaves none of them there.
 constexpr std::uint64_t beyond_caches = std::uint64_t{128} << 20;
 
 }  // namespace
@@ -105,7 +105,7 @@ std::vector<AlgorithmCase> tridiagonal_cases(const glift::Device& device, std::u
             solve(commands, (*all)[(*turn)++ % all->size()], x);
         };
     };
-    // All systems of one size have the same coefficients.
+    // All sets of systems in `all` have the same coefficients and right-hand sides, so that the first stands for all.
     const auto error = [=] { return largest_error(all->front().a, all->front().right, x.one, 1); };
     const auto error3 = [=] { return largest_error(all->front().a, all->front().right3, x.three, 3); };
     return {{"tridiagonal", variant, count, bytes, first(solve_one), error},

@@ -1,4 +1,4 @@
-// rivals: times CUB, cuSPARSE and a copy on this GPU, and writes the results as JSON.
+// rivals: times CUB, cuSPARSE, and kernels that only move data, on this GPU, and writes the results as JSON.
 //
 //     rivals [--log2 20,22,24,26,28] [--runs N] [--only FAMILY] [--json FILE]
 #include "rivals.cuh"

@@ -1,4 +1,4 @@
-// Keeps one element in eight: selected by an array of 8-bit flags, and by a predicate.
+// Keeps about one element in eight: selected by an array of 8-bit flags, and by a predicate.
 #include "rivals.cuh"
 
 #include <cub/device/device_select.cuh>

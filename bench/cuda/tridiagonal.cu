@@ -1,6 +1,6 @@
 // n systems of n unknowns with one right-hand side: cuSPARSE's batched solver without pivoting, one system after the
-// other in memory. `elements` are equations. Several right-hand sides take cuSPARSE one call each, so they are not
-// measured.
+// other in memory. Several right-hand sides take cuSPARSE one call each, so they are not measured. Beside it, a kernel
+// that only moves the bytes of such systems, with one and with three right-hand sides. `elements` are unknowns.
 #include "rivals.cuh"
 
 #include <cusparse.h>
@@ -111,8 +111,8 @@ void measure(Bench& bench, const Handle& handle, std::uint32_t n) {
     bench.note_error(largest_error(x, n));
 }
 
-/// Moves the bytes that a solver has to move at least: reads three coefficients and `sides` right-hand sides, writes as
-/// many unknowns.
+/// Moves the bytes that a solver has to move at least: for each equation, reads three coefficients and `sides`
+/// right-hand sides, and writes `sides` unknowns.
 template <int sides> __global__ void move_elements(const float4* from, float4* to, std::size_t count) {
     const std::size_t stride = static_cast<std::size_t>(gridDim.x) * blockDim.x;
     for (std::size_t i = static_cast<std::size_t>(blockIdx.x) * blockDim.x + threadIdx.x; i < count; i += stride) {

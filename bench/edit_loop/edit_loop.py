@@ -3,9 +3,10 @@
 
     bench/edit_loop/edit_loop.py GLIFTC INCLUDE LIBRARY_FOLDER [--runs N]
 
-The time is user time of gliftc and of the C++ compiler, so that other work on the machine counts little; the least of N
-runs. As in a build, only those C++ sources are compiled again that gliftc wrote again, with the options of
-glift_compile.
+The time is user time of gliftc, of the C++ compiler and of the linker, so that other work on the machine counts little.
+Prints the least time of N edits and that of the first build, at -O2 and at -O0. Only those C++ sources are compiled again
+that gliftc wrote again, but all of them if it wrote a header again; with the options of glift_compile but for the level
+of optimisation.
 """
 import argparse
 import os

@@ -13,7 +13,7 @@ layout(scalar, set = 0, binding = 1) readonly buffer P { uvec3 places[]; };
 layout(set = 0, binding = 2) readonly buffer F { float f[]; };
 layout(set = 0, binding = 3) writeonly buffer G { float g[]; };
 
-// Inserts two zero bits after each bit of x.
+// Inserts two zero bits after each bit of x, which is below 1024.
 uint spread(uint x) {
     x = (x | (x << 16)) & 0x030000ffu;
     x = (x | (x << 8)) & 0x0300f00fu;

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_EXT_scalar_block_layout : require
-// Random reads through a page table, as read_pages.comp, but the size of the table's pages is a parameter; zero where
-// no page is resident.
+// Random reads through a page table, as read_pages.comp, but the size of the table's pages is a parameter; zero outside
+// and where no page is resident.
 
 layout(local_size_x = 256) in;
 

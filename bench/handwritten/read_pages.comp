@@ -1,7 +1,7 @@
 #version 460
 #extension GL_EXT_scalar_block_layout : require
-// Random reads through a page table. Pages of 8^3 are in a 3-D image of frames, which has 2^bits frames along x and y;
-// `background` where no page is resident.
+// Random reads through a page table. Pages of 8^3 are in a 3-D image of frames, which has 2^bits.x frames along x and
+// 2^bits.y along y; `background` outside and where no page is resident.
 
 layout(local_size_x = 256) in;
 

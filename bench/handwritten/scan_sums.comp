@@ -1,7 +1,7 @@
 #version 460
 #extension GL_KHR_shader_subgroup_arithmetic : require
-// Second pass of a scan: one workgroup makes the exclusive scan of the tiles' sums, in place, and writes the sum of all
-// after them.
+// Second pass of a scan or of a compaction: one workgroup makes the exclusive scan of the tiles' sums, in place, and
+// writes the sum of all after them.
 
 layout(local_size_x = 256) in;
 
