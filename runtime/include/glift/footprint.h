@@ -12,7 +12,7 @@
 
 namespace glift::detail {
 
-/// Structures whose translator is an affine map into a buffer: `place(a)` is the index of element a there.
+/// Structures whose elements lie in a buffer in order or by an affine map: `place(a)` is the index of element a there.
 template <class S>
 concept HasPlaces = requires(const S& s, typename S::Address a) {
     { s.place(a) } -> std::same_as<std::uint64_t>;
@@ -53,7 +53,8 @@ template <class S> [[gnu::noinline]] Box box_of(const char* name, const Range<S>
 
 /// The range that a call gives to one parameter.
 struct Footprint {
-    /// For a parameter that is an adaptor (a container of structures): its bindings reach all of its members' memories.
+    /// For parameters that have no range to compare: values on the device, and structures that are passed whole
+    /// (adaptors, and those of which the kernel calls functions), whose bindings may reach all elements.
     Footprint() = default;
     template <class S> [[gnu::noinline]] Footprint(const Range<S>& range)
         : structure(&range.structure()), table(&structure_table<S>), is_whole(range.is_whole()),
@@ -69,9 +70,9 @@ struct Footprint {
 /// bindings. Cheap: every call asks.
 GLIFT_API bool is_shared(const Kernel& kernel, std::span<const Memory> memories);
 
-/// How the parameters overlap in the memories that they share. `footprints` are those of the structures that the kernel
-/// takes, in its order; `visited` is the box of the first range that it visits element by element (in a draw: vertex by
-/// vertex). Throws aliased_memory where it cannot rule out that invocations race.
+/// How the parameters overlap in the memories that they share. `footprints` are those of the structures and the values
+/// on the device that the kernel takes, in its order; `visited` is the box of the first range that it visits element by
+/// element (in a draw: vertex by vertex). Throws aliased_memory where it cannot rule out that invocations race.
 GLIFT_API Sharing compare_footprints(const Kernel& kernel, std::span<const Memory> memories, const Box& visited,
                                      std::span<const Footprint> footprints);
 

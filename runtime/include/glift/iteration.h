@@ -67,8 +67,8 @@ public:
 
     /// Whether one memory is bound twice and written: then `share` must be called.
     bool is_shared(std::span<const Memory> memories) const { return detail::is_shared(kernel_, memories); }
-    /// Sets `sharing` from the ranges of all structures that the kernel takes, in its order. Throws where it cannot
-    /// rule out that invocations race.
+    /// Sets `sharing` from the footprints of all structures and values on the device that the kernel takes, in its
+    /// order. Throws where it cannot rule out that invocations race.
     void share(std::span<const Memory> memories, std::initializer_list<detail::Footprint> footprints) {
         sharing_ = detail::compare_footprints(kernel_, memories, first_, footprints);
     }

@@ -23,7 +23,7 @@ DescriptorCounts count_descriptors(const Kernel& kernel, const Form& form);
 /// Whether the device has enough descriptors for forms that take one for each buffer.
 bool buffers_fit(const Context& context, const Kernel& kernel);
 
-/// Throws too_large, naming the kernel, the number and the limit.
+/// Throws too_large, naming the kernel, the number and the limit, where the device has too few.
 void check_descriptors(const Context& context, const Kernel& kernel, const DescriptorCounts& counts);
 
 }  // namespace glift::detail
