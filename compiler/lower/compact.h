@@ -18,7 +18,7 @@ struct Mark {
 };
 
 /// Removes expressions and statements made after `mark` that neither the passes nor functions made after it refer to.
-/// The others keep their order and get smaller ids. Needs: nothing else refers to nodes made after the mark.
+/// The others keep their order and get ids without gaps. Needs: nothing else refers to nodes made after the mark.
 void compact(ir::Program& program, const Mark& mark, std::span<ir::Pass* const> passes);
 
 }  // namespace gliftc::lower

@@ -84,7 +84,7 @@ struct Context {
     ExprId size;                      ///< the size of the visited range
     ir::Part part = ir::Part::whole;  ///< in a kernel that draws: the part that is being lowered
     NodeMap<ExprId, std::uint32_t> uniform_sizes{first_expr};  ///< caches uniform_size
-    /// Caches Numbers::traits_of (number.h); valid once it is known which bindings are written.
+    /// Caches Numbers::traits_of (number.h). Cleared after each expansion, during which bindings may become written.
     NodeMap<ExprId, std::uint8_t> traits{first_expr};
 
     /// Tables of value numbering that are not in use (number_memory.h).

@@ -81,7 +81,7 @@ public:
     bool near_domains_agree = true;          ///< all near parameters whose reads have guards have its domain
     ExprId near_domain;                      ///< its domain, whose inner part the interior variant is for
 
-    /// A neighbour read that is executed unconditionally, and its value.
+    /// A read by `near`, at any offset, that is executed unconditionally; and its value.
     struct NearValue {
         std::uint32_t root;
         std::vector<std::int64_t> offset;
