@@ -198,8 +198,7 @@ struct StructField {
 struct Struct {
     Name name;
     std::string display;
-    std::string
-        key;  ///< display with module-qualified names: the same in each run of gliftc, as are all fields called key
+    std::string key;  ///< display with module-qualified names; as all keys, the same in each run of gliftc
     std::uint32_t module = 0;
     bool is_pub = false;
     std::vector<StructField> fields;
@@ -530,8 +529,8 @@ struct Program {
         std::uint32_t box_structure;
         /// The kernel that lists the elements that are there, and the structures (indices in Program::structures) that
         /// it fills: the addresses, the places in the memory, the values, and the number of entries. All 0xffffffff for
-        /// views, where every address of the domain is known to have an element of its own always, and in `gliftc
-        /// test`.
+        /// views, in `gliftc test`, and where every address of the domain is known to have an element of its own
+        /// always.
         std::uint32_t list_kernel;
         std::uint32_t addresses, places, values, counter;
     };

@@ -33,7 +33,7 @@
 //
 // "tmp" is a let that a pass of lower/ introduced; n is a number. A primary "(" expr ":" type ")" gives the type of an
 // expression whose operands do not imply it (ir/implied_type.h). "fact" is a condition that is known to hold throughout
-// the body, as --dump-after shows it for bodies. "…" stands for what print.h writes there.
+// the body; tests and --dump-after write it. "…" stands for what print.h writes there.
 #pragma once
 
 #include "ir/pass.h"
