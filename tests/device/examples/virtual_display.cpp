@@ -10,7 +10,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 
 struct VirtualDisplay::Connection {
     Display* display;
@@ -133,6 +135,8 @@ void VirtualDisplay::type(const std::string& key) const {
     XTestFakeKeyEvent(display, code, True, CurrentTime);
     XTestFakeKeyEvent(display, code, False, CurrentTime);
     connection_->done();
+    // GLFW takes a second press of a key at the time of the first, in milliseconds, for the same event.
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
 }
 
 void VirtualDisplay::resize(unsigned width, unsigned height) const {
