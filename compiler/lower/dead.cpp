@@ -1,8 +1,8 @@
+#include "lower/dead.h"
+
 #include "ir/walk.h"
-#include "lower/share.h"
 
 #include <algorithm>
-#include <functional>
 
 namespace gliftc::lower {
 
@@ -54,37 +54,44 @@ bool does_nothing_empty(const Program& p, const Stmt& stmt) {
 }
 
 /// The statement's value as an `evaluate`: it has an effect, but the local that it would be assigned to is dead.
-StmtId effect_alone(Context& cx, const Stmt& stmt, Live& live) {
+StmtId effect_alone(Program& p, const Stmt& stmt, Live& live) {
     Stmt alone = statement(StmtOp::evaluate, stmt.span);
     alone.value = stmt.value;
-    use(cx.p, alone.value, live.used);
-    return cx.add(std::move(alone));
+    use(p, alone.value, live.used);
+    return p.stmts.add(std::move(alone));
+}
+
+/// Whether no statement that follows this one in its list is reached.
+bool leaves(const Stmt& stmt) {
+    return stmt.op == StmtOp::return_ || stmt.op == StmtOp::break_ || stmt.op == StmtOp::continue_;
 }
 
 /// The statements that stay. Walks backwards, so that what only dropped statements used is dropped, too.
-std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, Live& live) {
+std::vector<StmtId> kept(Make& make, const std::vector<StmtId>& body, Live& live) {
     std::vector<StmtId> result;
     result.reserve(body.size());
     for (std::size_t i = body.size(); i-- > 0;) {
-        const Stmt& stmt = cx.p.stmts[body[i]];
-        if (stmt.op == StmtOp::if_ && stmt.otherwise.empty() && cx.make.is_false(stmt.value)) continue;
-        if (stmt.op == StmtOp::if_ && cx.make.is_true(stmt.value)) {
-            const std::vector<StmtId> always = kept(cx, stmt.body, live);
+        const Stmt& stmt = make.p.stmts[body[i]];
+        if (leaves(stmt)) result.clear();
+        if (stmt.op == StmtOp::if_ && stmt.otherwise.empty() && make.is_false(stmt.value)) continue;
+        if (stmt.op == StmtOp::if_ && make.is_true(stmt.value)) {
+            const std::vector<StmtId> always = kept(make, stmt.body, live);
+            if (!always.empty() && leaves(make.p.stmts[always.back()])) result.clear();
             result.insert(result.end(), always.rbegin(), always.rend());
             continue;
         }
         const bool is_dead_let = stmt.op == StmtOp::let && !live.used.contains(stmt.local);
-        if (is_dead_let || is_dead_assignment(cx.p, stmt, live)) {
-            if (stmt.value && has_effect(cx.p, stmt.value)) result.push_back(effect_alone(cx, stmt, live));
+        if (is_dead_let || is_dead_assignment(make.p, stmt, live)) {
+            if (stmt.value && has_effect(make.p, stmt.value)) result.push_back(effect_alone(make.p, stmt, live));
             continue;
         }
         Make::Parts parts{stmt.target, stmt.value, stmt.limit, {}, {}};
-        parts.body = kept(cx, stmt.body, live);
-        parts.otherwise = kept(cx, stmt.otherwise, live);
+        parts.body = kept(make, stmt.body, live);
+        parts.otherwise = kept(make, stmt.otherwise, live);
         bool is_empty = parts.body.empty() && parts.otherwise.empty();
-        if (is_empty && does_nothing_empty(cx.p, stmt)) continue;
-        for_each_root(stmt, [&](ExprId root) { use(cx.p, root, live.used); });
-        result.push_back(cx.make.again(body[i], std::move(parts)));
+        if (is_empty && does_nothing_empty(make.p, stmt)) continue;
+        for_each_root(stmt, [&](ExprId root) { use(make.p, root, live.used); });
+        result.push_back(make.again(body[i], std::move(parts)));
     }
     std::reverse(result.begin(), result.end());
     return result;
@@ -98,51 +105,91 @@ LocalId given(const Program& p, const Stmt& stmt, const IdSet<Local>& declared) 
     return local && declared.contains(local) ? local : LocalId{};
 }
 
-/// Finds the locals whose values are needed: some statement uses them other than to set a local that is not needed.
-void note_read(const Program& p, const std::vector<StmtId>& body, const IdSet<Local>& declared, IdSet<Local>& read) {
-    bool grows = true;
-    const std::function<void(ExprId)> note = [&](ExprId id) {
-        const Expr& node = p.exprs[id];
-        if (node.op == Op::local) grows |= read.insert(node.local);
-        for (ExprId operand : node.operands) note(operand);
-    };
-    while (grows) {
-        grows = false;
-        for_each_statement(p, body, [&](const Stmt& stmt) {
-            const LocalId to = given(p, stmt, declared);
-            if (to && !read.contains(to)) return;
-            const bool is_whole = stmt.op == StmtOp::assign && p.exprs[stmt.target].op == Op::local;
-            for_each_root(stmt, [&](ExprId root) {
-                if (!is_whole || root != stmt.target) note(root);
-            });
-        });
+/// Finds the locals whose values are needed: a needed statement uses them. Not needed are statements that only set a
+/// local that is not, and ifs, blocks and for loops of such statements alone.
+class Needed {
+public:
+    Needed(const Program& program, const std::vector<StmtId>& body, const IdSet<Local>& declared)
+        : p(program), declared_(declared) {
+        do {
+            grows_ = false;
+            note(body);
+        } while (grows_);
     }
-}
+
+    bool contains(LocalId local) const { return locals_.contains(local); }
+
+private:
+    /// Whether a statement of the body is needed, as far as is known.
+    template <class Statements> bool note(const Statements& body) {
+        bool any = false;
+        for (StmtId id : body) any |= note(p.stmts[id]);
+        return any;
+    }
+
+    bool note(const Stmt& stmt) {
+        const bool has_needed = bool(note(stmt.body) | note(stmt.otherwise));
+        if (!has_needed && does_nothing_empty(p, stmt)) return false;
+        const LocalId to = given(p, stmt, declared_);
+        if (to && !locals_.contains(to)) return false;
+        const bool is_whole = stmt.op == StmtOp::assign && p.exprs[stmt.target].op == Op::local;
+        for_each_root(stmt, [&](ExprId root) {
+            if (!is_whole || root != stmt.target) use_of(root);
+        });
+        return true;
+    }
+
+    void use_of(ExprId id) {
+        const Expr& node = p.exprs[id];
+        if (node.op == Op::local) grows_ |= locals_.insert(node.local);
+        for (ExprId operand : node.operands) use_of(operand);
+    }
+
+    const Program& p;
+    const IdSet<Local>& declared_;
+    IdSet<Local> locals_;
+    bool grows_ = false;
+};
 
 /// Marks as used the needed locals that loops assign: a later iteration may read what an earlier one assigned, which a
 /// backward walk over the body does not see.
 void use_in_loops(const Program& p, const std::vector<StmtId>& body, const IdSet<Local>& declared, IdSet<Local>& used) {
-    IdSet<Local> read;
-    note_read(p, body, declared, read);
+    const Needed needed(p, body, declared);
     for_each_statement(p, body, [&](const Stmt& stmt) {
         if (stmt.op != StmtOp::for_ && stmt.op != StmtOp::while_) return;
         for_each_statement(p, stmt.body, [&](const Stmt& inner) {
             if (inner.op != StmtOp::assign) return;
             const LocalId local = assigned(p, inner);
-            if (!local || read.contains(local)) use(p, inner.target, used);
+            if (!local || needed.contains(local)) use(p, inner.target, used);
         });
     });
 }
 
-}  // namespace
-
-std::vector<StmtId> drop_dead(Context& cx, const std::vector<StmtId>& body) {
+std::vector<StmtId> without_dead(Make& make, const std::vector<StmtId>& body) {
     Live live;
-    for_each_statement(cx.p, body, [&](const Stmt& stmt) {
+    for_each_statement(make.p, body, [&](const Stmt& stmt) {
         if (stmt.op == StmtOp::let) live.declared.insert(stmt.local);
     });
-    use_in_loops(cx.p, body, live.declared, live.used);
-    return kept(cx, body, live);
+    use_in_loops(make.p, body, live.declared, live.used);
+    return kept(make, body, live);
+}
+
+}  // namespace
+
+std::vector<StmtId> drop_dead(Context& cx, const std::vector<StmtId>& body) { return without_dead(cx.make, body); }
+
+std::vector<FunctionId> drop_dead(Program& program) {
+    Make make(program);
+    std::vector<FunctionId> changed;
+    for (std::uint32_t i = 0; i < program.functions.size(); ++i) {
+        const FunctionId id{i};
+        if (!program.functions[id].structures.empty()) continue;  // passes call lowered instances of it (instances.cpp)
+        std::vector<StmtId> body = without_dead(make, program.functions[id].body);
+        if (body == program.functions[id].body) continue;
+        program.functions[id].body = std::move(body);
+        changed.push_back(id);
+    }
+    return changed;
 }
 
 }  // namespace gliftc::lower

@@ -1,8 +1,8 @@
 #include "lower/find_rows.h"
 
 #include "ir/walk.h"
+#include "lower/dead.h"
 #include "lower/rewrite.h"
-#include "lower/share.h"
 #include "lower/slopes.h"
 
 #include <algorithm>

@@ -399,18 +399,12 @@ StmtId Make::again(StmtId id, Parts parts) {
     if (parts.target == stmt.target && parts.value == stmt.value && parts.limit == stmt.limit &&
         stmt.body == parts.body && stmt.otherwise == parts.otherwise)
         return id;
-    Stmt made = statement(stmt.op, stmt.span);
-    made.local = stmt.local;
+    Stmt made = stmt;
     made.target = parts.target;
     made.value = parts.value;
     made.limit = parts.limit;
     made.body = std::move(parts.body);
     made.otherwise = std::move(parts.otherwise);
-    made.arguments = stmt.arguments;
-    made.unrolled = stmt.unrolled;
-    made.slot = stmt.slot;
-    made.combine = stmt.combine;
-    made.place = stmt.place;
     return p.stmts.add(std::move(made));
 }
 

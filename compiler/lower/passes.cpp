@@ -1,5 +1,6 @@
 #include "lower/passes.h"
 
+#include "lower/dead.h"
 #include "lower/guard.h"
 #include "lower/move_rows.h"
 #include "lower/share.h"

@@ -8,6 +8,7 @@
 #include "lower/compact.h"
 #include "lower/contained.h"
 #include "lower/copy_rows.h"
+#include "lower/dead.h"
 #include "lower/dispatch.h"
 #include "lower/expand.h"
 #include "lower/find_rows.h"
@@ -400,6 +401,8 @@ Lowered lower(Program& program, Diagnostics& diagnostics, Settings settings) {
         settings.trace->note("fold_constants", program, folded);
         if (settings.trace->stop_after == "fold_constants") return {};
     }
+    const std::vector<FunctionId> shortened = drop_dead(program);
+    if (settings.trace != nullptr) settings.trace->note("drop_dead", program, shortened);
     mark_affine(program);
     mark_contained(program);
     widen_extents(program);  // after the other two, which need extents as they are written

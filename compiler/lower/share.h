@@ -16,8 +16,4 @@ std::vector<StmtId> share(Context& cx, const std::vector<StmtId>& body, const st
 /// value replaces the use, if it cannot change within the pass.
 std::vector<StmtId> merge_single_uses(Context& cx, const std::vector<StmtId>& body);
 
-/// Dead code elimination: drops `let`s and assignments that nothing uses, and ifs, blocks and for loops that are
-/// empty. Also resolves an `if` whose condition is the constant true, or the constant false without an else.
-std::vector<StmtId> drop_dead(Context& cx, const std::vector<StmtId>& body);
-
 }  // namespace gliftc::lower

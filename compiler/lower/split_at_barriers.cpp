@@ -1,7 +1,7 @@
 #include "lower/split_at_barriers.h"
 
 #include "ir/walk.h"
-#include "lower/share.h"
+#include "lower/dead.h"
 
 #include <map>
 #include <set>

@@ -1,7 +1,7 @@
 #include "lower/version_loops.h"
 
+#include "lower/dead.h"
 #include "lower/rewrite.h"
-#include "lower/share.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,0 +1,19 @@
+// Dead code elimination: drops `let`s and assignments that nothing uses, ifs, blocks and for loops that are empty, and
+// what follows a return, break or continue. Also resolves an `if` whose condition is the constant true, or the constant
+// false without an else.
+//
+// Needs: a body of memory operations, or a function without structures. Guarantees: the same values, stored in the same
+// order.
+#pragma once
+
+#include "lower/context.h"
+
+namespace gliftc::lower {
+
+std::vector<StmtId> drop_dead(Context& cx, const std::vector<StmtId>& body);
+
+/// Does so in the functions without structures, which all passes may call as they are; drivers' compilers need not be
+/// relied on for it (NVIDIA's crashed on a function most of which was dead). Returns the functions that have changed.
+std::vector<ir::FunctionId> drop_dead(ir::Program& program);
+
+}  // namespace gliftc::lower
