@@ -73,11 +73,16 @@ ExprId Make::unary(UnaryOp op, ExprId a) {
     return again(node, {a});
 }
 
+namespace {
+
+bool compares(BinaryOp op) { return op >= BinaryOp::less && op <= BinaryOp::not_equal; }
+
+}  // namespace
+
 ExprId Make::binary(BinaryOp op, ExprId a, ExprId b) {
     Expr node;
     node.op = Op::binary;
-    bool compares = op >= BinaryOp::less && op <= BinaryOp::not_equal;
-    node.type = compares                                                    ? p.types.bool_
+    node.type = compares(op)                                                ? p.types.bool_
                 : p.types.is_vector(type(b)) && !p.types.is_matrix(type(a)) ? type(b)
                                                                             : type(a);
     node.binary = op;
@@ -187,9 +192,18 @@ bool Make::is_number(ExprId id, double value) const {
     return static_cast<double>(static_cast<std::int64_t>(node->bits)) == value;
 }
 
+/// Whether the value is known to be equal to itself: numbers and bools are, unless they are floats, which may be NaNs.
+bool Make::equals_itself(ExprId id) const {
+    const bool is_number = p.types.is_scalar(type(id)) || p.types.is_vector(type(id));
+    return is_number && !p.types.is_floating(p.types.scalar_of(type(id)));
+}
+
 /// Simplifies by identities such as x + 0 = x. Not for floats, where they fail for -0 and NaN.
 std::optional<ExprId> Make::simpler_binary(const Expr& node, ExprId a, ExprId b) {
     auto whole = [&](ExprId id) { return type(id) == node.type; };
+    if (compares(node.binary) && equals_itself(a) && is_same(a, b))
+        return truth(node.binary == BinaryOp::equal || node.binary == BinaryOp::less_equal ||
+                     node.binary == BinaryOp::greater_equal);
     switch (node.binary) {
     case BinaryOp::add:
         // x + (2^32 - 1) is x - 1.

@@ -71,6 +71,7 @@ private:
     std::optional<std::uint64_t> limit_of(ExprId id) const;
     std::optional<ExprId> exact_quotient(ExprId value, std::uint64_t divisor);
     bool is_same(ExprId one, ExprId other) const;
+    bool equals_itself(ExprId id) const;
     std::optional<ExprId> simpler_quotient(ExprId value, std::uint64_t divisor);
     std::optional<ExprId> simpler_remainder(ExprId value, std::uint64_t divisor);
     std::optional<ExprId> put_together(ExprId quotients, ExprId rest);
