@@ -1,6 +1,7 @@
-// Expander: `sample`, `gather` and `compare`, which access the elements around a point. They use the device's sampler
-// where it can do that, for which the memory must be an image in which elements have their own addresses; else the
-// elements are read one by one, and `sample` and `compare` make a weighted sum.
+// Expander: `sample`, `gather` and `compare`, which access the elements around a point. Of an image that keeps each
+// element at its own address, the device's sampler filters, gathers or compares the texels, if it can for the image's
+// shape and format. Texels that it can gather but not compare, `compare` gathers and compares by arithmetic. All other
+// elements are read one by one, and `sample` and `compare` interpolate by arithmetic.
 #include "ir/chain.h"
 #include "lower/expand.h"
 #include "lower/memory.h"
@@ -99,8 +100,8 @@ bool Expander::is_gathered(const Place& place) {
     return !is_coherent(place) && is_texel_address(place) && is_flat(root_memory(p, cx.structure_at(place)).shape);
 }
 
-/// The four texels around a point, gathered by the device. It is asked for the point at which all four meet, so that no
-/// device rounds it to other texels.
+/// The four texels around a point, gathered by the device. The gather is given the corner that the four texels share,
+/// so that a device that rounds coordinates still takes these four.
 Expander::Around Expander::gathered(const Place& place, ExprId at) {
     const std::string name = cx.name_of(place);
     const TypeId element = cx.structure_at(place).element, four = p.types.vector(element, 4);
@@ -174,7 +175,8 @@ Expander::Around Expander::around(const Place& place, ExprId at) {
     if (has_layers)
         corner = make.construct(floats, {make.component(corner, 0), make.component(corner, 1),
                                          make.intrinsic(Intrinsic::floor, p.types.float_, {make.component(at, 2)})});
-    // Negative corners wrap to addresses outside the domain, where reads give the structure's otherwise.
+    // For reads of a structure, negative coordinates wrap to unsigned addresses outside its domain, where it decides
+    // what a read gives. For texels they stay signed, and texel_near clamps them.
     TypeId ints = p.types.with_scalar(numbers, p.types.int_);
     ExprId base = make.convert(ints, corner);
     base = named(name + "_base", is_image ? base : make.convert(numbers, base));

@@ -1,5 +1,6 @@
 // Calls, in pipelines and from C++, of functions that the host cannot evaluate, mostly since they read memory: a
-// generated pipeline calls the function in a pass of one invocation, and its result stays on the device.
+// generated pipeline calls the function in a pass of one invocation, and returns a value that lies on the device. A
+// method in C++ waits for that value.
 #include "ir/levels.h"
 #include "ir/walk.h"
 #include "sema/components.h"
@@ -27,7 +28,7 @@ std::string key_of(const Context& c, const ir::Function& function) {
     return key;
 }
 
-/// A kernel that assigns a call of the function to the parameter `out result: each<Box>`. Its other parameters are the
+/// A kernel that assigns a call of the function to the parameter `result: out each<Box>`. Its other parameters are the
 /// function's structures and values.
 ir::Kernel kernel_of(Context& c, ir::FunctionId id, std::uint32_t box) {
     ir::Program& program = c.program;

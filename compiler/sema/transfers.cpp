@@ -55,8 +55,9 @@ std::optional<std::uint32_t> box_of(Context& c, std::uint32_t axes, ir::TypeId o
     return c.types()[type].index;
 }
 
-/// Adds the kernel that lists the elements that are there, and the structures that take the lists. Nothing to add for
-/// structures of which all elements are always there.
+/// Adds the kernel by which C++ lists the elements that are there (read_resident), and the boxes that it fills. Adds
+/// none for views, for structures whose elements are computed, and where every address is known to have its own
+/// element.
 static void list_of(Context& c, ir::Program::Transfer& transfer, Span use) {
     const ir::Structure structure = c.program.structures[transfer.structure];
     if (!ir::has_resident_part(c.program, structure)) return;

@@ -1,4 +1,4 @@
-// Implements format_code with clangFormat as a library.
+// The part of format_code (interop.h) in libglift_clang.so: formats code by the library clangFormat.
 
 #include "interop/plugin.h"
 
@@ -12,7 +12,8 @@ namespace {
 
 using clang::format::FormatStyle;
 
-/// The style in a .clang-format file or of that name; else an error that says which of the two failed.
+/// The style in the .clang-format file with the path `wanted`, or, if there is no such file, clang-format's style of
+/// that name. The error says whether neither exists, or the file cannot be read or parsed.
 llvm::Expected<FormatStyle> find_style(std::string_view wanted) {
     const llvm::StringRef style(wanted.data(), wanted.size());
     if (!llvm::sys::fs::exists(style)) {
