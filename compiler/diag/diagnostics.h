@@ -41,8 +41,8 @@ struct Diagnostic {
 };
 
 /// Collects diagnostics in the order reported. One mistake gives one error: a second error at the very same span, and a
-/// second diagnostic of one id there, is dropped if it comes within the next hundred diagnostics. So are errors beyond
-/// the limit.
+/// second diagnostic of one id there, is dropped if it comes within the next hundred diagnostics, unless the span is
+/// empty. Errors beyond the limit are dropped, too.
 class Diagnostics {
 public:
     /// Reports `id` at `span`. Notes can be added to the diagnostic returned, until the next report.

@@ -19,8 +19,8 @@
 
 namespace gliftc::lower {
 
-/// Identifies a lowered instance of a function: the function as sema made it (or a translator's function), and the
-/// places of the structures and of the translator state that it uses.
+/// Identifies a lowered instance of a function: the function before lowering, which may be a translator's, the places
+/// of the structures that it takes, and the stage whose translator state it reads.
 struct FunctionKey {
     ir::FunctionId function;
     std::vector<std::vector<std::uint32_t>> places;  ///< for each structure its Place: root, then members
@@ -33,7 +33,7 @@ struct FunctionKey {
 /// The code of an affine translator for one stage of one structure, with the local `address` in place of the virtual
 /// address: expanded once, then copied for each address.
 struct AddressForm {
-    /// The name that the source gives to a value.
+    /// A name of a value, from the source or made by the expander (f_domain).
     struct Naming {
         ExprId value;
         Name name;
@@ -41,12 +41,14 @@ struct AddressForm {
     };
     ir::Place place;
     const ir::Stage* stage = nullptr;
-    /// Whether the code can be copied. Not if it needs statements, loads, uses the address as a whole, is not to be
-    /// inlined, or is only known at run time to map the address.
+    /// Whether the code can be copied: it may be inlined, it is an expression without statements and without bindings
+    /// that the pass did not have before, it uses a vector address only by its components, and whether it maps the
+    /// address is known at compile time.
     bool is_known = false;
-    /// The local that stands for the virtual address; the physical address; a constant: whether there is one.
+    /// The local that stands for the virtual address; the physical address; whether there is one (absent if
+    /// there always is; else a constant, if `is_known`).
     ExprId address, value, has;
-    std::vector<ExprId> nodes;  ///< the nodes of `value`, operands first
+    std::vector<ExprId> nodes;  ///< the nodes of `value` that the expansion made, operands first
     std::vector<Naming> names;
 };
 
@@ -70,13 +72,14 @@ struct Context {
     /// The values of immutable locals that `let`s of the lowered bodies declare (not all of them: `address` and
     /// `in_range`, for example, are left out).
     NodeMap<LocalId, ExprId> definitions{first_local};
-    /// Names that the source gives to values, used for locals that passes introduce for them.
+    /// Names of values, from the source or made by the compiler (f_domain): for locals and parameters that passes
+    /// introduce for these values.
     NodeMap<ExprId, Name> names{first_expr};
     void name(ExprId id, std::string_view text) { names.emplace(id, p.names->intern(text)); }
     std::map<FunctionKey, ir::FunctionId> instances;
     std::vector<std::unique_ptr<AddressForm>> address_forms;
     /// Results of calls whose arguments are all constants of integers, bools or enums, such as unit(2), by function and
-    /// arguments; absent: the call cannot be evaluated.
+    /// arguments. An entry with an invalid id: the call cannot be evaluated.
     std::map<std::vector<std::uint64_t>, ExprId> known_calls;
     /// The functions in `instances`. They may load, so calls of them are not uniform.
     std::unordered_set<ir::FunctionId> made_functions;

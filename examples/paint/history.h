@@ -1,5 +1,6 @@
-// The history of strokes, which can be undone and redone: for each stroke, a step, the texels of the pages that it
-// changed, before and after it. They are kept on the device, and moved to the host where they take too much room there.
+// The history of strokes, which can be undone and redone. A step is kept for each stroke: the texels of the pages that
+// the stroke changed, as they were before and after it. Texels are kept on the device; where they take too much of its
+// memory, those of the oldest steps move to the host.
 #pragma once
 
 #include "journal.glift.hpp"
@@ -14,7 +15,8 @@ struct HistoryBudget {
     std::uint64_t device = 256u << 20, host = 1u << 30;
 };
 
-/// Marks the listed pages: journal::store and journal::restore copy the texels of marked pages.
+/// Chooses the pages whose texels journal::store and journal::restore copy: marks the pages of `list`, then has the
+/// octree list the marked ones (Octree::marked_frames), which takes the marks away.
 void mark(const glift::Device& device, journal::Octree& octree, const journal::PageList& list);
 
 class History {
@@ -25,8 +27,8 @@ public:
     /// dropped. Does nothing if the stroke changed no page.
     void add(const glift::Device& device, journal::Octree& octree, journal::Journal& journal);
 
-    /// Restore the pages to what they were before the last step that is not undone, or after the first one that is;
-    /// false if there is no such step.
+    /// undo() restores the pages of the last step that is not undone to what they were before its stroke; redo(), those
+    /// of the first step that is undone to what they were after its stroke. False if there is no such step.
     bool undo(const glift::Device& device, journal::Octree& octree);
     bool redo(const glift::Device& device, journal::Octree& octree);
 

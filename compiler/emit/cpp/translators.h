@@ -5,8 +5,8 @@
 
 namespace gliftc::cpp {
 
-/// Whether a function that the translator's function calls directly uses the translator's state. print_method cannot
-/// print such a translator's function.
+/// Whether a translator's function calls a function that uses the translator's state. Only functions that it calls
+/// itself are looked at, not those that they call. If so, print_method cannot print it.
 bool uses_state_elsewhere(const ir::Program& program, ir::FunctionId function);
 
 /// Declares the scalar state of a stage (one translator of `via`), in terms of the structure that `object` reaches
@@ -21,15 +21,18 @@ void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, 
                   const std::vector<std::string>& states,
                   const std::function<Text(Printer&, const ir::Expr&)>& surroundings = {});
 
-/// Whether elements that follow each other along x may lie one after the other in a buffer, in the same layout as on
-/// the host: boxes of such a structure are copied by rows. Each structure from it down to the one with the memory has
-/// no translator (elements in order) or one affine map, which says where a row begins.
+/// Whether the class of a structure gets place() and row_memory(), with which the runtime copies a box by rows where it
+/// finds that the elements of a row are contiguous. The elements lie in a buffer, in the same layout as on the host.
+/// Each structure from it down to the one with the memory has no translator (elements in order) or one affine map,
+/// which is total, not many-to-one, reads no structures and can be printed by print_method; no address leads beyond the
+/// memory of any of them.
 bool has_rows(const ir::Program& program, const ir::Structure& structure);
 
 /// The memory that the elements of a structure which has rows lie in.
 std::string rows_of(const Unit& unit, std::uint32_t structure);
 
-/// `std::uint64_t place(uint4 address) const`, where a structure that has rows keeps an element.
+/// `std::uint64_t place(uint4 address) const`: the index, in the memory of rows_of, of an element of a structure that
+/// has rows.
 void print_place(Unit& unit, Writer& out, std::uint32_t structure);
 
 }  // namespace gliftc::cpp

@@ -46,7 +46,8 @@ protected:
     HostCounters& counters_;
 
 private:
-    std::recursive_mutex mutex_;  ///< a recording holds it around all of its steps
+    /// Recursive: submitting a recording holds it while the steps run, and each step locks it again.
+    std::recursive_mutex mutex_;
 };
 
 /// Records commands with copies of their arguments, except for kernels, which it refers to (kernel.h).
@@ -88,7 +89,7 @@ private:
     std::shared_ptr<Workspace> workspace_ = std::make_shared<Workspace>();
     std::vector<std::shared_ptr<HostStorage>> blocks_;  ///< of the workspace
     std::vector<std::function<void(HostStream&)>> steps_;
-    std::vector<Memory> held_;  ///< that steps use
+    std::vector<Memory> held_;  ///< that steps use; without the targets of draws, which their steps hold
     std::unordered_set<const MemoryObject*> held_objects_;
 };
 

@@ -33,7 +33,8 @@ void use_everything(const glift::vulkan::Objects& objects) {
     device.wait();
 }
 
-/// Fails the test for each object that was not destroyed before the device, as the validation layer reports it.
+/// Fails the test for each object that was not destroyed before the device, as the validation layer reports it: the
+/// layer is on where GLIFT_VALIDATE is set.
 VKAPI_ATTR VkBool32 VKAPI_CALL on_leak(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                        const VkDebugUtilsMessengerCallbackDataEXT* data, void*) {
     if (std::string(data->pMessage).find("has not been destroyed") != std::string::npos)
@@ -63,7 +64,8 @@ private:
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
 };
 
-/// Makes the first call fail, then the second, and so on, until there are no more. Returns the number of calls.
+/// Runs the work again and again: the first call of a function that can fail fails in the first run, the second in the
+/// second, and so on, until a run makes fewer calls or the test has failed. Returns the number of runs before the last.
 std::uint64_t fail_each(const PlainVulkan& mine, const glift::vulkan::Objects& objects, VkResult failure) {
     for (std::uint64_t call = 1;; ++call) {
         pretence.calls = 0;

@@ -1,9 +1,11 @@
-// The software rasteriser of the host device: generated code describes a draw and shades fragments block by block.
+// The software rasteriser of the host device: generated code describes a draw, shades its vertices, and shades
+// fragments block by block.
 //
 // Coverage is that of Vulkan with 8 bits of subpixel precision: window coordinates are rounded to 1/256 of a pixel, a
 // pixel is covered if its centre lies inside a triangle or on a top or left edge. A line is a rectangle one pixel wide
 // (Vulkan's strict lines), a point a square of one pixel; both are drawn as two triangles, which are front-facing.
-// Vertex and fragment shaders run in parallel; within a tile of the target, triangles keep their order.
+// Batches of vertices follow each other. In each, chunks of vertices are shaded in parallel, then tiles of the viewport
+// are drawn in parallel; within a tile, triangles keep their order.
 #pragma once
 
 #include <glift/api.h>
@@ -32,7 +34,7 @@ struct Fragments {
     static constexpr unsigned side = 8;
 
     int2 first;  ///< the block's first pixel, relative to the viewport's. Even in the framebuffer, so it may be -1
-    std::uint64_t covered;  ///< bit i for pixel i
+    std::uint64_t covered;  ///< bit i: pixel i is covered and did not fail an early depth test
     bool is_front;
     const float* corner[3];  ///< varyings of the triangle's vertices, which clipping may have made
     const float* flat;       ///< those of the first vertex of the draw's triangle, line or point
