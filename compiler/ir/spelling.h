@@ -1,5 +1,5 @@
-// Spellings of operators, invocation ids, builtins and other enumerations in the text of the IR, for print.h and
-// read.h.
+// The spellings of operators, builtins and other enumerators in the text of the IR (print.h, read.h). Some are also
+// used in messages, generated C++, reflection (JSON) and the output of `gliftc explain`.
 #pragma once
 
 #include "ir/pass.h"

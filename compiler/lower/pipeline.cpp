@@ -309,7 +309,8 @@ Lowered::Forms all_forms(Program& program, Diagnostics& diagnostics, std::uint32
     for (Pass* pass : {&forms.general, &forms.wide})
         if (is_coarsened(forms.direct) && !is_coarsened(*pass) && has_one_place(*pass))
             *pass = lower(pass->form, Elements::two_in_turn);
-    // A workgroup must cover the same number of elements in all forms: if one form takes one an invocation, all do.
+    // A workgroup must cover the same number of elements in all forms, since they share one description of the kernel
+    // (glift::Kernel::items): if one form takes one element an invocation, all do.
     const std::array all{&forms.direct, &forms.general, &forms.wide};
     const auto takes_one = [](const Pass* pass) { return !is_coarsened(*pass); };
     if (std::ranges::any_of(all, takes_one))
@@ -405,10 +406,10 @@ Lowered lower(Program& program, Diagnostics& diagnostics, Settings settings) {
     if (settings.trace != nullptr) settings.trace->note("drop_dead", program, shortened);
     mark_affine(program);
     mark_contained(program);
-    widen_extents(program);  // after the other two, which need extents as they are written
+    widen_extents(program);  // after mark_contained, which needs extents as they are written
     widen_translators(program);
-    // Does not depend on the number of processors, so that all machines do the same. A trace must be in the order of
-    // the kernels.
+    // This choice does not depend on the number of processors, so that all machines run the same code. A trace must be
+    // in the order of the kernels.
     const bool are_few = program.kernels.size() < 2 * kernels_of_a_thread || settings.trace != nullptr;
     Lowered result{(are_few ? lowered_in_order : lowered_on_threads)(program, diagnostics, settings), {}};
     release_temporaries(program);

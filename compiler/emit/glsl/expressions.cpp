@@ -197,8 +197,9 @@ bool is_read_by_address(const Printer& p, ExprId id) {
     return expr->op == Op::load && p.pass.form == ir::Form::wide;
 }
 
-/// A vector of which one component is taken. NIR's copy propagation takes component 0 for any component that is read
-/// through an address, if it knows the whole vector from another read. So the vector is read whole there, too.
+/// A vector of which one component is taken. If NIR's copy propagation knows a vector from a read of it as a whole, it
+/// mistakes each single component that is read through an address for component 0. So a vector that lies behind an
+/// address is first passed whole to a function, and the component is taken from the result.
 std::string print_vector(Printer& p, ExprId id, std::string text) {
     return is_read_by_address(p, id) ? need(p, Helper::whole_vector, p.program.exprs[id].type) + "(" + text + ")"
                                      : text;
@@ -271,9 +272,9 @@ std::string print_side(Printer& p, ExprId id, Level least) {
     return print(p, id, least);
 }
 
-/// The arguments of a struct's, an array's, a vector's or an optional's constructor. If the type is no vector and has
-/// bools, structs, arrays and optionals that lie in blocks are composed of their parts, since glslang passes them as
-/// they lie there.
+/// The arguments of a struct's, an array's, a vector's or an optional's constructor. If that type contains a bool and
+/// is no vector, each argument that is a struct, an array or an optional in a block is composed of its parts, since
+/// glslang would pass it with the type that it has in the block, where bools are uints.
 std::string parts_of_whole(Printer& p, const Expr& expr) {
     const TypeKind kind = p.program.types.kind(expr.type);
     const bool has_parts = kind == TypeKind::struct_ || kind == TypeKind::array || kind == TypeKind::optional;
