@@ -21,8 +21,8 @@ bool is_stored_element(const ir::Program& p, const ir::Structure& owner, ir::Exp
            read.type == p.types.uint && ir::evaluate(p, read.operands[0]);
 }
 
-/// The element that is the number of blocks, wherever it is no larger than their bound if they have one: `state[0]` of
-/// `min(state[0], capacity)`, and `state[0]` that is returned alone. Absent: the number is another value.
+/// The element that gives the number of blocks: `state[0]` where the number is `min(state[0], capacity)` and `capacity`
+/// the bound of the blocks, or where it is `state[0]` alone. Absent: the number is another value.
 ir::ExprId counted_element(const ir::Program& p, const ir::Structure& owner) {
     const ir::Blocks& blocks = *owner.blocks;
     const ir::ExprId value = single_return(p, blocks.count);
@@ -71,8 +71,8 @@ void return_element(Context& c, ir::Pipeline& pipeline, const ir::Structure& own
 }  // namespace
 
 // Where the number is an element of a structure, the pipeline gives the element itself, not a copy: the dispatch that
-// follows uses it at once. Kernels over the same blocks, one after the other, then share the pass that prepares their
-// dispatches.
+// follows uses it at once. Kernels over the same blocks then share the pass that prepares their dispatches, as long as
+// nothing writes the element between them.
 std::optional<std::uint32_t> counter_of_blocks(Context& c, std::uint32_t index, Span use) {
     const ir::FunctionId count = c.program.structures[index].blocks->count;
     const auto general = pipeline_of_function(c, count, use);

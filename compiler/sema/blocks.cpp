@@ -74,8 +74,8 @@ bool reads_elements(const ir::Program& p, ir::ExprId id) {
     return reads;
 }
 
-/// An upper bound of the value that the host can compute: the value itself, or an operand of a `min`; absent if there
-/// is none.
+/// An upper bound of the value, one that the host can compute: the value itself, or an operand of a `min`, which may be
+/// nested in another. Absent: none is known.
 ir::ExprId bound_of(const ir::Program& p, ir::ExprId value) {
     if (!value || !reads_elements(p, value)) return value;
     const ir::Expr& expr = p.exprs[value];
@@ -198,7 +198,8 @@ std::vector<std::uint32_t> deciding(const ir::Kernel& kernel) {
 }  // namespace
 
 void find_space(Context& c, ir::Kernel& kernel) {
-    // Kernels with a group, and those that take several elements an invocation, compute with positions in the range.
+    // Draws run over corners and pixels. Kernels with a group, and those that take several elements an invocation,
+    // compute with positions in the range.
     if (kernel.raster || kernel.grouped() || kernel.items != 1) return;
     const std::vector<std::uint32_t> params = deciding(kernel);
     if (params.empty()) return;

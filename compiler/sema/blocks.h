@@ -15,7 +15,8 @@ struct BlockItems {
     void note(const Context&, ast::DeclId);
 };
 
-/// Checks the declarations and sets Structure::blocks. To be called once the structure has its domain.
+/// Checks the declarations and sets Structure::blocks. To be called once Structure::domain_type is set: block() and
+/// block_size() return addresses of that type.
 void add_blocks(Context&, const Env&, std::uint32_t structure, const BlockItems&);
 
 /// A call of `s.blocks()`, `s.block(i)` or `s.block_size()`; a structure without blocks, its own or those of its memory

@@ -39,7 +39,8 @@ struct Symbol {
     Span span;                    ///< all kinds: where the name is declared
     ir::TypeId type;              ///< local, state, member, host_state
     ir::LocalId local;            ///< local
-    ir::Place place;              ///< structure, iterator: the path to it; else root 0, the container
+    ir::Place place;              ///< structure, iterator: the path to it; member, memory, host_state: root 0, the
+                                  ///< container, whose value or memory it is
     std::uint32_t structure = 0;  ///< structure, iterator, memory (the one that has it): index in Program::structures
     /// state: index in the scalar fields of the translator (the code that maps addresses) whose function this is.
     /// member: in the structure's constructor values. memory: in its memories. host_state: in its fields that live on
@@ -239,8 +240,9 @@ std::optional<Operand> check_pipeline_call(Body&, const std::vector<ast::DeclId>
                                            const std::vector<ast::ExprId>& generics, const ast::Expr& call,
                                            const Operand* owner = nullptr);
 std::optional<Operand> check_pipeline_builtin(Body&, std::string_view name, const ast::Expr& call);
-/// The operand as one of kind `structure`: a slice, or a structure constructed in the expression, is first put into a
-/// new local; a structure that has a name is returned as it is. Absent for any other operand.
+/// The operand as one of kind `structure`. A structure constructed in the expression, or a slice made in it or returned
+/// by a pipeline, is first put into a new local; one that has a name is returned as it is. Absent for any other
+/// operand.
 std::optional<Operand> as_structure(Body&, const Operand&);
 Operand check_pipeline_index(Body&, const Operand& structure, const ast::Expr& index);
 Operand construct_structure(Body&, ir::TypeId, const ast::Expr& call);

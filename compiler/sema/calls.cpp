@@ -21,8 +21,8 @@ Operand call_type(Body& body, ir::TypeId type, const ast::Expr& call) {
     return construct_value(body, type, call);
 }
 
-/// The id or size of a workgroup or subgroup that a function of this name gives. Only kernels and functions with
-/// `group` may call these.
+/// The index, count or size in a workgroup or subgroup that the built-in function of this name gives. Only kernels and
+/// functions with `group` may call these.
 std::optional<ir::Invocation> find_invocation(std::string_view name) {
     if (name == "local_index") return ir::Invocation::local_index;
     if (name == "group_index") return ir::Invocation::group_index;

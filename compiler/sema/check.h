@@ -32,7 +32,7 @@ struct LoadedModule {
     const ast::Module* tree = nullptr;
     bool is_root = false;  ///< named on the command line
     /// For each tree->uses[i], the index of the module that it names in the list of all modules that check() is given;
-    /// ~0u: there is no such module.
+    /// ~0u: an import with an error, which has been reported.
     std::vector<std::uint32_t> uses;
 };
 
@@ -40,9 +40,9 @@ struct LoadedModule {
 /// no module imports it.
 inline constexpr std::string_view transfer_module = "std.transfer";
 
-/// Checks what the root modules declare without generic parameters: first types, translators and constants of all of
-/// them, then functions, kernels, pipelines and tests, each time in the order of the list and of the source; then
-/// pipelines and public functions of the adaptors that have a public name in a root module. Generic declarations,
+/// Checks what the root modules declare without generic parameters: first types, translators, constants and aliases of
+/// all of them, then functions, kernels, pipelines and tests, each time in the order of the list and of the source;
+/// then pipelines and public functions of the adaptors that have a public name in a root module. Generic declarations,
 /// functions with structure parameters, other functions of structures, and what other modules declare are checked where
 /// they are used. `modules` has imported modules before those that import them. Errors go to `diagnostics`; the program
 /// is complete only if there are none.

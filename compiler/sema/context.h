@@ -91,8 +91,8 @@ struct Context {
     std::vector<std::string> interfaces_under_way;          ///< keys of interface checks in progress, to detect cycles
     std::vector<Request> requests;                          ///< the stack of instantiations, outermost first
     std::vector<std::unique_ptr<Env>> environments;
-    /// By index in Program::structures, translators or structs: the environment, declaration and generic arguments of
-    /// each instance.
+    /// By index in Program::structures, translators or structs: the declaration and the generic arguments of each
+    /// instance; of structures and translators also the environment.
     std::unordered_map<std::uint32_t, const Env*> structure_env;
     std::unordered_map<std::uint32_t, ast::DeclId> structure_decl;
     std::unordered_map<std::uint32_t, const Env*> translator_env;

@@ -33,7 +33,8 @@ struct Arguments {
     bool finish(bool quiet = false);
 };
 
-/// Binds a parameter by the default type of a literal argument. To be called after all other inference.
+/// Binds a generic parameter by the default type of a literal argument. To be called after all other inference, since
+/// an argument that has a type of its own decides before a literal.
 void infer_from_literal(Arguments&, ast::ExprId pattern, ast::ExprId literal);
 
 /// The declaration's name with its generic arguments: "Array<4, float>".
@@ -45,7 +46,8 @@ std::string qualified_display_of(const Context&, ast::DeclId, const Env&);
 /// passed to a function.
 std::string key_of(const Context&, ast::DeclId, const Env&);
 
-/// Whether the argument satisfies the constraint; `why` is the reason if not.
+/// Whether the argument satisfies the constraint; `why` is the reason if not. True also where the constraint itself has
+/// an error, which is reported.
 bool satisfies(Context&, const Env&, ast::ExprId constraint, const Meta&, std::string& why);
 
 }  // namespace gliftc::sema

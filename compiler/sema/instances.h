@@ -31,9 +31,10 @@ std::optional<std::uint32_t> instantiate_pipeline(Context&, ast::DeclId, const E
                                                   std::optional<std::uint32_t> owner, Span use);
 inline constexpr std::uint32_t lies_on_device = 0xffffffffu;
 
-/// Instantiates the kernels that move boxes of the structure between host and device, and adds them to
-/// Program::transfers, unless they are there. Does the same for the structure's members; of an adaptor, for them alone.
-/// Nothing to do for a view without a domain.
+/// Instantiates the kernels of std.transfer for the structure, which move boxes of elements between host and device,
+/// fill boxes, and list the elements that are there; adds them to Program::transfers. Nothing to do if that has them
+/// already. Does the same for the structure's members; of an adaptor, for them alone. Nothing to do for a view without
+/// a domain.
 void require_transfers(Context&, std::uint32_t structure, Span use);
 
 void instantiate_test(Context&, ast::DeclId);

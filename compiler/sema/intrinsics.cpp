@@ -143,8 +143,8 @@ bool has_type_of_result(const Signature& signature, const Shape& shape) {
     return signature.result == shape.letter || signature.result == '=';
 }
 
-/// The scalar type hint for literals: that of the other arguments, else of the expected type, else float, double or
-/// uint64 where the letter allows it; absent for letters that allow other numbers.
+/// The scalar type hint for literals: that of the other arguments, else of the expected type, else float for the
+/// letters of floating types, double for D and uint64 for L. Absent for other letters: literals keep their own types.
 ir::TypeId literal_hint(ir::Types& types, char letter, ir::TypeId common, ir::TypeId wanted) {
     if (common) return types.scalar_of(common);
     if (wanted && accepts(types, letter, wanted)) return types.scalar_of(wanted);

@@ -11,7 +11,8 @@ struct Visible {
     std::vector<ast::DeclId> found, hidden;
 };
 
-/// Reports a name that several imports declare, unless all declare functions, or all declare kernels or pipelines.
+/// Reports a name that several imports declare as public, unless all declare functions, or all declare kernels or
+/// pipelines.
 Visible look_up(Context&, std::uint32_t module, ast::Identifier name);
 
 /// Whether the declarations of one name, all of which are overloaded together, are kernels or pipelines.

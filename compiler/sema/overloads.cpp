@@ -24,9 +24,8 @@ struct Candidate {
 };
 
 struct CheckedArguments {
-    std::vector<Operand>
-        operands;  ///< kind error and no span for those that are checked once a parameter's type is known
-    std::vector<bool> waits;
+    std::vector<Operand> operands;  ///< of kind error, without a span, where `waits` is set
+    std::vector<bool> waits;        ///< for each argument, whether it is checked once its parameter's type is known
     bool failed = false;
 };
 
@@ -181,8 +180,7 @@ Operand call_as_pass(Body& body, ir::FunctionId function, const std::vector<Oper
     return value_operand(body, result, span);
 }
 
-/// The node of a call, or where the host cannot evaluate it, a call of a pipeline that does so in a pass
-/// (call_as_pass).
+/// The node of a call, or where is_pass() says so, a call of a pipeline that evaluates it in a pass (call_as_pass).
 Operand call_instance(Body& body, ir::FunctionId function, const std::vector<Operand>& structures, ir::Operands values,
                       Span span) {
     if (is_pass(body, function, structures, values)) return call_as_pass(body, function, structures, values, span);

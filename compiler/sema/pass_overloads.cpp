@@ -14,7 +14,8 @@ const std::vector<ast::Param>& params_of(const ast::Decl& decl) {
     return std::get<ast::Pipeline>(decl.body).params;
 }
 
-/// Whether a parameter takes the argument, by its type alone.
+/// Whether the type of the argument fits the parameter; of literals, whether they can take the parameter's type. `none`
+/// and braced lists fit any parameter but a range.
 bool takes(Body& body, const Env& env, const ast::Param& param, const PassArgument& argument) {
     Context& c = body.context;
     if (param.pattern == ast::Pattern::range) {

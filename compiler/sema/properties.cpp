@@ -49,8 +49,8 @@ void look(const ir::Program& program, ir::FunctionId id, Flow& flow) {
     look(program, program.functions[id].body, flow);
 }
 
-/// Lowers properties by the translators of the structures that the translator reads, since each read is translated in
-/// turn. The memories of those structures are not followed.
+/// Weakens properties that a translator of a structure which this translator reads does not have, since each read is
+/// translated in turn. The memories of those structures are not followed.
 void add_tables(const ir::Program& program, ir::Translator& translator) {
     ir::Properties& properties = translator.properties;
     for (std::uint32_t structure : translator.structures) {

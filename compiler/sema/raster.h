@@ -21,8 +21,8 @@ void check_raster(Body&, const ast::Kernel& written);
 /// Whether the structure's own memory has the format d32.
 bool has_depth_format(const ir::Structure&);
 
-/// Reports variables that some path through a part leaves unassigned (position, varyings, clip distances; colour
-/// targets, but for paths that discard), and a corner that is placed twice, or in a loop.
+/// Reports what some path through a part leaves unassigned (the corner's place, varyings, clip distances; colour
+/// targets, but for paths that discard), and a corner that is placed twice on a path, or in a loop.
 void check_assigned(Context&, const ir::Kernel&);
 
 /// The local of the fragment part that holds the value for a target; absent if the target had an error.
@@ -38,7 +38,8 @@ ir::Part part_of(ir::Pattern);
 /// `discard;`
 void check_discard(Body&, const ast::Stmt&);
 
-/// A call of a built-in function of the vertex or fragment part; absent if the name is none of these.
+/// A call of place, clip_distance, window, front_facing or, in a part of a draw, position; absent: the name is another
+/// one.
 std::optional<Operand> call_in_raster(Body&, std::string_view name, const ast::Expr& call);
 
 /// Whether the code being checked is in the wanted part; reports the use of `name` elsewhere.

@@ -14,7 +14,8 @@ void check_replaced_together(Body&);
 
 /// Once all pipelines are known: reports a member whose constructor is given a structure inside another member, if some
 /// pipeline may replace that structure or one around it, but for the outermost. Likewise a memory that is a level or
-/// layer of an image in a member, if that member may be replaced. They would keep the old memory.
+/// layer of an image in a member, if that member, or one in it that has the image, may be replaced. They would keep
+/// the old memory.
 void check_given(Context&);
 
 }  // namespace gliftc::sema

@@ -561,7 +561,8 @@ ir::TypeId make_structure(Context& c, ast::DeclId id, const Env& env) {
         case ast::ItemKind::condition: break;
         }
     });
-    // `via` named a translator with an error, which was reported there.
+    // `via` has an error. One in a translator may have been reported for an earlier structure: it does not count in
+    // `errors`.
     if (has_via && c.program.structures[index].via.empty()) return c.types().error;
     if (c.diagnostics.error_count() == errors) finish_structure(body, index, domain, otherwise);
     if (c.diagnostics.error_count() == errors) add_blocks(c, env, index, blocks);
@@ -620,7 +621,7 @@ ir::TypeId make_adaptor(Context& c, ast::DeclId id, const Env& env) {
             break;
         }
         case ast::ItemKind::function:
-        case ast::ItemKind::pipeline: break;  // instantiated when called; those of public adaptors by check()
+        case ast::ItemKind::pipeline: break;  // instantiated when called; what C++ programs may call, by check()
         case ast::ItemKind::memory:
         case ast::ItemKind::via:
         case ast::ItemKind::otherwise: c.error(Diag::item_not_here, item.span, {"an adaptor"}); break;

@@ -1,6 +1,6 @@
 // A forward data-flow analysis of a kernel's body or a draw's fragment part: where are values and control flow uniform?
 // Functions that declare a workgroup (`group`) are analysed at each call, since they may contain barriers. Levels only
-// rise; the walk is repeated until none does, then once more to report.
+// rise, and sets of accesses only grow; the walk is repeated until neither changes, then once more to report.
 #include "sema/uniformity.h"
 
 #include "ir/effects.h"

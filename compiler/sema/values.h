@@ -26,7 +26,7 @@ private:
 
 /// Checks an operand of a larger expression: check() while a Parts lives.
 Operand check_part(Body&, ast::ExprId);
-/// Whether the expression has a leaf on the device, so that a pass must compute it.
+/// Whether the expression has a leaf on the device, so that the host cannot evaluate it.
 bool is_open(const Body&, ir::ExprId);
 /// Makes a value of a device type a leaf (Op::device_value) of an open expression; returns any other operand unchanged.
 Operand opened(Body&, Operand);

@@ -1,4 +1,4 @@
-// Warnings about code that is valid but surely not meant: unused parameters, `out` parameters that are never written,
+// Warnings about code that is valid but probably not meant: unused parameters, `out` parameters that are never written,
 // unreachable statements, `x = x`.
 #pragma once
 

@@ -81,7 +81,7 @@ void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made)
     const bool has_none = allowed == ir::Directions::none;
     switch (param.direction) {
     case ast::Direction::none:
-        // inout, so that uses in the body give no further errors.
+        // inout where the pattern allows several, so that uses in the body give no further errors.
         made.direction = writes_only ? ir::Direction::out : reads_only ? ir::Direction::in : ir::Direction::inout;
         if (!reads_only && !has_none)
             note(c.error(Diag::direction_missing, param.name.span, {c.text(param.name.name)}), param.name.span,
@@ -109,7 +109,7 @@ namespace {
 /// Reports an image as the target of combined writes if devices have no atomic operations on its texels.
 void check_combined_image(Context& c, const ast::Expr& op, std::uint32_t index) {
     const ir::Structure& structure = c.program.structures[index];
-    if (structure.kind != ir::StructureKind::stored) return;  // reported as written
+    if (structure.kind != ir::StructureKind::stored) return;  // a view: check_stored() reports it
     const ir::Memory& memory = ir::root_memory(c.program, structure);
     if (memory.shape == ir::MemoryShape::buffer || has_atomics(memory.format)) return;
     note(c.error(Diag::scatter_image, op.span,
@@ -137,7 +137,7 @@ ir::Combine check_combine(Context& c, ast::ExprId operation, std::uint32_t struc
 
 void check_coherent(Context& c, ast::Identifier name, std::uint32_t index) {
     const ir::Structure& structure = c.program.structures[index];
-    if (structure.kind != ir::StructureKind::stored) return;  // reported as written
+    if (structure.kind != ir::StructureKind::stored) return;  // a view: check_stored() reports it
     const ir::Memory& memory = ir::root_memory(c.program, structure);
     if (memory.shape == ir::MemoryShape::buffer || memory.format == ir::Format::r32i ||
         memory.format == ir::Format::r32ui)
