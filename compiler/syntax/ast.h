@@ -143,11 +143,11 @@ struct GenericParam {
 enum class Direction : std::uint8_t { none, in, out, inout };
 
 /// The access pattern of a parameter: how it may be accessed, and which elements (docs/language.md, "Kernels and
-/// iterators").
+/// iterators"). `range` is no pattern of kernels: a pipeline's parameter or result `range<N, T>`.
 enum class Pattern : std::uint8_t { none, each, near, any, at, scatter, coherent, calls, target, instance, range };
 
-/// `name: [in|out|inout] [each|near|any|at|scatter|coherent|calls|target|instance|range]<type, extra…> [= default]`, or
-/// `name: [in|out|inout] type [= default]`
+/// `name: [in|out|inout] (each|near|any|at|scatter|coherent|calls|target|instance|range)<type, extra…> [= default]`,
+/// `name: [in|out|inout] type [= default]`, or in some methods (Parser::parse_param) `name`
 struct Param {
     Identifier name;
     Direction direction = Direction::none;
@@ -167,7 +167,8 @@ struct Attribute {
     Span span;
 };
 
-/// `with scatter<member, op>`: a member of its container that a function writes, and how.
+/// `scatter<member, op>` after `with`: a member of its container that a function writes, or (`calls`) whose functions
+/// it calls.
 struct MemberPattern {
     Pattern pattern = Pattern::none;
     Span pattern_span;
@@ -175,8 +176,8 @@ struct MemberPattern {
     std::vector<ExprId> extra;  ///< scatter: the operation's name
 };
 
-/// `fn name<…>(…) [with …] -> type { … }`; methods, before which `fn` may be left out (translate, invert, domain, at,
-/// …), are functions too.
+/// `fn name<…>(…) [group(…)] [with …] [-> type] { … }`; methods, before which `fn` may be left out (translate, invert,
+/// domain, at, …), are functions too.
 struct Function {
     std::vector<Param> params;
     std::vector<ExprId> group;  ///< the workgroup that its callers must have; empty: any or none
@@ -211,7 +212,7 @@ struct Enum {
     std::vector<Enumerator> enumerators;
 };
 
-/// Members are functions. Bodies are parsed, but not looked at.
+/// Members are functions. A body is parsed, but sema does not look at it.
 struct Interface {
     std::vector<DeclId> members;
 };

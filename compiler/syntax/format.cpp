@@ -43,8 +43,8 @@ private:
         return limit;
     }
 
-    /// The index of the piece after the attributes `@name(arguments) @name…` at `from`, if that piece begins a new
-    /// line; else `from`.
+    /// The index of the piece after the attributes `@name(arguments) @name…` that stand in one line from `from` on, if
+    /// that piece begins a new line and is no comment; else `from`.
     std::uint32_t end_of_attribute(std::uint32_t from, std::uint32_t limit) const {
         std::uint32_t end = from;
         while (end < limit && pieces_[end].is(TokenKind::at_sign) && (end == from || !pieces_[end].first_on_line)) {

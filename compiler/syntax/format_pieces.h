@@ -18,7 +18,7 @@ struct Piece {
     bool first_on_line = false;  ///< in the source
     bool blank_before = false;   ///< an empty line precedes it in the source
     bool space_before = false;   ///< white space precedes it in the source
-    std::uint32_t partner = 0;   ///< opening brackets: index of the piece that closes it
+    std::uint32_t partner = 0;   ///< opening brackets: index of the closing one
 
     bool is(TokenKind wanted) const { return kind == PieceKind::token && token == wanted; }
     bool is_comment() const { return kind == PieceKind::line_comment || kind == PieceKind::block_comment; }

@@ -144,8 +144,9 @@ private:
         while (class_of(look()) == digit) ++at_;
     }
 
-    /// integer: (digit+ | "0x" hex+) ["u" | "l" | "ul"];  floating: digit+ ("." digit+ [exponent] | exponent) ["f" |
-    /// "h" | "d"];  exponent: ("e" | "E") ["+" | "-"] digit+
+    /// integer: (digit+ | ("0x" | "0X") hex+) ["u" | "l" | "ul"];
+    /// floating: digit+ ("." digit+ [exponent] | exponent) ["f" | "h" | "d"];
+    /// exponent: ("e" | "E") ["+" | "-"] digit+
     void number() {
         std::size_t begin = at_;
         bool floating = false;

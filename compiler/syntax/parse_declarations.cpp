@@ -1,4 +1,4 @@
-// Declarations other than components: functions, structs, enums, interfaces, constants, kernels, pipelines.
+// Declarations of functions, structs, enums, interfaces, constants, type aliases, kernels and pipelines.
 #include "syntax/parser_state.h"
 
 namespace gliftc {

@@ -91,7 +91,7 @@ private:
         int angles;
     };
 
-    // ---- expressions (parse_expressions.cpp, also generic arguments; parse_primary.cpp)
+    // ---- expressions (parse_expressions.cpp, parse_primary.cpp)
     ExprId add(ast::Expr expr);
     ExprId error_expr();
     ExprId parse_expression();
@@ -118,7 +118,7 @@ private:
     bool generic_arguments_follow() const;
     std::string decode_string(const Token& token);
 
-    // ---- types (parse_types.cpp)
+    // ---- types (parse_types.cpp; parse_generic_argument: parse_expressions.cpp)
     ExprId parse_type();
     ExprId parse_generic_argument();
     std::vector<ast::GenericParam> parse_generic_params();

@@ -70,7 +70,7 @@ void Parser::report_unclosed(std::uint32_t open_token) {
             {span_of(tokens_[badly_indented_]), "by its indentation, this is the one that lacks its '}'"});
 }
 
-/// Called at a `}`: records the first `{` whose line is indented differently than its `}`, where that begins a line.
+/// Called at a `}`: records the first `{` whose line is indented differently than its `}`, if the `}` begins a line.
 void Parser::check_indentation(std::uint32_t open_token) {
     if (badly_indented_ != 0xffffffffu || !peek().first_on_line) return;
     std::string_view text = sources_[file_].text;
@@ -93,8 +93,8 @@ void Parser::skip_balanced() {
     } while (open > 0 && !at_end() && !at_declaration_in_first_column());
 }
 
-/// Skips past the next `;` or `{ … }`, or to a `}`, to a line that begins a statement or item, or to a declaration in
-/// the first column.
+/// Skips past the next `;` or `{ … }` (but for one before `else`, and that of a `do … while`), or to a `}`, to a line
+/// that begins a statement or item, or to a declaration in the first column.
 void Parser::recover_in_list() {
     lost_ = false;
     while (!at_end() && !at(close_brace) && !at_declaration_in_first_column()) {
@@ -140,8 +140,8 @@ bool Parser::at_declaration() const {
     return declaration_words.has(peek().word) && peek(1).kind == identifier;
 }
 
-/// Whether a declaration other than a `const` begins in the first column here. Within braces that means that a `}` is
-/// missing: it ends them.
+/// Whether a declaration begins in the first column here, other than a `const`, which may be a statement. Within braces
+/// that means that a `}` is missing: the list in them ends before the declaration.
 bool Parser::at_declaration_in_first_column() const {
     if (!peek().first_on_line || !at_declaration() || at(kw_const)) return false;
     std::uint32_t begin = peek().begin;

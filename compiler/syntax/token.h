@@ -61,8 +61,8 @@ struct Token {
 };
 
 struct Comment {
-    std::uint32_t begin = 0, end = 0;  ///< with its slashes, without its end of line
-    std::uint32_t next_token = 0;      ///< the token that follows
+    std::uint32_t begin = 0, end = 0;  ///< from the first slash; of a line comment, without the end of the line
+    std::uint32_t next_token = 0;      ///< index of the token that follows
     bool is_doc = false;               ///< `///`
     bool first_on_line = false;
 };
