@@ -19,7 +19,7 @@ struct Name {
 };
 
 /// The texts of all names of one compilation. Owns them, but for those of a table that it extends. Every identifier of
-/// the source passes through intern(): its hash table is therefore one made for speed, with open addressing, never more
+/// the source passes through intern(), so that the hash table is one made for speed, with open addressing, never more
 /// than half full.
 class Names {
 public:

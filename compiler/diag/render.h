@@ -14,7 +14,7 @@ enum class Colour : std::uint8_t { plain, coloured };
 /// an id. What has no span has no location and no source line.
 std::string render_text(const Diagnostic& diagnostic, const Sources& sources, Colour colour);
 
-/// All of them; a last line gives the number of errors where the limit was reached.
+/// All diagnostics, each as above; a last line gives the number of errors where the limit was reached.
 std::string render_text(const Diagnostics& diagnostics, const Sources& sources, Colour colour);
 
 /// One JSON array; an object a diagnostic: severity, id, text, where known file, line, column, end_line, end_column,

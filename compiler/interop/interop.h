@@ -16,8 +16,8 @@ enum class ImportedScalar : std::uint8_t { Bool, Int, Uint, Float, Half, Double,
 
 struct ImportedType {
     ImportedScalar scalar = ImportedScalar::Float;
-    std::uint32_t components = 1;              ///< 2 to 4 for float2 … uint4
-    std::uint32_t record = 0;                  ///< Struct: an index into ImportedHeader::structs
+    std::uint32_t components = 1;              ///< of a vector, 2 to 4; else 1
+    std::uint32_t record = 0;                  ///< Struct: an index into ImportResult::structs
     std::vector<std::uint64_t> array_extents;  ///< outermost first; empty if the field is no array
 };
 
@@ -58,7 +58,7 @@ struct FormatResult {
     std::string error;  ///< empty: done
 };
 
-/// Formats C++ or GLSL. `style` is the path of a .clang-format file, or a name clang-format knows (LLVM, Google, …).
+/// Formats C++. `style` is the path of a .clang-format file, or a name clang-format knows (LLVM, Google, …).
 FormatResult format_code(std::string_view text, std::string_view style);
 
 }  // namespace gliftc

@@ -1,5 +1,5 @@
-// The functions that libglift_clang.so exports. It is built together with gliftc; the version detects a library of
-// another build.
+// The functions that libglift_clang.so exports. It is built together with gliftc; `plugin_version`, the version of this
+// interface, detects a library of a build with another one.
 #pragma once
 
 #include "interop/interop.h"

@@ -92,9 +92,10 @@ bool holds_half(const Program& program, TypeId id) {
                                [&](const StructField& field) { return holds_half(program, field.type); });
 }
 
-/// Whether the parameters may be in a uniform buffer and not in a storage buffer. Draws prefer it: helper invocations
-/// of fragment shaders read zeros from storage buffers on some devices (ir/derivatives.h), but not from uniform
-/// buffers. Not with halves, which need another device feature in uniform buffers.
+/// Whether parameters that are no push constants are in a uniform buffer rather than a storage buffer: those of draws,
+/// where they fit. Helper invocations of fragment shaders read zeros from storage buffers on some devices
+/// (ir/derivatives.h), but not from uniform buffers. Not with halves, which need another device feature in uniform
+/// buffers.
 bool suits_uniform_buffer(const Program& program, const Pass& pass) {
     const bool draws = pass.kernel < program.kernels.size() && program.kernels[pass.kernel].raster;
     return draws && pass.parameter_bytes <= uniform_buffer_limit &&

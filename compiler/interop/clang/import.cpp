@@ -47,7 +47,7 @@ struct NamedVector {
     std::uint32_t components;
 };
 
-/// The vector type that a C++ name, float2 to uint64_4, means: the runtime's, or a user's of the same name in any
+/// The vector type that a C++ name such as float2 or uint64_4 means: the runtime's, or a user's of the same name in any
 /// namespace. import_record() checks the size.
 std::optional<NamedVector> vector_named(llvm::StringRef name) {
     static const std::pair<llvm::StringRef, ImportedScalar> stems[] = {
@@ -118,8 +118,8 @@ private:
         return context_.getSourceManager().getPresumedLoc(location).getLine();
     }
 
-    /// Whether the struct can be copied to the device byte by byte and has no data besides named fields; reports where
-    /// not.
+    /// Whether the struct, apart from its fields, can be copied to the device byte by byte: it is no union, has no base
+    /// class and no virtual functions, and is trivially copyable. Reports where not.
     bool check(const CXXRecordDecl& record) {
         const std::string name = "'" + record.getQualifiedNameAsString() + "'";
         if (!record.isStruct() && !record.isClass()) {
@@ -194,9 +194,9 @@ private:
         return true;
     }
 
-    /// The vector type that a field has, if it has one: its struct is named float3, its type is an alias of that name,
-    /// or it is an instance of a class template called vec with a scalar type and a number of components, in either
-    /// order.
+    /// The vector type that a field has, if it has one: the field's struct is named float3 (or like another vector),
+    /// its type is an alias of such a name, or an instance of a class template called vec with a scalar type and a
+    /// number of components, in either order.
     std::optional<NamedVector> vector_of(const CXXRecordDecl& record, const FieldDecl& field) const {
         if (const auto vector = vector_named(record.getName())) return vector;
         const auto* alias = field.getType()->getAs<TypedefType>();
