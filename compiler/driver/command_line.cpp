@@ -79,8 +79,8 @@ void finish(Options& options, const Typed& typed) {
     }
 }
 
-/// Throws ValidationError for a --depfile where nothing is written, for '-' as output folder or depfile, and for a
-/// --library that is not the standard library.
+/// Throws ValidationError for a --depfile where no outputs are written, for '-' as output folder or depfile, and for a
+/// --library without the module std.transfer, which cannot be the standard library.
 void check_combinations(const Options& options) {
     const bool stops =
         options.stop_after || options.dump || !options.stop_after_pass.empty() || !options.dump_after.empty();

@@ -24,8 +24,9 @@ void check_written(const std::string& path, const std::optional<std::string>& er
     if (error) throw EnvironmentError("cannot write '" + path + "': " + *error);
 }
 
-/// The depfile's path: as given, else <name>.glift.d of the first module beside the outputs. Empty, so that none is
-/// written, if neither it nor -MD is given and --target chooses outputs, and if there are no outputs.
+/// The depfile's path: as given; else beside the outputs, the name of the first one with its last ending replaced by
+/// .d (<name>.glift.d, as the first is mostly the C++ header of the first module). Empty, so that none is written, if
+/// no path is given and there are no outputs, or --target chooses them and -MD is not given.
 std::string depfile_of(const Options& options, const Result& result) {
     if (!options.depfile.empty() || result.outputs.empty()) return options.depfile;
     if (!options.targets.empty() && !options.writes_depfile) return {};

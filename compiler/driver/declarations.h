@@ -1,4 +1,4 @@
-// Finds which importable module declares a name, for "did you mean" notes.
+// Finds which importable module declares a name, for notes at errors about unknown names: "module std.reduce has it".
 #pragma once
 
 #include "driver/file_system.h"

@@ -58,12 +58,13 @@ std::string path_of(const Compilation& c, std::string_view name) {
     return std::string(name);
 }
 
-/// The GLSL of a kernel, for people to read. `shader`: that of a draw's vertex part, too; `fragment`: draws only.
+/// The GLSL of a kernel, for people to read. `shader`: the compute shader or, of a draw, the vertex shader; `fragment`:
+/// of a draw, the fragment shader.
 struct Readable {
     std::string shader, fragment;
 };
 
-/// The GLSL of each kernel, in the form that is easiest to read: the direct one, if there is one.
+/// The GLSL of each kernel, in the form that is easiest to read: the direct one, else the general one.
 std::vector<Readable> readable_shaders(const Compilation& c, const std::vector<std::uint32_t>& kernels) {
     constexpr std::size_t share = 64;  // starting a thread for fewer does not pay off
     std::vector<Readable> texts(kernels.size());

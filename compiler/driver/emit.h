@@ -6,10 +6,10 @@
 namespace gliftc {
 
 /// The outputs of every root module for the selected targets. Throws std::runtime_error if generated GLSL is invalid,
-/// if clang cannot format the C++ (--style), or if two files have one name.
+/// if clang cannot format the C++ (--style), or if two files on the command line have one name.
 std::vector<Output> emit(const Options& options, const Compilation& compilation);
 
-/// Reports a --style that clang does not know.
+/// Reports a --style that clang cannot use, or if clang is not there to format.
 void check_style(const Options& options, Diagnostics& diagnostics);
 
 }  // namespace gliftc

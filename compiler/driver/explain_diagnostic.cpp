@@ -11,7 +11,7 @@ namespace gliftc {
 
 namespace {
 
-/// Accepts an id as messages show it, [unknown-name], without the brackets, or with a prefix: E-unknown-name.
+/// The id in `unknown-name`, in `[unknown-name]`, as messages show it, or in `E-unknown-name` or `W-unknown-name`.
 std::string id_in(std::string word) {
     if (word.size() > 2 && word.front() == '[' && word.back() == ']') word = word.substr(1, word.size() - 2);
     return word.starts_with("E-") || word.starts_with("W-") ? word.substr(2) : word;

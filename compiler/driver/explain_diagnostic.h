@@ -5,7 +5,8 @@
 
 namespace gliftc {
 
-/// Whether the only argument can be the id of a diagnostic: it has no '.' and no '/', and there is no such file.
+/// Whether there is one argument, which can be the id of a diagnostic: it is not '-', has no '.' and no '/', and there
+/// is no such file.
 bool names_diagnostic(const Options& options);
 
 /// Prints the diagnostic's text and its example, which is its test in tests/errors. Returns the exit code.

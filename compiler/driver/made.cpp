@@ -48,8 +48,8 @@ public:
             for (ir::ExprId argument : member.arguments) {
                 if (program_.types.kind(program_.exprs[argument].type) == ir::TypeKind::structure) continue;
                 values.push_back(value_of(*made, argument));
-                // lower/widen.h has given the expression a 64-bit type, so that it is exact; the constructor's is
-                // another.
+                // The expression may have a 64-bit type, which lower/widen.h gave it to make it exact: the value gets
+                // the type of the constructor's parameter.
                 const ir::TypeId wanted = program_.locals[inside.constructor[values.size() - 1]].type;
                 if (values.back()) values.back()->type = wanted;
             }
@@ -119,7 +119,8 @@ std::uint64_t texel_bytes(ir::Format format) {
     return 0;
 }
 
-/// Lists the memories of what is made, with their bytes. name_roles() is to be called before count().
+/// Lists the memories of what is made, with their bytes. name_roles() is to be called before count(), which adds the
+/// roles to the list.
 class Counter {
 public:
     Counter(const ir::Program& program, const Maker& maker) : program_(program), maker_(maker) {}
@@ -132,7 +133,7 @@ public:
         for (const auto& member : instance.members) count(*member);
     }
 
-    /// Says of each structure that translates by tables which are its elements and which its tables.
+    /// For each structure that translates by tables, records which structures have its elements and which its tables.
     void name_roles(const Instance& instance) {
         if (!named_.insert(&instance).second) return;
         const std::string name = instance.path.empty() ? "it" : instance.path;

@@ -35,7 +35,8 @@ struct Options {
     bool checked = false;                     ///< --checked: generated code reports accesses out of range
     bool optimize = false;                    ///< -O: SPIR-V through spirv-opt
     bool host_only = false;                   ///< --host-only: C++ without SPIR-V inside
-    std::uint32_t shards = 1;                 ///< --shards: sources that the kernels of a module are spread over
+    std::uint32_t shards = 1;                 ///< --shards: sources for the kernels of a module, and as many for those
+                                              ///< that it uses of other modules
     bool spirv_files = false;                 ///< --spirv-files: generated C++ embeds SPIR-V from files beside it
     bool source_lines = false;                ///< -g: #line in generated C++, so that debuggers show the .glift file
     bool list_outputs = false;

@@ -32,7 +32,7 @@ public:
     /// is a hash of outputs, include folders, imported headers (`read_files`), runtime and compiler.
     std::string name_of(const std::vector<Output>& outputs, const std::vector<std::string>& include_folders,
                         const std::vector<std::string>& read_files) const;
-    /// Whether the cache has the program from an earlier run.
+    /// Whether the cache has the program, which may be from an earlier run.
     bool has(const std::string& name) const;
     /// Builds the program. Throws std::runtime_error if the C++ compiler fails.
     void build(const std::string& name, const std::vector<Output>& outputs,

@@ -1,4 +1,4 @@
-// Tests translators with the compiler's evaluator: all addresses of domains of a few thousand.
+// Tests translators with the compiler's evaluator: all addresses of a few domains, of 2^14 addresses at most.
 #pragma once
 
 #include "ir/ir.h"
