@@ -44,7 +44,8 @@ struct ImportRequest {
 /// The structs, or an error with its location in the C++ header.
 struct ImportResult {
     std::vector<ImportedStruct> structs;  ///< each after those that it contains, so that the requested one is the last
-    std::vector<std::string> read_files;  ///< the headers read, system headers left out: for the depfile
+    std::vector<std::string> read_files;  ///< the headers read, system headers left out: for the depfile and the cache
+                                          ///< of `gliftc test`
     std::string error;                    ///< empty: done
     std::string error_file;               ///< empty if the error has no location
     std::uint32_t error_line = 0;         ///< 0 if unknown

@@ -110,8 +110,8 @@ struct Body {
     /// device may stand in it (sema/values.h).
     bool is_open = false;
     std::vector<ir::ExprId> leaves;  ///< pipelines: nodes Op::device_value made so far for the expression being checked
-    /// Pipelines: the prefix of the keys of kernels that compute values on the device for this pipeline. The key of a
-    /// kernel identifies it: each run of gliftc gives the same kernel the same key.
+    /// Pipelines: the prefix of the keys (ir::Kernel::key) of the kernels that compute values on the device for this
+    /// pipeline. Each run of gliftc gives the same kernel the same key.
     std::string key;
     /// A branch, or the body of a loop, whose condition lies on the device.
     struct Arm {

@@ -34,7 +34,8 @@ struct Position {
 
 /// One file's text with its line starts.
 struct SourceFile {
-    std::string path;  ///< as given on the command line, or as found for an import; separators are '/'
+    std::string path;  ///< of the command line, or found for an import; normalised by driver/load.cpp, separators are
+                       ///< '/'. "<stdin>": standard input
     std::string text;
     std::vector<std::uint32_t> line_starts;  ///< byte offset of each line's first byte
 };

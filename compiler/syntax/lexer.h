@@ -6,8 +6,8 @@
 
 namespace gliftc {
 
-/// Never fails: text that begins no token is reported and becomes a bad_character token (a word with characters beyond
-/// ASCII mostly an identifier); an unterminated string or comment is reported, and ends with its line or the file.
+/// Never fails: text that begins no token is reported and becomes a bad_character token (a word of characters beyond
+/// ASCII and others an identifier); an unterminated string is reported and ends with its line, a comment with the file.
 /// Malformed numbers (bad_number) are left to the parser to report. The list ends with TokenKind::end.
 TokenList lex(std::uint32_t file, const Sources& sources, Names& names, Diagnostics& diagnostics);
 
