@@ -36,8 +36,9 @@ ir::ExprId runs(Body& body, std::size_t depth, Span span) {
 }
 
 /// Whether the value calls a function. Other values are computed even where the arm does not run, and then discarded by
-/// a `select`. A call must not be: its operands may be unset there, and a loop in it might not end. So the value gets a
-/// pass of its own in the arm, dispatched over nothing where the arm does not run.
+/// a `select`. A call must not be: its operands may be values that passes of the arm did not compute, with which a loop
+/// in the function might not end. So the value gets a pass of its own in the arm, dispatched over nothing where the arm
+/// does not run.
 bool calls_functions(Body& body, ir::ExprId value) {
     bool found = false;
     ir::for_each_node(body.program(), value,

@@ -10,8 +10,8 @@ namespace gliftc::sema {
 
 namespace {
 
-/// Whether the value is a uint that is an element of a stored structure, a member of `owner` or inside one, at a
-/// constant address of one dimension.
+/// Whether the value is an element of type uint, at a constant address of one dimension, of a stored structure that is
+/// a member of `owner` or of such a member.
 bool is_stored_element(const ir::Program& p, const ir::Structure& owner, ir::ExprId id) {
     const ir::Expr& read = p.exprs[id];
     if (read.op != ir::Op::read || read.operands.size() != 1 || read.place.root != 0 || read.place.members.empty())

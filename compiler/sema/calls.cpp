@@ -272,7 +272,8 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         return error_value(body, call.span);
     };
     // Functions of the declaration itself come before built-in ones: a structure may define its own `find`. Not so
-    // `domain` and `at`, which have operations, and those of blocks, which call_of_blocks() has handled.
+    // `domain` and `at`, which the operations for domains and reads of elements call, and those of blocks, which
+    // call_of_blocks() has handled.
     const std::vector<ast::Item>& items = items_of(c, self.structure);
     std::vector<ast::DeclId> overloads, pipelines;
     for (const ast::Item& item : items) {

@@ -46,8 +46,8 @@ std::string qualified_display_of(const Context&, ast::DeclId, const Env&);
 /// passed to a function.
 std::string key_of(const Context&, ast::DeclId, const Env&);
 
-/// Whether the argument satisfies the constraint; `why` is the reason if not. True also where the constraint itself has
-/// an error, which is reported.
+/// Whether the argument satisfies the constraint; `why` is the reason if not. Errors in the constraint itself are
+/// reported.
 bool satisfies(Context&, const Env&, ast::ExprId constraint, const Meta&, std::string& why);
 
 }  // namespace gliftc::sema

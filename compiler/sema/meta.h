@@ -32,7 +32,7 @@ Meta as_type(Context&, const Meta&);
 ir::TypeId type_of(Context&, const Env&, ast::ExprId);
 
 /// The value of a compile-time expression of the wanted type; if that is absent, of its own type, which is uint for
-/// literals without suffix. Reports otherwise.
+/// integer literals without suffix (others without suffix are then an error). Reports otherwise.
 std::optional<ir::Value> constant_of(Context&, const Env&, ast::ExprId, ir::TypeId wanted = {});
 
 /// The checked value of a `const` declaration.

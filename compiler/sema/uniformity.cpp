@@ -276,7 +276,8 @@ Flow Uniformity::operands(const ir::Expr& node) {
     return flow;
 }
 
-/// A local's value. Workgroup memory is uniform after a barrier, until an invocation writes it.
+/// A local's value. A read of workgroup memory is uniform if no invocation writes that array between the barriers
+/// before and after the read.
 Flow Uniformity::local(ir::ExprId id, const ir::Expr& node) {
     if (p.locals[node.local].storage != ir::Storage::shared)
         return worse(locals_[{call_, node.local}], varying(node.local));
@@ -299,7 +300,8 @@ Flow Uniformity::invocation(const ir::Expr& node) const {
     return {};
 }
 
-/// A read of memory that the pass does not write is uniform if its address is.
+/// A read through an `any` parameter, whose elements the pass does not write, is uniform if its address is; no other
+/// read is.
 Flow Uniformity::of_memory(const ir::Expr& node, const ir::Place& place, const Flow& address) const {
     const ir::KernelParam& param = kernel_.params[roots_[place.root]];
     const bool is_fixed =
