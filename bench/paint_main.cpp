@@ -61,7 +61,7 @@ struct View {
 /// The whole model; and what is in the middle of that picture, from near.
 std::vector<View> views_of(const mesh::Mesh& mesh, const Options& o) {
     const mesh::Box box = mesh::bounds_of(mesh);
-    const auto right = static_cast<float>(-o.turn), upwards = static_cast<float>(o.upwards);
+    const auto right = static_cast<float>(o.turn), upwards = static_cast<float>(o.upwards);
     const camera::Camera far = looking_at((box.low + box.high) * 0.5f, right, upwards, static_cast<float>(o.far));
     const float3 towards = glift::normalize(far.target - far.eye);
     float3 nearest = far.target;
@@ -93,7 +93,7 @@ std::vector<strokes::Stroke> generated_strokes(const mesh::Mesh& mesh, const std
     const float3 middle = (box.low + box.high) * 0.5f;
     for (unsigned side = 0; side < 5; ++side)
         for (const float y : {80.0f, 160.0f, 240.0f, 320.0f})
-            add(looking_at(middle, 1.5708f * static_cast<float>(side), side == 4 ? 1.4f : 0, 1), 60, 6, y);
+            add(looking_at(middle, -1.5708f * static_cast<float>(side), side == 4 ? 1.4f : 0, 1), 60, 6, y);
     for (const View& view : views) add(view.camera, 16, 8, 200);
     return made;
 }

@@ -77,7 +77,7 @@ float4x4 cube_projection_of(const float3& eye, unsigned face, float opening, flo
 Camera orbited(const Camera& camera, float to_the_right, float upwards, float closer) {
     const float3 arm = camera.eye - camera.target;
     const float distance = glift::length(arm);
-    const float longitude = std::atan2(arm.x, arm.z) - to_the_right;
+    const float longitude = std::atan2(arm.x, arm.z) + to_the_right;
     const float latitude = std::clamp(std::asin(std::clamp(arm.y / distance, -1.0f, 1.0f)) + upwards, -1.5f, 1.5f);
     Camera moved = camera;
     moved.eye = camera.target + float3(std::cos(latitude) * std::sin(longitude), std::sin(latitude),

@@ -225,7 +225,7 @@ camera::Camera Orbit::camera() const {
     camera.eye = target + float3(0, 0, 1.6f);
     camera.near = 0.01f;
     camera.far = 8;
-    return camera::orbited(camera, -turn, upwards, closer);
+    return camera::orbited(camera, turn, upwards, closer);
 }
 
 std::vector<strokes::Stroke> paint_at(window::Window& window, Canvas& canvas, Orbit& orbit, painted::Layers layers,

@@ -48,7 +48,7 @@ private:
             if (event.kind == window::PointerEvent::Kind::move && event.is_down) {
                 const glift::float2 way = (event.place - place_) * 0.005f;
                 camera::Camera& turned = button_ == window::Button::right ? light_ : view_;
-                turned = camera::orbited(turned, way.x, way.y, 1);
+                turned = camera::orbited(turned, -way.x, way.y, 1);
             }
             place_ = event.place;
         }

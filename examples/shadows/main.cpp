@@ -204,19 +204,21 @@ void add_options(CLI::App& app, Arguments& a) {
     app.add_option("--approach", a.way.closer, "and at the end of it so many times closer")
         ->check(CLI::Range(0.01f, 1000.0f))
         ->capture_default_str();
-    app.add_option("--turn", a.way.turn, "and a frame so many radians around it")->capture_default_str();
+    app.add_option("--turn", a.way.turn, "and a frame so many radians to the left around it")->capture_default_str();
     app.add_option("--path", a.path, "A file that says where camera and light are in each frame");
     app.add_option("--write-path", a.write_path, "Writes such a file");
     app.add_option("--size", a.size, "Width and height in pixels")
         ->expected(2)
         ->check(CLI::Range(1, 8192))
         ->capture_default_str();
-    app.add_option("--right", a.from_right, "The camera, so far around the scene, in radians")->capture_default_str();
+    app.add_option("--right", a.from_right, "The camera, so far to the right around the scene, in radians")
+        ->capture_default_str();
     app.add_option("--up", a.from_above, "and upwards")->capture_default_str();
     app.add_option("--closer", a.closer, "and so many times closer")
         ->check(CLI::Range(0.01, 1000.0))
         ->capture_default_str();
-    app.add_option("--light-right", a.light_from_right, "The light, so far around the scene")->capture_default_str();
+    app.add_option("--light-right", a.light_from_right, "The light, so far to the right around the scene")
+        ->capture_default_str();
     app.add_option("--light-closer", a.light_closer, "and so many times closer")
         ->check(CLI::Range(0.01, 1000.0))
         ->capture_default_str();

@@ -20,8 +20,8 @@ std::vector<Step> around(const scenes::Scene& scene, float time, const Way& way)
         const auto k = static_cast<float>(i);
         const float part = way.frames > 1 ? k / static_cast<float>(way.frames - 1) : 0, passed = way.is_static ? 0 : k;
         steps.push_back({time + frame_time * passed,
-                         camera::orbited(scene.view, way.turn * k, 0, std::pow(way.closer, part)),
-                         camera::orbited(scene.light, 0.5f * way.turn * passed, 0, 1)});
+                         camera::orbited(scene.view, -way.turn * k, 0, std::pow(way.closer, part)),
+                         camera::orbited(scene.light, -0.5f * way.turn * passed, 0, 1)});
     }
     return steps;
 }

@@ -16,7 +16,7 @@ struct Step {
 /// How camera and light go around the scene.
 struct Way {
     unsigned frames = 1;
-    float turn = 1.5707964f / 240;  ///< of the camera, radians a frame; the light turns half as far
+    float turn = 1.5707964f / 240;  ///< of the camera to the left, radians a frame; the light turns half as far
     float closer = 1;               ///< how many times closer to the target the last frame is than the first
     bool is_static = false;         ///< scene and light stand still
 };

@@ -349,7 +349,7 @@ TEST_P(Shadows, StayWhereSceneAndLightDo) {
     Frame cached = frame(settings), anew = frame(small());
     const camera::Camera start = posts().view;
     for (unsigned i = 0; i < 4; ++i) {
-        const camera::Camera view = camera::orbited(start, 0.05f * static_cast<float>(i), 0, 1);
+        const camera::Camera view = camera::orbited(start, -0.05f * static_cast<float>(i), 0, 1);
         for (Frame* some : {&cached, &anew}) {
             some->set_view(view);
             some->draw(Method::matched);

@@ -66,7 +66,9 @@ TEST(Camera, OrbitsAroundItsTarget) {
     const Camera right = camera::orbited(camera, 0.5f, 0, 1), above = camera::orbited(camera, 0, 0.3f, 2);
     EXPECT_NEAR(glift::length(right.eye - camera.target), 4, 1e-5f);
     EXPECT_NEAR(right.eye.y, 2, 1e-5f);
-    EXPECT_LT(right.eye.x, 1);  // to the left, so that the picture moves to the right
+    EXPECT_GT(right.eye.x, 1);  // the eye is at z > the target's and looks along -z: x grows to the right
+    const float4 before = projected(camera::projection_of(right, 1), camera.target + float3(0, 0, 1));
+    EXPECT_LT(before.x / before.w, 0);  // what is before the target moves to the left in the picture
     EXPECT_NEAR(glift::length(above.eye - camera.target), 2, 1e-5f);
     EXPECT_GT(above.eye.y, 2);
     EXPECT_TRUE(std::isfinite(camera::orbited(camera, 0, 100, 1).eye.y));
