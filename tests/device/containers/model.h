@@ -40,7 +40,7 @@ public:
         std::vector<Number> missing, gone;
         for (Number page : wanted_) {
             if (const auto at = frames_.find(page); at == frames_.end()) missing.push_back(page);
-            else used_[at->first] = round_;
+            else if (policy_ == Overflow::evict) used_[at->first] = round_;
         }
         for (const auto& [page, frame] : frames_)
             if ((releases_others || unwanted_.contains(page)) && !wanted_.contains(page)) gone.push_back(page);
@@ -84,6 +84,8 @@ public:
     const Status& status() const { return status_; }
     const std::map<Number, Number>& frames() const { return frames_; }
     const std::vector<Number>& free() const { return free_; }
+    /// The change, counted from 1, in which a page that is there came or, if the policy evicts, was last requested.
+    Number used(Number page) const { return used_.at(page); }
 
 private:
     Number resident() const { return static_cast<Number>(frames_.size()); }

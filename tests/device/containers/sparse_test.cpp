@@ -127,8 +127,11 @@ private:
         const auto status = grid_.status(device_);
         const model::Status found{status.requested, status.granted, status.refused, status.resident, status.capacity};
         if (!(found == pages_.status())) return round_.wrong("status after step " + std::to_string(step));
-        std::vector<Number> table(along_.x * along_.y), owners(found.capacity), active;
+        const auto& pages = grid_.pages();
+        std::vector<Number> table(along_.x * along_.y), owners(found.capacity), active, used = pages.used().read();
+        const std::vector<Number> found_used = used;
         for (const auto& [page, frame] : pages_.frames()) {
+            used[frame] = pages_.used(page);
             table[page] = frame + 1;
             owners[frame] = page + 1;
             active.push_back(page);
@@ -137,9 +140,9 @@ private:
             all.resize(n);
             return all;
         };
-        const auto& pages = grid_.pages();
         if (auto same = property::equal(round_, table, grid_.table().read(), "table"); !same) return same;
         if (auto same = property::equal(round_, owners, pages.owners().read(), "owners"); !same) return same;
+        if (auto same = property::equal(round_, used, found_used, "used"); !same) return same;
         if (auto same = property::equal(round_, active, start(pages.active().read(), active.size()), "active"); !same)
             return same;
         if (auto same = tables_are_right(); !same) return same;
