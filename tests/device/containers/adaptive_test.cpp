@@ -1,15 +1,15 @@
 // Adaptive fields (quadtrees and octrees) with random pages and values, sampled everywhere, also on the edges of pages
 // and at hanging nodes; compared with an interpolator in double precision that has no frames or tables. For pools that
-// are too small, each policy but evict_coarsen is compared with a model of which pages are resident.
+// are too small, each policy is compared with a model of which pages are resident: evict_coarsen in
+// evict_coarsen_test.cpp, the others here.
 #include "model.h"
 #include "property.h"
+#include "tree_model.h"
 
 #include "adaptive.glift.hpp"
 
 #include <array>
 #include <cmath>
-#include <map>
-#include <set>
 
 namespace {
 
@@ -29,73 +29,18 @@ Number mixed(Number x) {
     return b ^ (b >> 16);
 }
 
-/// The entries of a table whose pages are resident. Other entries name a coarser page, and from bit 27 on how many
-/// levels coarser; they become 0.
-std::vector<Number> own(std::vector<Number> entries) {
-    for (Number& entry : entries)
-        if (entry >> 27 != 0) entry = 0;
-    return entries;
-}
-
-template <int N> using Place = std::array<Number, N>;
+using model::Place;
 template <int N> using Point = std::array<double, N>;
 
 /// The model: the field as interpolated from the pages that are resident.
-template <int N> class Field {
+template <int N> class Field : public model::Tree<N> {
 public:
-    struct Page {
-        Number level;
-        Place<N> at;
-        auto operator<=>(const Page&) const = default;
-    };
+    using Page = typename model::Tree<N>::Page;
+    using model::Tree<N>::along;
+    using model::Tree<N>::find;
 
     Field(Number levels, Number cells, bool smooth, bool repeats)
-        : levels_(levels), cells_(cells), smooth_(smooth), repeats_(repeats) {}
-
-    Number along(Number level) const { return 1U << (levels_ - 1 - level); }
-    const std::set<Page>& pages() const { return pages_; }
-    void put(const Page& page) { pages_.insert(page); }
-    void clear() { pages_.clear(); }
-
-    /// Numbers of pages count from the coarsest level on, and row by row within a level.
-    Number number_of(const Page& page) const {
-        Number first = 0, number = 0;
-        for (Number level = levels_ - 1; level > page.level; --level) first += pages_of(level);
-        for (int axis = N; axis-- > 0;) number = number * along(page.level) + page.at[axis];
-        return first + number;
-    }
-    Page page_of(Number number) const {
-        Page page{levels_ - 1, {}};
-        for (; number >= pages_of(page.level); --page.level) number -= pages_of(page.level);
-        for (int axis = 0; axis < N; ++axis, number /= along(page.level)) page.at[axis] = number % along(page.level);
-        return page;
-    }
-    Number count() const {
-        Number all = 0;
-        for (Number level = 0; level < levels_; ++level) all += pages_of(level);
-        return all;
-    }
-
-    /// Replaces pages until there are no more than `most`, as the policy `coarsen` does: those of the finest levels by
-    /// their parents; then the first of the last level that went come back.
-    void coarsen(Number most) {
-        std::map<Number, Page> gone;
-        for (Number level = 0; level + 1 < levels_ && pages_.size() > most; ++level) {
-            std::set<Page> raised;
-            gone.clear();
-            for (Page page : pages_) {
-                if (page.level == level) {
-                    gone[number_of(page)] = page;
-                    ++page.level;
-                    for (Number& at : page.at) at /= 2;
-                }
-                raised.insert(page);
-            }
-            pages_ = std::move(raised);
-        }
-        for (const auto& [number, page] : gone)
-            if (pages_.size() < most) pages_.insert(page);
-    }
+        : model::Tree<N>(levels), cells_(cells), smooth_(smooth), repeats_(repeats) {}
 
     /// All pages of a level that share a node.
     std::vector<Page> with_node(const Place<N>& node, Number level) const {
@@ -126,16 +71,6 @@ public:
     }
 
 private:
-    Number pages_of(Number level) const { return 1U << N * (levels_ - 1 - level); }
-
-    const Page* find(Page page) const {
-        for (;; ++page.level) {
-            if (const auto found = pages_.find(page); found != pages_.end()) return &*found;
-            if (page.level + 1 == levels_) return nullptr;
-            for (Number& at : page.at) at /= 2;
-        }
-    }
-
     double interpolated(const Page& page, const Point<N>& x) const {
         Place<N> low{};
         Point<N> part{};
@@ -183,9 +118,8 @@ private:
         return 0.001 * (int(mixed(at[0] + mixed(at[1] + mixed(at[2] + mixed(level)))) % 2001) - 1000);
     }
 
-    Number levels_, cells_;
+    Number cells_;
     bool smooth_, repeats_;
-    std::set<Page> pages_;
 };
 
 enum class Policy { enough, coarsen, fail, drop, evict, grow };
@@ -270,7 +204,7 @@ private:
         if (!(found == pages_.status())) return round_.wrong("status");
         std::vector<Number> entries(field_.count());
         for (const auto& [page, frame] : pages_.frames()) entries[page] = frame + 1;
-        return property::equal(round_, entries, own(tree_.best().read()), "entries");
+        return property::equal(round_, entries, model::own(tree_.best().read()), "entries");
     }
 
     double width() const { return double(cells_ * field_.along(0)); }
