@@ -127,8 +127,7 @@ static void declare_params(Body& body, const std::vector<ast::Param>& params, ir
     body.structures = structures;
     Context& c = body.context;
     for (const ast::Param& param : params) {
-        ir::TypeId type = param.type ? type_of(c, body.env, param.type) : c.types().error;
-        if (!param.type) c.error(Diag::param_type, param.name.span, {c.text(param.name.name)});
+        ir::TypeId type = type_of(c, body.env, param);
         const bool writes = param.pattern == ast::Pattern::scatter || param.pattern == ast::Pattern::coherent ||
                             param.pattern == ast::Pattern::calls;
         const bool seen = writes || param.pattern == ast::Pattern::none || param.pattern == ast::Pattern::near ||

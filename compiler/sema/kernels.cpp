@@ -118,7 +118,7 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
     auto index = static_cast<std::uint32_t>(kernel.params.size());
     ir::TypeId type = c.types().error;
     if (param.pattern == ast::Pattern::range) c.error(Diag::range_in_kernel, param.pattern_span);
-    else type = type_of(c, body.env, param.type);
+    else type = type_of(c, body.env, param);
     if (made.pattern == ir::Pattern::value) {
         bool is_structure = c.types().kind(type) == ir::TypeKind::structure;
         if (is_structure)

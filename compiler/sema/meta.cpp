@@ -360,6 +360,11 @@ ir::TypeId type_of(Context& c, const Env& env, ast::ExprId id) {
     return c.types().error;
 }
 
+ir::TypeId type_of(Context& c, const Env& env, const ast::Param& param) {
+    if (!param.type) c.error(Diag::param_type, param.name.span, {c.text(param.name.name)});
+    return type_of(c, env, param.type);
+}
+
 std::optional<ir::Value> constant_of(Context& c, const Env& env, ast::ExprId id, ir::TypeId wanted) {
     if (!id) return std::nullopt;
     Body body{.context = c, .env = env, .kind = BodyKind::constant};

@@ -30,6 +30,8 @@ Meta as_type(Context&, const Meta&);
 
 /// The concrete type that an expression denotes; else reports and returns the error type.
 ir::TypeId type_of(Context&, const Env&, ast::ExprId);
+/// The type of a parameter, which must be written.
+ir::TypeId type_of(Context&, const Env&, const ast::Param&);
 
 /// The value of a compile-time expression of the wanted type; if that is absent, of its own type, which is uint for
 /// integer literals without suffix (others without suffix are then an error). Reports otherwise.

@@ -48,7 +48,7 @@ void add_param(Body& body, const ast::Param& param, std::uint32_t passed, ir::Pi
     } else if (param.pattern != ast::Pattern::none) {
         c.error(Diag::pattern_in_pipeline, param.pattern_span);
     } else {
-        type = type_of(c, body.env, param.type);
+        type = type_of(c, body.env, param);
         if (c.types().kind(type) == ir::TypeKind::structure) {
             made.pattern = ir::HostPattern::structure;
             made.structure = c.types()[type].index;

@@ -484,7 +484,7 @@ ir::FunctionId make_at(Context& c, ast::DeclId id, const Env& env, std::uint32_t
 
 void add_constructor(Context& c, const Env& env, const std::vector<ast::Param>& params, ir::Structure& structure) {
     for (const ast::Param& param : params) {
-        ir::TypeId type = type_of(c, env, param.type);
+        ir::TypeId type = type_of(c, env, param);
         if (c.types().kind(type) == ir::TypeKind::structure) {
             ir::MemberStructure member;
             member.name = param.name.name;
