@@ -201,9 +201,10 @@ std::variant<Options, ExitCode> read_command_line(int argc, char** argv) {
     CLI::App app("The Glift compiler: GPU data structures to GLSL, SPIR-V and C++.", "gliftc");
     app.set_version_flag("--version", "gliftc " GLIFT_VERSION);
     app.get_formatter()->column_width(34);
-    app.footer("@FILE is replaced by the arguments in FILE. NO_COLOR in the environment turns colours off.\n"
-               "Exit status: 0 done, 1 errors in the source or tests that fail, 2 wrong usage, 3 a bug in gliftc,\n"
-               "4 a file that cannot be written or a program that is not there.");
+    app.footer(
+        "@FILE is replaced by the arguments in FILE. NO_COLOR in the environment turns colours off.\n"
+        "Exit status: 0 done, 1 errors in the source, a file that cannot be read or tests that fail, 2 wrong usage,\n"
+        "3 a bug in gliftc, 4 a file that cannot be written or a program that is not there.");
     app.add_option("files", options.files, "The files to compile; '-' is standard input")->type_name("FILE");
     add_output_options(app, options, typed);
     add_input_options(app, options, typed);
@@ -229,7 +230,10 @@ std::variant<Options, ExitCode> read_command_line(int argc, char** argv) {
         ->type_name("NAME(NUMBERS)")
         ->allow_extra_args(false);
     add_command(app, options, "fmt", "Format the files in place; with --check, say which are not formatted",
-                Command::fmt);
+                Command::fmt)
+        ->footer("Exit status: 0 done, 1 a file cannot be read or has errors, which are shown, or is not formatted "
+                 "(--check),\n"
+                 "4 a file cannot be written. The other files are done in any case.");
     app.require_subcommand(0, 1);
     try {
         std::vector<std::string> words(argv + 1, argv + argc);

@@ -18,7 +18,7 @@ int run_tests(const Options& options);
 int run_explain(const Options& options);
 
 /// `gliftc fmt FILE`: rewrites files in the canonical format, `-` to standard output; with --check, lists those that
-/// are not in it.
+/// are not in it. A file that cannot be read or does not parse is an error, and the others are done.
 int run_format(const Options& options);
 
 /// Sets which warnings are reported, which are errors, and the error limit.

@@ -21,7 +21,7 @@ bool put(const Options& options, const std::string& path, const std::string& bef
     } else if (path != "-") {
         if (auto error = write_if_changed(path, after)) {
             std::fprintf(stderr, "error: cannot write '%s': %s\n", path.c_str(), error->c_str());
-            code = static_cast<int>(ExitCode::source_errors);
+            code = static_cast<int>(ExitCode::environment);
         }
     }
     return true;
@@ -36,6 +36,9 @@ int run_format(const Options& options) {
     int code = static_cast<int>(ExitCode::done);
     bool any_changed = false;
     for (const std::string& path : options.files) {
+        // The limit is for each file: a file must be read to its end to be formatted, whatever is wrong in others.
+        if (options.error_limit)
+            compilation.diagnostics.error_limit = compilation.diagnostics.error_count() + options.error_limit;
         ReadResult read = files.read(path);
         if (!read.error.empty()) {
             compilation.diagnostics.report(Diag::cannot_read, {}, {path, read.error});

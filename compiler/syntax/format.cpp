@@ -262,6 +262,7 @@ private:
 }  // namespace
 
 std::optional<std::string> format(std::uint32_t file, const Sources& sources, Names& names, Diagnostics& diagnostics) {
+    if (diagnostics.at_limit()) return std::nullopt;  // nothing is parsed then, and no further error is counted
     std::size_t errors = diagnostics.error_count();
     TokenList written = lex(file, sources, names, diagnostics);
     TokenList read = written;

@@ -12,7 +12,7 @@ namespace gliftc {
 
 /// The file in canonical format: indentation of 4, 120 columns, one statement a line, comments kept, no two empty lines
 /// in a row. A block written on one line stays on it if it fits. Formatting is idempotent. Absent, with errors
-/// reported, if the file does not parse.
+/// reported, if the file does not parse; also where the limit of errors is reached already.
 std::optional<std::string> format(std::uint32_t file, const Sources& sources, Names& names, Diagnostics& diagnostics);
 
 }  // namespace gliftc

@@ -107,4 +107,29 @@ for word in ("unknown-name", "E-unknown-name", "[unknown-name]"):
     says(here.run("explain", word), 0, "error: unknown name '…' [unknown-name]", "heigth")
 expect(json.loads(here.run("explain", "--json", "unknown-name").stdout)["example"].startswith("module"), "explain --json ID")
 says(here.run("explain", "unknwon-name"), 2, "did you mean 'unknown-name'?")
+
+# The formatter: every file is done, and the exit code says whether one could not be, or is not formatted.
+many = Folder(good="module good;\n", loose="module   loose;\nfn f( ) { }\n", last="module last;\n\nfn f() { }\n",
+              **{f"broken{k}": "module broken;\nfn f( { \n" for k in range(3)})
+(many.path / "folder.glift").mkdir()
+says(many.run("fmt", "--check", "good.glift", "last.glift"), 0)
+for bad in ("broken0.glift", "missing.glift", "folder.glift"):
+    ran = many.run("fmt", "--check", bad, "loose.glift", "good.glift")
+    says(ran, 1, f"{bad}")
+    expect(ran.stdout == "loose.glift\n", f"--check goes on after {bad}", ran.said)
+    says(many.run("fmt", "--check", "good.glift", bad), 1, f"{bad}")
+broken = [f"broken{k}.glift" for k in range(3)]
+ran = many.run("fmt", "--check", "--error-limit", "1", *broken, "missing.glift", "good.glift", "loose.glift", timeout=60)
+says(ran, 1, "cannot read 'missing.glift'", *broken)
+expect(ran.stdout == "loose.glift\n", "the limit of errors is for each file", ran.said)
+before = {name: (many.path / name).read_text() for name in broken}
+says(many.run("fmt", "--error-limit", "1", *broken, "loose.glift", timeout=60), 1)
+expect({name: (many.path / name).read_text() for name in broken} == before, "broken files are left alone")
+expect((many.path / "loose.glift").read_text() == "module loose;\nfn f() { }\n", "loose.glift is formatted",
+       (many.path / "loose.glift").read_text())
+if os.geteuid():  # root writes everything
+    many.write("kept.glift", "module   kept;\n")
+    (many.path / "kept.glift").chmod(0o444)
+    says(many.run("fmt", "kept.glift"), 4, "cannot write 'kept.glift'")
+says(many.run("fmt", "--help"), 0, "Exit status", "The other files are done")
 finish()

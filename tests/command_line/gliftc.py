@@ -27,8 +27,8 @@ class Folder:
         at = self.path / folder
         return sorted(p.name for p in at.iterdir()) if at.is_dir() else []
 
-    def run(self, *words, **environment):
-        ran = subprocess.run([compiler, *map(str, words)], cwd=self.path, text=True, capture_output=True,
+    def run(self, *words, timeout=None, **environment):
+        ran = subprocess.run([compiler, *map(str, words)], cwd=self.path, text=True, capture_output=True, timeout=timeout,
                              env={**os.environ, **environment})
         ran.said = ran.stdout + ran.stderr
         return ran
