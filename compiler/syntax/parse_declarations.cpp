@@ -4,7 +4,7 @@
 namespace gliftc {
 
 /// with = "with" member-pattern { "," member-pattern } ;
-/// member-pattern = ( "scatter" | "coherent" | "calls" ) "<" name [ "," name ] ">" ;
+/// member-pattern = ( "scatter" | "coherent" | "calls" ) "<" name { "," generic-argument } ">" ;
 std::vector<ast::MemberPattern> Parser::parse_with() {
     std::vector<ast::MemberPattern> patterns;
     if (lost_ || !accept_word(Word::with)) return patterns;
@@ -158,7 +158,7 @@ ast::Alias Parser::parse_type_alias() {
     return alias;
 }
 
-/// group = "group" "(" expression [ "," expression [ "," expression ] ] ")" ;
+/// group = "group" "(" [ expression { "," expression } [ "," ] ] ")" ;      three at most
 std::vector<ast::ExprId> Parser::parse_group() {
     std::vector<ast::ExprId> group;
     if (lost_ || !accept_word(Word::group)) return group;

@@ -85,7 +85,7 @@ ast::Use Parser::parse_use() {
     return use;
 }
 
-/// attributes = { "@" name [ "(" [ expression { "," expression } ] ")" ] } ;
+/// attributes = { "@" name [ "(" [ expression { "," expression } [ "," ] ] ")" ] } ;
 std::vector<ast::Attribute> Parser::parse_attributes() {
     std::vector<ast::Attribute> attributes;
     while (at(TokenKind::at_sign) && !lost_) {

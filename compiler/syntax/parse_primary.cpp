@@ -281,7 +281,7 @@ ast::ExprId Parser::parse_member(ExprId base, std::uint32_t first) {
     return add(std::move(expr));
 }
 
-/// generic-arguments = "<" generic-argument { "," generic-argument } ">" ;
+/// generic-arguments = "<" [ generic-argument { "," generic-argument } [ "," ] ] ">" ;
 ast::ExprId Parser::parse_generic_arguments(ExprId base, std::uint32_t first) {
     std::uint32_t open = cursor_;
     Expr expr;

@@ -3,7 +3,7 @@
 
 namespace gliftc {
 
-/// raster = "raster" name [ generic-parameters ] parameters "{" { state | varying } vertex [ fragment ] "}" ;
+/// raster = "raster" name [ generic-parameters ] parameters "{" { state | varying | vertex | fragment } "}" ;
 ast::Kernel Parser::parse_raster() {
     ast::Kernel kernel;
     kernel.raster.emplace();

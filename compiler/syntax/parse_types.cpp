@@ -6,8 +6,7 @@ namespace gliftc {
 using ast::Expr;
 using ast::ExprKind;
 
-/// type = type-name { "[" [ expression { "," expression } ] "]" | "?" } ;      "??" is "?" twice here
-/// type-name = name [ generic-arguments ] { "." name [ generic-arguments ] } ;
+/// type = name { generic-arguments | index | member-access | "?" } ;      "??" is "?" twice here
 ast::ExprId Parser::parse_type() {
     using enum TokenKind;
     Nesting nesting(*this);
@@ -55,7 +54,7 @@ ast::ExprId Parser::parse_optional(ExprId type, std::uint32_t first) {
     return add(std::move(expr));
 }
 
-/// generic-parameters = "<" generic-parameter { "," generic-parameter } ">" ;
+/// generic-parameters = "<" [ generic-parameter { "," generic-parameter } [ "," ] ] ">" ;
 /// generic-parameter = name ":" type [ "=" generic-argument ] ;
 std::vector<ast::GenericParam> Parser::parse_generic_params() {
     std::vector<ast::GenericParam> params;
