@@ -115,6 +115,15 @@ void check_memories(const DeviceObject* device, const Kernel& kernel, std::span<
 
 void check_call(const DeviceObject* device, const Kernel& kernel, const Call& call) {
     check_memories(device, kernel, call.memories);
+    const DeviceProperties& properties = device->properties();
+    if (kernel.shared_bytes > properties.shared_memory_bytes) {
+        throw Error(ErrorCode::too_large,
+                    "the kernel's workgroup memory, " + std::to_string(kernel.shared_bytes) +
+                        " bytes, is larger than the device allows",
+                    kernel_text(kernel),
+                    properties.name + " has " + std::to_string(properties.shared_memory_bytes) + " bytes a workgroup",
+                    "declare less shared memory; a pipeline can ask device.shared_memory_bytes and run another kernel");
+    }
     const Form& form = form_of(kernel, call.form);
     if (call.parameters.size() != form.parameter_bytes) {
         wrong("the size of the parameters does not fit the kernel", kernel_text(kernel),

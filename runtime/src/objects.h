@@ -118,10 +118,19 @@ private:
     std::atomic<bool> closed_{false};
 };
 
+/// What a draw may be on a device.
+struct DrawLimits {
+    /// The size of the viewport. At most 16384 along each axis: as far as the host's rasteriser goes (host/raster.h).
+    uint2 viewport = {16384, 16384};
+    uint2 target = {UINT32_MAX, UINT32_MAX};  ///< the size of an image that is drawn to, and of any level of it
+    std::uint32_t colours = UINT32_MAX;       ///< colour targets
+};
+
 class DeviceObject : public std::enable_shared_from_this<DeviceObject> {
 public:
     virtual ~DeviceObject() = default;
     virtual const DeviceProperties& properties() const = 0;
+    virtual DrawLimits draw_limits() const { return {}; }
     /// Whether commands for this device may use the memory.
     virtual bool reaches(const MemoryObject& memory) const { return memory.device().get() == this; }
     virtual std::shared_ptr<MemoryObject> allocate(const MemoryDescription& description) = 0;

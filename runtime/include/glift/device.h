@@ -33,7 +33,7 @@ struct DeviceProperties {
     std::uint64_t max_allocation_bytes = unlimited;  ///< of one buffer; an image may be limited to less
     /// The largest buffer that a descriptor covers. Kernels reach larger ones by their wide form (kernel.h).
     std::uint64_t max_storage_buffer_range = unlimited;
-    std::uint32_t shared_memory_bytes = 0;  ///< of a workgroup; host: 0, though any size runs there
+    std::uint32_t shared_memory_bytes = 0;  ///< of a workgroup; kernels that declare more are refused
     std::uint32_t max_push_constant_bytes = 128;
     std::array<std::uint32_t, 3> max_workgroups = {UINT32_MAX, UINT32_MAX, UINT32_MAX};
     std::array<std::uint32_t, 3> max_workgroup_size = {1024, 1024, 64};
@@ -61,7 +61,7 @@ struct DeviceProperties {
 /// memories and bytes.
 struct Statistics {
     std::uint64_t submissions = 0;
-    /// Calls of kernels; recorded ones count at each replay, on Vulkan devices also when they are recorded. The host
+    /// Calls of kernels; those in a recording count at each replay, those of record_into (vulkan.h) once. The host
     /// device leaves out calls whose conditions do not hold.
     std::uint64_t passes = 0;
     std::uint64_t barriers = 0;        ///< recorded between passes and copies (a replay counts none)

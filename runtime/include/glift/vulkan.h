@@ -44,7 +44,7 @@ struct Objects {
     VkDevice device = VK_NULL_HANDLE;
     VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t queue_family = 0;
-    std::span<const char* const> extensions = {};                ///< that the device was made with
+    std::span<const char* const> extensions = {};                ///< that the device was made with; names are copied
     PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;  ///< null: the system's loader
 };
 
@@ -59,11 +59,9 @@ struct Extensions {
     std::span<const char*const> instance = {}, device = {};
 };
 
-/// Opens a device as Device::open does, on an instance and a device with these extensions, of which at least one is
-/// named. For programs that use the queue of `objects(device)` themselves, between calls of Glift: what Glift submits
-/// is ordered after what they submitted before, and what they submit later after Glift's. Throws missing_feature where
-/// no driver has an instance extension or the device lacks one of its own, and wrong_argument for `host`, which has no
-/// Vulkan.
+/// Opens a device as Device::open does, on an instance and a device with these extensions. For programs that use the
+/// queue of `objects(device)` themselves. Throws missing_feature where no driver has an instance extension or the
+/// device lacks one of its own, and wrong_argument for `host`, which has no Vulkan.
 GLIFT_API Device open(const Extensions& extensions, std::string_view which = {});
 
 /// Records into the user's command buffer, which is in the recording state. A barrier against everything earlier on the
@@ -109,7 +107,9 @@ struct UserImage {
 /// them. Commands throw missing_feature where the usage lacks what they need. Throws wrong_argument.
 GLIFT_API Memory adopt_image(const Device& device, const UserImage& image);
 
-/// The Vulkan objects of a device, opened or adopted.
+/// The Vulkan objects of a device, opened or adopted; `extensions` live as long as the device. A program may use the
+/// queue between calls of Glift: what Glift submits is ordered after what the program submitted before, and what the
+/// program submits later after Glift's. The first call submits what Glift has pending, and may throw as flush does.
 GLIFT_API Objects objects(const Device& device);
 
 }  // namespace glift::vulkan

@@ -8,6 +8,10 @@ namespace glift::detail {
 
 namespace {
 
+/// Of a workgroup, whose arrays are locals of the function that runs it. oneTBB's threads have stacks of 4 MiB, which
+/// also hold what the invocations keep across barriers.
+constexpr std::uint32_t shared_memory_bytes = 1u << 20;
+
 class HostDevice final : public DeviceObject {
 public:
     HostDevice() {
@@ -15,6 +19,7 @@ public:
         properties_.driver = "compiled C++";
         properties_.kind = DeviceKind::host;
         properties_.memory_bytes = machine_memory_bytes();
+        properties_.shared_memory_bytes = shared_memory_bytes;
         properties_.max_push_constant_bytes = UINT32_MAX;
         properties_.int8 = properties_.int16 = properties_.int64 = properties_.float64 = true;
         properties_.int64_atomics = properties_.float32_atomic_add = properties_.float32_atomic_min_max = true;

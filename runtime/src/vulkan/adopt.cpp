@@ -142,9 +142,11 @@ Memory adopt_image(const Device& device, const UserImage& image) {
 }
 
 Objects objects(const Device& device) {
-    detail::Context& context =
-        vulkan_device(detail::shared_device(device, "Device, glift::vulkan::objects"), "glift::vulkan::objects")
-            ->context();
+    const auto object =
+        vulkan_device(detail::shared_device(device, "Device, glift::vulkan::objects"), "glift::vulkan::objects");
+    const std::lock_guard lock(object->mutex());
+    object->share_queue();
+    const detail::Context& context = object->context();
     return {context.instance->handle(), context.physical,   context.device,           context.queue,
             context.queue_family,       context.extensions, context.instance->entry()};
 }

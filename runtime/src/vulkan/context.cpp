@@ -54,18 +54,15 @@ std::uint64_t max_sparse_bytes(const Instance& instance, VkPhysicalDevice physic
 
 }  // namespace
 
-std::unique_ptr<Context> Context::open(std::string_view which, Wanted wanted) {
+std::unique_ptr<Context> Context::open(std::string_view which, const Wanted& wanted) {
     std::unique_ptr<Context> context(new Context);
-    context->shares_queue = !wanted.instance.empty() || !wanted.device.empty();
-    context->wanted_ = std::move(wanted);
-    context->instance = Instance::create(context->wanted_.instance);
+    context->instance = Instance::create(wanted.instance);
     context->owned = true;
-    context->physical = select_physical_device(*context->instance, which, context->wanted_.device);
+    context->physical = select_physical_device(*context->instance, which, wanted.device);
     context->queue_family = choose_queue_family(*context->instance, context->physical);
     const FeatureChain features(*context->instance, context->physical);
     features.require();
-    context->extensions = features.extensions;
-    for (const std::string& name : context->wanted_.device) context->extensions.push_back(name.c_str());
+    context->set_extensions(features.extensions, wanted.device);
     context->make_device(features);
     context->read_limits(features);
     return context;
@@ -79,7 +76,7 @@ std::unique_ptr<Context> Context::adopt(const Adopted& objects) {
     context->device = objects.device;
     context->queue = objects.queue;
     context->queue_family = objects.queue_family;
-    context->extensions = objects.extensions;
+    context->set_extensions(objects.extensions);
     context->shares_queue = true;
     const FeatureChain features(*context->instance, context->physical);
     features.require();
@@ -91,6 +88,12 @@ std::unique_ptr<Context> Context::adopt(const Adopted& objects) {
                         "name the extensions of VkDeviceCreateInfo::ppEnabledExtensionNames and no others");
     }
     return context;
+}
+
+void Context::set_extensions(std::span<const char* const> own, std::span<const std::string> wanted) {
+    names_.assign(own.begin(), own.end());
+    names_.insert(names_.end(), wanted.begin(), wanted.end());
+    for (const std::string& name : names_) extensions.push_back(name.c_str());
 }
 
 void Context::make_device(const FeatureChain& features) {
@@ -131,6 +134,20 @@ void Context::read_limits(const FeatureChain& features) {
     VkPhysicalDeviceProperties2 all = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &push};
     instance->vk().vkGetPhysicalDeviceProperties2(physical, &all);
     max_push_descriptors = push.maxPushDescriptors;
+}
+
+DrawLimits Context::draw_limits() const {
+    const VkPhysicalDeviceLimits& limits = core.limits;
+    DrawLimits result;
+    for (unsigned axis = 0; axis < 2; ++axis) {
+        result.viewport[axis] = std::min(result.viewport[axis], limits.maxViewportDimensions[axis]);
+        // A viewport may also lie anywhere in the target.
+        const float far = limits.viewportBoundsRange[1];
+        const auto end = far < 4294967040.0f ? static_cast<std::uint32_t>(far) : UINT32_MAX;
+        result.target[axis] = std::min(axis == 0 ? limits.maxFramebufferWidth : limits.maxFramebufferHeight, end);
+    }
+    result.colours = std::min(limits.maxColorAttachments, limits.maxFragmentOutputAttachments);
+    return result;
 }
 
 Context::~Context() {

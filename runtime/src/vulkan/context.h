@@ -1,11 +1,13 @@
 // A logical device, created or adopted: functions, queue, limits, and errors of failed calls.
 #pragma once
 
+#include "../objects.h"
 #include "features.h"
 #include "float_controls.h"
 
 #include <atomic>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,7 +19,7 @@ public:
     struct Wanted {
         std::vector<std::string> instance, device;
     };
-    static std::unique_ptr<Context> open(std::string_view which, Wanted wanted);
+    static std::unique_ptr<Context> open(std::string_view which, const Wanted& wanted);
     struct Adopted {
         VkInstance instance;
         VkPhysicalDevice physical;
@@ -40,6 +42,8 @@ public:
     }
     [[noreturn]] void fail(VkResult result, const char* call);
 
+    DrawLimits draw_limits() const;
+
     /// Shown by debuggers and in validation messages.
     void set_name(VkObjectType type, std::uint64_t handle, const char* name) const;
 
@@ -49,8 +53,9 @@ public:
     VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t queue_family = 0;
     std::uint32_t timestamp_bits = 0;
-    bool owned = false;         ///< opened by Glift, else adopted: `device` is then the program's
-    bool shares_queue = false;  ///< with the user's program
+    bool owned = false;  ///< opened by Glift, else adopted: `device` is then the program's
+    /// With the user's program: an adopted device does, one that Glift opened from when its objects are asked for.
+    bool shares_queue = false;
     DeviceTable vk;
     DeviceProperties properties;
     VkPhysicalDeviceProperties core = {};
@@ -58,12 +63,13 @@ public:
     std::uint32_t max_push_descriptors = 0;
     std::uint64_t max_piece_bytes = 0;  ///< largest allocation; larger buffers are bound from several
     FloatControls float_controls;
-    std::vector<const char*> extensions;
+    std::vector<const char*> extensions;  ///< that the device was made with; point to names_
     std::atomic<bool> lost{false};
 
 private:
     Context() = default;
-    Wanted wanted_;  ///< holds the names that `extensions` points to
+    void set_extensions(std::span<const char* const> own, std::span<const std::string> wanted = {});
+    std::vector<std::string> names_;  ///< copies, since the user's strings may be gone before the device
     void make_device(const FeatureChain& features);
     void read_limits(const FeatureChain& features);
 };

@@ -212,7 +212,6 @@ void Encoder::dispatch(const Kernel& kernel, const Call& call) {
     Groups groups = count_groups(kernel, call.size);
     if (groups.none()) return;
     ++batch_->operations;
-    ++batch_->passes;
     const auto& limit = context_.properties.max_workgroups;
     if (kernel.rank == 1) fold(groups, limit[0]);
     if (kernel.of_blocks) fold_blocks(groups, limit[1]);

@@ -73,7 +73,6 @@ void Encoder::draw(const Pipeline& pipeline, const Call& call) {
     const DrawTargets& targets = *call.targets;
     if (!call.size[0] || !call.size[1] || !targets.extent.x || !targets.extent.y) return;
     ++batch_->operations;
-    ++batch_->passes;
     if (!draws_) {
         draws_ = true;
         barrier();  // earlier barriers did not include graphics stages

@@ -121,6 +121,8 @@ Memory RecordingStream::allocate(const MemoryDescription& description) {
     return temporary(buffer, workspace_, place);
 }
 
+void RecordingStream::count_pass() { ++batch_->passes; }
+
 std::shared_ptr<RecordingObject> RecordingStream::finish() {
     const std::lock_guard lock(device_.mutex());
     open();

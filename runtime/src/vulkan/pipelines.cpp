@@ -38,12 +38,6 @@ void check_limits(const Context& context, const Kernel& kernel, const Form& form
                "allows " + std::to_string(p.max_workgroup_invocations) + " invocations",
                "give the kernel a smaller group");
     }
-    if (kernel.shared_bytes > p.shared_memory_bytes) {
-        refuse("the kernel's workgroup memory, " + std::to_string(kernel.shared_bytes) +
-                   " bytes, is larger than the device allows",
-               "has " + std::to_string(p.shared_memory_bytes) + " bytes a workgroup",
-               "declare less shared memory; a pipeline can ask device.shared_memory_bytes and run another kernel");
-    }
     if (form.push_constants && form.parameter_bytes > p.max_push_constant_bytes) {
         refuse("the kernel's parameters do not fit in push constants",
                "has " + std::to_string(p.max_push_constant_bytes) + " bytes",

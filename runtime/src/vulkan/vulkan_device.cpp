@@ -20,8 +20,8 @@ constexpr std::size_t most_idle_batches = 40;  // as many as may be in flight, a
 
 }  // namespace
 
-std::shared_ptr<DeviceObject> open_vulkan_device(std::string_view which, Context::Wanted extensions) {
-    return std::make_shared<VulkanDevice>(Context::open(which, std::move(extensions)));
+std::shared_ptr<DeviceObject> open_vulkan_device(std::string_view which, const Context::Wanted& extensions) {
+    return std::make_shared<VulkanDevice>(Context::open(which, extensions));
 }
 
 VulkanDevice::VulkanDevice(std::unique_ptr<Context> context)
@@ -193,6 +193,13 @@ std::uint64_t VulkanDevice::submit(VkCommandBuffer commands) {
     retire_value_ = value;
     ++counters_.submissions;
     return value;
+}
+
+void VulkanDevice::share_queue() {
+    if (context_->shares_queue) return;
+    // The open batch does not begin with a barrier against the program's work.
+    stream_->submit();
+    context_->shares_queue = true;
 }
 
 void VulkanDevice::finish(std::uint64_t value) {

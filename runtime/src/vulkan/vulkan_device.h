@@ -12,7 +12,7 @@
 
 namespace glift::detail {
 
-std::shared_ptr<DeviceObject> open_vulkan_device(std::string_view which, Context::Wanted extensions = {});
+std::shared_ptr<DeviceObject> open_vulkan_device(std::string_view which, const Context::Wanted& extensions = {});
 
 struct VulkanCounters {
     std::uint64_t submissions = 0, passes = 0, barriers = 0;
@@ -24,6 +24,7 @@ public:
     ~VulkanDevice() override;
 
     const DeviceProperties& properties() const override { return context_->properties; }
+    DrawLimits draw_limits() const override { return context_->draw_limits(); }
     std::shared_ptr<MemoryObject> allocate(const MemoryDescription& description) override;
     StorageNeeds storage_needs(const MemoryDescription& description) override;
     Stream& stream() override { return *stream_; }
@@ -55,6 +56,8 @@ public:
     /// Runs fill_words.comp. The push constants are FillArguments; one invocation a word, 256 a workgroup.
     InternalPass& fill_pass() { return fill_; }
     std::uint64_t submit(VkCommandBuffer commands);
+    /// The user's program gets the queue: what Glift submits from now on is ordered after what the program submitted.
+    void share_queue();
     void collect();  ///< destroys or recycles what the device is done with
     /// Allocates storage for a memory. Where none is left it waits until what was freed can be used; throws
     /// out_of_memory.

@@ -31,9 +31,11 @@ void VulkanStream::dispatch(const Kernel& kernel, const Call& call) {
         for (const Attachment& target : call.targets->colours) hold(target.memory);
         if (call.targets->depth.memory) hold(call.targets->depth.memory);
     }
-    ++device_.counters().passes;
+    count_pass();
     recorded();
 }
+
+void VulkanStream::count_pass() { ++device_.counters().passes; }
 
 void VulkanStream::fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) {
     const std::lock_guard lock(device_.mutex());

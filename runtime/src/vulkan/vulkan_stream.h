@@ -28,6 +28,7 @@ protected:
     /// The device's lock is held.
     virtual void open() = 0;               ///< before something is recorded
     virtual void recorded() {}             ///< after a command
+    virtual void count_pass();             ///< after a call of a kernel, however many elements it is for
     virtual void hold(const Memory&) {}    ///< a recorded command uses this memory
     virtual void staged(std::uint64_t) {}  ///< after an upload or a part of a large one: its bytes of staging
 
@@ -66,6 +67,7 @@ public:
     std::shared_ptr<RecordingObject> finish();
 
 private:
+    void count_pass() override;  ///< counts for each submission
     std::shared_ptr<Workspace> workspace_ = std::make_shared<Workspace>();
     std::vector<std::shared_ptr<VulkanMemory>> blocks_;  ///< of the workspace
 };

@@ -21,6 +21,21 @@ TEST(Adopt, TheSameCallsWork) {
     expect_no_messages(device);
 }
 
+TEST(Adopt, ExtensionNamesAreCopied) {
+    const PlainVulkan mine;
+    auto objects = mine.objects();
+    const std::vector<std::string> names(objects.extensions.begin(), objects.extensions.end());
+    ASSERT_FALSE(names.empty());
+    std::vector<std::string> passed = names;
+    std::vector<const char*> pointers;
+    for (const std::string& name : passed) pointers.push_back(name.c_str());
+    objects.extensions = pointers;
+    const auto device = glift::vulkan::adopt(objects);
+    for (std::string& name : passed) name.assign(name.size(), '?');
+    const auto kept = glift::vulkan::objects(device).extensions;
+    EXPECT_EQ(std::vector<std::string>(kept.begin(), kept.end()), names);
+}
+
 // A device that is said to be made without VK_KHR_push_descriptor: descriptor sets come from pools, more than one here.
 TEST(Adopt, WithoutPushDescriptors) {
     const PlainVulkan mine;
@@ -182,33 +197,70 @@ TEST(Validation, ReportsAMistake) {
     EXPECT_TRUE(device.validation_messages().empty());  // cleared
 }
 
-// Synchronization validation also works between submissions: the program fills a buffer in two, without a barrier.
+/// Fills a buffer on the queue, as a program does that uses it beside Glift, without a barrier.
+class Filling {
+public:
+    Filling(const glift::vulkan::Objects& objects, VkBuffer buffer) : objects_(objects), buffer_(buffer) {
+        const VkCommandPoolCreateInfo info = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                                              .queueFamilyIndex = objects_.queue_family};
+        vkCreateCommandPool(objects_.device, &info, nullptr, &pool_);
+    }
+    ~Filling() {
+        vkQueueWaitIdle(objects_.queue);
+        vkDestroyCommandPool(objects_.device, pool_, nullptr);
+    }
+    void submit(std::uint32_t value) const {
+        VkCommandBuffer commands = VK_NULL_HANDLE;
+        const VkCommandBufferAllocateInfo info = {
+            .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, .commandPool = pool_, .commandBufferCount = 1};
+        vkAllocateCommandBuffers(objects_.device, &info, &commands);
+        const VkCommandBufferBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+        vkBeginCommandBuffer(commands, &begin);
+        vkCmdFillBuffer(commands, buffer_, 0, 256, value);
+        vkEndCommandBuffer(commands);
+        const VkSubmitInfo submit = {
+            .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1, .pCommandBuffers = &commands};
+        vkQueueSubmit(objects_.queue, 1, &submit, VK_NULL_HANDLE);
+    }
+
+private:
+    glift::vulkan::Objects objects_;
+    VkBuffer buffer_;
+    VkCommandPool pool_ = VK_NULL_HANDLE;
+};
+
+// Synchronization validation also works between submissions: the program fills a buffer in two.
 TEST(Validation, ReportsAMissingBarrierBetweenSubmissions) {
     if (!std::getenv("GLIFT_VALIDATE")) GTEST_SKIP() << "GLIFT_VALIDATE is not set";
     const auto device = glift::Device::open(vulkan_name());
     const auto g = buffer(device, "g.data", 256);
     device.wait();
-    const auto objects = glift::vulkan::objects(device);
-    const VkCommandPoolCreateInfo pool_info = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                                               .queueFamilyIndex = objects.queue_family};
-    VkCommandPool pool = VK_NULL_HANDLE;
-    vkCreateCommandPool(objects.device, &pool_info, nullptr, &pool);
-    VkCommandBuffer commands[2];
-    const VkCommandBufferAllocateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, .commandPool = pool, .commandBufferCount = 2};
-    vkAllocateCommandBuffers(objects.device, &info, commands);
-    for (const VkCommandBuffer each : commands) {
-        const VkCommandBufferBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-        vkBeginCommandBuffer(each, &begin);
-        vkCmdFillBuffer(each, glift::vulkan::buffer(g).buffer, 0, 256, 1);
-        vkEndCommandBuffer(each);
-        const VkSubmitInfo submit = {
-            .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1, .pCommandBuffers = &each};
-        vkQueueSubmit(objects.queue, 1, &submit, VK_NULL_HANDLE);
+    {
+        const Filling filling(glift::vulkan::objects(device), glift::vulkan::buffer(g).buffer);
+        for (const std::uint32_t value : {1u, 1u}) filling.submit(value);
     }
-    vkQueueWaitIdle(objects.queue);
-    vkDestroyCommandPool(objects.device, pool, nullptr);
     EXPECT_FALSE(device.validation_messages().empty());
+}
+
+// Who asks for the queue of a device uses it, whether it was opened with extensions or not.
+TEST(Open, WhatTheProgramSubmitsIsOrdered) {
+    if (!std::getenv("GLIFT_VALIDATE")) GTEST_SKIP() << "GLIFT_VALIDATE is not set";
+    for (const bool is_plain : {false, true}) {
+        for (const bool is_pending : {false, true}) {
+            const auto device = is_plain ? glift::Device::open(vulkan_name()) : glift::vulkan::open({}, vulkan_name());
+            const auto g = buffer(device, "g.data", 256), h = buffer(device, "h.data", 256);
+            device.wait();
+            if (is_pending) run_store(device, h, 64, 5);  // recorded, not submitted, when the queue is asked for
+            const Filling filling(glift::vulkan::objects(device), glift::vulkan::buffer(g).buffer);
+            filling.submit(7);
+            run_add(device, g, 64, 1);
+            EXPECT_EQ(read<std::uint32_t>(device, g, 64)[63], 15u);
+            filling.submit(8);
+            run_add(device, g, 64, 2);
+            EXPECT_EQ(read<std::uint32_t>(device, g, 64)[63], 18u);
+            expect_no_messages(device);
+        }
+    }
 }
 
 }  // namespace

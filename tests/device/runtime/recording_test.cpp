@@ -30,6 +30,18 @@ TEST_P(Recordings, AThousandPassesReplayWithOneSubmission) {
     EXPECT_EQ(read<std::uint32_t>(device, g, n)[n - 1], expected);
 }
 
+TEST_P(Recordings, CountTheirPassesWhenTheyRunAndOnlyThen) {
+    const auto g = buffer(device, "g.data", 256);
+    const auto before = device.statistics();
+    const auto recording = device.record([&](const glift::Commands& commands) {
+        for (const std::uint32_t elements : {64u, 0u, 64u}) run_add(commands, g, elements, 1);
+    });
+    EXPECT_EQ(device.statistics().passes, before.passes);
+    for (int replay = 0; replay < 2; ++replay) recording.submit();
+    for (const std::uint32_t elements : {64u, 0u, 64u}) run_add(device, g, elements, 1);
+    EXPECT_EQ(device.statistics().passes - before.passes, 9u);
+}
+
 TEST_P(Recordings, ThatAreNeverSubmittedLeaveNothingBehind) {
     constexpr std::uint32_t n = 64;
     const std::vector<std::uint32_t> values(1 << 18);
