@@ -11,12 +11,14 @@ namespace glift::detail {
 
 namespace {
 
-/// The longest side of a viewport: as far as the host's rasteriser goes (host/raster.h). Vulkan devices are not asked
-/// for theirs, of which Vulkan requires 4096.
-constexpr std::uint32_t max_viewport = 16384;
-
 [[noreturn]] void wrong(const Kernel& kernel, std::string problem, std::string why = {}, std::string remedy = {}) {
     throw Error(ErrorCode::wrong_argument, std::move(problem), kernel_text(kernel), std::move(why), std::move(remedy));
+}
+
+[[noreturn]] void too_large(const DeviceObject* device, const Kernel& kernel, std::string problem,
+                            const std::string& given, const std::string& allowed, std::string remedy) {
+    throw Error(ErrorCode::too_large, std::move(problem), kernel_text(kernel),
+                given + "; " + device->properties().name + " allows " + allowed, std::move(remedy));
 }
 
 std::string pixels_text(uint2 extent) { return std::to_string(extent.x) + " x " + std::to_string(extent.y); }
@@ -41,6 +43,11 @@ void check_target(const DeviceObject* device, const Kernel& kernel, const char* 
               "pass an image of the target's format");
     if (target.mip >= d.mips || target.face >= face_count(d))
         wrong(kernel, what + " has no such level or face", memory_text(d));
+    const MemoryDescription& whole = object.whole() ? object.whole()->description() : d;
+    const uint2 size(whole.extent[0], whole.extent[1]), most = device->draw_limits().target;
+    if (size.x > most.x || size.y > most.y)
+        too_large(device, kernel, what + " is larger than the device can draw to", pixels_text(size) + " pixels",
+                  pixels_text(most), "draw to smaller images, or store to this one");
     const auto extent = mip_extent(d, target.mip);
     if (!fits(targets.origin.x, targets.extent.x, extent[0]) || !fits(targets.origin.y, targets.extent.y, extent[1]))
         wrong(kernel, "the viewport lies outside of " + what,
@@ -89,14 +96,18 @@ void check_draw(const DeviceObject* device, const Kernel& kernel, const Call& ca
         wrong(kernel, "the number of targets does not fit the kernel",
               "it draws to " + std::to_string(drawing.colours.size()) + ", given " +
                   std::to_string(targets.colours.size()));
+    const DrawLimits limits = device->draw_limits();
+    if (drawing.colours.size() > limits.colours)
+        too_large(device, kernel, "the kernel draws to more targets than the device has at once",
+                  std::to_string(drawing.colours.size()) + " colour targets", std::to_string(limits.colours),
+                  "draw to some of them at a time, by several kernels");
     for (std::size_t k = 0; k < drawing.colours.size(); ++k)
         check_target(device, kernel, drawing.colours[k].name, drawing.colours[k].format, targets.colours[k], targets);
     if (drawing.depth) check_target(device, kernel, drawing.depth, Format::d32, targets.depth, targets);
-    if (targets.extent.x > max_viewport || targets.extent.y > max_viewport)
-        throw Error(ErrorCode::too_large, "a viewport is larger than devices allow", kernel_text(kernel),
-                    pixels_text(targets.extent) + " pixels; " + pixels_text(uint2(max_viewport, max_viewport)) +
-                        " are allowed",
-                    "draw in parts: to ranges of the targets");
+    if (targets.extent.x > limits.viewport.x || targets.extent.y > limits.viewport.y)
+        too_large(device, kernel, "a viewport is larger than the device allows",
+                  pixels_text(targets.extent) + " pixels", pixels_text(limits.viewport),
+                  "draw in parts: to ranges of the targets");
     check_apart(kernel, call);
 }
 

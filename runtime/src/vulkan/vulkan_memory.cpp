@@ -94,7 +94,8 @@ VkImageUsageFlags image_usage(Context& context, const MemoryDescription& d) {
     const VkFormatFeatureFlags features = format.optimalTilingFeatures;
     if (features & VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT) usage |= VK_IMAGE_USAGE_SAMPLED_BIT;
     if (features & VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT) usage |= VK_IMAGE_USAGE_STORAGE_BIT;
-    const bool flat = image_type(d.kind) == VK_IMAGE_TYPE_2D;
+    const uint2 most = context.draw_limits().target;
+    const bool flat = image_type(d.kind) == VK_IMAGE_TYPE_2D && d.extent[0] <= most.x && d.extent[1] <= most.y;
     if (flat && features & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT) usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
     if (flat && features & VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT) {
         usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;

@@ -1,7 +1,7 @@
 // Draws: coverage, blending, depth test, counts from the device; on the host device and on Vulkan, and compared between
 // the two.
 #include "draw_kernels.h"
-#include "test_device.h"
+#include "plain_vulkan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -211,6 +211,49 @@ TEST_P(Draw, WrongTargetsAreErrors) {
     for (const glift::DrawTargets* targets : {&no_colour, &no_depth, &beyond, &level, &twice})
         EXPECT_EQ(code(draw_replacing, targets), glift::ErrorCode::wrong_argument);
     EXPECT_EQ(scene.count(), 0u);
+}
+
+/// The device's limits are checked before Vulkan is called: each error says what was asked for and what is allowed.
+TEST(DrawLimits, AreErrorsThatNameBothSizes) {
+    const PlainVulkan mine;
+    auto objects = mine.objects();
+    objects.get_instance_proc_addr = pretending_loader;
+    pretence.largest_viewport = 32;
+    pretence.largest_framebuffer = 64;
+    pretence.most_colours = 1;
+    const auto device = glift::vulkan::adopt(objects);
+    const auto refused = [](const auto& draw, const std::string& given, const std::string& allowed) {
+        const glift::Error error = error_of(draw);
+        EXPECT_EQ(error.code(), glift::ErrorCode::too_large) << error.what();
+        EXPECT_NE(error.why().find(given), std::string::npos) << error.what();
+        EXPECT_NE(error.why().find(allowed), std::string::npos) << error.what();
+        EXPECT_FALSE(error.remedy().empty());
+    };
+    const Scene scene(device, uint2(64, 64), sheet(0.5f, 1));
+    scene.draw(draw_replacing, {.origin = {32, 32}, .extent = {32, 32}});
+    EXPECT_EQ(scene.count(), 1024u);
+    refused([&] { scene.draw(draw_replacing, {}); }, "64 x 64", "32 x 32");
+    const Scene wide(device, uint2(65, 8), sheet(0.5f, 1));
+    refused([&] { wide.draw(draw_replacing, {.extent = {8, 8}}); }, "65 x 8", "64 x 64");
+    const glift::Memory part = wide.texture("levels", glift::Format::rgba32f, 2).mip(1);
+    const glift::ColourTarget two[] = {{"first", glift::Format::rgba32f}, {"second", glift::Format::rgba32f}};
+    const glift::Drawing drawing = {.colours = two};
+    glift::Kernel kernel = draw_over;
+    kernel.drawing = &drawing;
+    const glift::Memory memories[] = {scene.corners, scene.counts};
+    const auto draw_to = [&](const glift::Kernel& kernel, std::span<const glift::Attachment> colours) {
+        const DrawParameters parameters = {6, 1, 0};
+        const glift::DrawTargets targets = {colours, {}, {0, 0}, {4, 4}};
+        device.commands().dispatch(kernel, {.form = glift::FormName::general,
+                                            .memories = memories,
+                                            .parameters = bytes_of(parameters),
+                                            .size = {6, 1, 1, 1},
+                                            .targets = &targets});
+    };
+    const glift::Attachment level[] = {{part}}, images[] = {{scene.image}, {part}};
+    refused([&] { draw_to(draw_over, level); }, "65 x 8", "64 x 64");
+    refused([&] { draw_to(kernel, images); }, "2 colour targets", "allows 1");
+    for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
 }
 
 /// Triangles within twice the viewport: lavapipe clips larger ones, which makes new vertices.

@@ -9,6 +9,11 @@ namespace {
 VKAPI_ATTR void VKAPI_CALL get_properties(VkPhysicalDevice physical, VkPhysicalDeviceProperties* properties) {
     vkGetPhysicalDeviceProperties(physical, properties);
     if (pretence.vulkan_1_2) properties->apiVersion = VK_API_VERSION_1_2;
+    VkPhysicalDeviceLimits& limits = properties->limits;
+    if (const auto side = pretence.largest_viewport)
+        limits.maxViewportDimensions[0] = limits.maxViewportDimensions[1] = side;
+    if (const auto side = pretence.largest_framebuffer) limits.maxFramebufferWidth = limits.maxFramebufferHeight = side;
+    if (pretence.most_colours) limits.maxColorAttachments = pretence.most_colours;
 }
 
 VKAPI_ATTR void VKAPI_CALL get_features(VkPhysicalDevice physical, VkPhysicalDeviceFeatures2* features) {

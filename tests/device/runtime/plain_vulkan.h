@@ -18,6 +18,8 @@ struct Pretence {
     bool no_shuffles = false;          ///< subgroups support no shuffles and no 64-bit reductions
     bool no_push_descriptors = false;  ///< the device has no functions of VK_KHR_push_descriptor
 
+    std::uint32_t largest_viewport = 0, largest_framebuffer = 0, most_colours = 0;  ///< limits; 0: the device's own
+
     std::uint64_t calls = 0;         ///< calls of the device's functions that can fail
     std::uint64_t failing_call = 0;  ///< number, from 1, of the call that fails with `failure`; 0: none
     VkResult failure = VK_ERROR_OUT_OF_HOST_MEMORY;
