@@ -105,6 +105,8 @@ private:
     Pair expand(ExprId id);
     ExprId value_of(ExprId id) { return expand(id).value; }
     ExprId without_empty(ExprId whole);
+    Pair expand_empty(ExprId id);
+    void expand_effects(ExprId id);  ///< evaluates an expression whose value nobody needs; nothing if it has no effect
     Pair expand_local(const ir::Expr& node);
     Pair expand_select(const ir::Expr& node);
     Pair expand_logical(const ir::Expr& node);

@@ -108,12 +108,50 @@ ExprId Expander::stored(const Pair& pair, TypeId type) {
     return make.select(pair.has, p.exprs.add(std::move(some)), make.zero(type));
 }
 
+/// Whether evaluating the expression before lowering does more than give a value.
+static bool has_effect(const Program& p, ExprId id) {
+    bool found = false;
+    for_each_node(p, id, [&](ExprId part) {
+        const Expr& node = p.exprs[part];
+        if (node.op == Op::call) found = found || p.functions[node.function].is_statements();
+        if (node.op == Op::intrinsic)
+            found = found || signature_of(node.intrinsic)[0] == '@' || is_collective(node.intrinsic);
+    });
+    return found;
+}
+
+void Expander::expand_effects(ExprId id) {
+    if (!has_effect(p, id)) return;
+    const Pair value = expand(id);
+    for (ExprId part : {value.value, value.has}) {
+        if (!part || numbers_.is_pure(part)) continue;
+        Stmt alone = statement(StmtOp::evaluate, span_);
+        alone.value = part;
+        append(std::move(alone));
+    }
+}
+
+/// An expression of an empty type: its value is known, but its effects must happen.
+Pair Expander::expand_empty(ExprId id) {
+    const Expr node = p.exprs[id];
+    if (!has_effect(p, id)) return {make.zero(node.type), {}};
+    if (node.op == Op::call && p.functions[node.function].is_statements()) return expand_call(node);
+    if (node.op == Op::select) {
+        const ExprId condition = value_of(node.operands[0]);
+        Block yes = collect([&] { expand_effects(node.operands[1]); });
+        Block no = collect([&] { expand_effects(node.operands[2]); });
+        append_if(condition, std::move(yes), std::move(no));
+    } else {
+        for (ExprId operand : node.operands) expand_effects(operand);
+    }
+    return {make.zero(node.type), {}};
+}
+
 // long: a case for each operation
 Pair Expander::expand(ExprId id) {
     if (p.exprs.size() - cx.first_expr.index > most_nodes) throw KernelTooLarge{span_};
     const Expr& node = p.exprs[id];
-    const bool has_effect = node.op == Op::call && p.functions[node.function].is_statements();
-    if (is_empty(p, node.type) && !has_effect) return {make.zero(node.type), {}};
+    if (is_empty(p, node.type)) return expand_empty(id);
     switch (node.op) {
     case Op::constant: return {id, {}};
     case Op::local: return expand_local(node);

@@ -135,7 +135,10 @@ void Expander::zero_by_loops(const std::string& name, ExprId target) {
 
 void Expander::expand_let(const Stmt& stmt) {
     const Local local = p.locals[stmt.local];
-    if (is_empty(p, local.type)) return;  // a type without data: uses need no local
+    if (is_empty(p, local.type)) {  // a type without data: uses need no local
+        if (stmt.value) expand_effects(stmt.value);
+        return;
+    }
     const std::string name = prefixed((*p.names)[local.name]);
     if (p.types.kind(local.type) == TypeKind::optional) {
         Pair value = stmt.value ? expand(stmt.value) : Pair{make.zero(p.types[local.type].element), make.truth(false)};
@@ -193,7 +196,11 @@ void Expander::expand_assign(const Stmt& stmt) {
         return;
     }
     TypeId type = make.type(stmt.target);
-    if (is_empty(p, type)) return;
+    if (is_empty(p, type)) {
+        for (ExprId part = stmt.target; p.exprs[part].op != Op::local; part = p.exprs[part].operands[0])
+            if (p.exprs[part].op == Op::index) expand_effects(p.exprs[part].operands[1]);
+        return expand_effects(stmt.value);
+    }
     Stmt copy = statement(StmtOp::assign, stmt.span);
     copy.target = expand_target(stmt.target);
     copy.value = stored(expand(stmt.value), type);
