@@ -16,8 +16,10 @@ namespace {
 std::array<std::uint32_t, 3> group_of_blocks(std::optional<std::uint64_t> volume) {
     constexpr std::uint32_t most = 256, small = 32, unknown = 64;
     if (!volume) return {unknown, 1, 1};
-    const auto width = static_cast<std::uint32_t>(std::bit_ceil(std::max<std::uint64_t>(*volume, 1)));
-    if (width < small) return {width, most / width, 1};
+    if (*volume <= small / 2) {
+        const std::uint32_t width = std::bit_ceil(std::max(static_cast<std::uint32_t>(*volume), 1u));
+        return {width, most / width, 1};
+    }
     const std::uint64_t wide = *volume / elements_in_block(*volume);
     if (wide >= most) return {most, 1, 1};
     return {(static_cast<std::uint32_t>(wide) + small - 1) / small * small, 1, 1};
