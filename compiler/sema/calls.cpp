@@ -239,17 +239,24 @@ static Operand found_where(Body& body, const Operand& structure, ir::ExprId is, 
     return value_operand(body, add(body.program(), ir::Op::select, optional, span, {is, some, none}), span);
 }
 
-static const std::vector<ast::Item>& items_of(const Context& c, std::uint32_t structure) {
-    return items_of(c[c.structure_decl.at(structure)]);
+/// A function or pipeline of that name that a declaration has inside an `if`, whatever the condition; or none.
+static ast::DeclId conditional_method(const Context& c, const std::vector<ast::Item>& items, Name name,
+                                      bool is_inside) {
+    for (const ast::Item& item : items) {
+        if (is_inside && item.decl && c[item.decl].name.name == name) return item.decl;
+        if (ast::DeclId found = conditional_method(c, item.body, name, true)) return found;
+        if (ast::DeclId found = conditional_method(c, item.alternative, name, true)) return found;
+    }
+    return {};
 }
 
 /// Whether a structure along the memory chain, the structure itself left out, declares a function or pipeline of that
-/// name; items inside an `if` do not count.
-static bool has_method_of_base(const Context& c, const ir::Structure& structure, Name name) {
+/// name.
+static bool has_method_of_base(Context& c, const ir::Structure& structure, Name name) {
     for (const ir::Structure* link = &structure; !link->base.empty();) {
         link = &ir::structure_at(c.program, *link, link->base);
         const auto index = static_cast<std::uint32_t>(link - c.program.structures.data());
-        const auto is_it = [&](const ast::Item& item) { return item.decl && c[item.decl].name.name == name; };
+        const auto is_it = [&](const ast::Item* item) { return item->decl && c[item->decl].name.name == name; };
         if (std::ranges::any_of(items_of(c, index), is_it)) return true;
     }
     return false;
@@ -274,11 +281,11 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
     // Functions of the declaration itself come before built-in ones: a structure may define its own `find`. Not so
     // `domain` and `at`, which the operations for domains and reads of elements call, and those of blocks, which
     // call_of_blocks() has handled.
-    const std::vector<ast::Item>& items = items_of(c, self.structure);
+    const std::vector<const ast::Item*> items = items_of(c, self.structure);
     std::vector<ast::DeclId> overloads, pipelines;
-    for (const ast::Item& item : items) {
-        if (!item.decl || c[item.decl].name.name != method.name) continue;
-        (item.kind == ast::ItemKind::pipeline ? pipelines : overloads).push_back(item.decl);
+    for (const ast::Item* item : items) {
+        if (!item->decl || c[item->decl].name.name != method.name) continue;
+        (item->kind == ast::ItemKind::pipeline ? pipelines : overloads).push_back(item->decl);
     }
     if (!pipelines.empty()) {
         if (auto result = check_pipeline_call(body, pipelines, generics, call, &self)) return *result;
@@ -326,10 +333,16 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
                            call, wanted);
     std::vector<std::string_view> known = {"domain",    "sample",   "gather", "compare", "find",
                                            "translate", "contains", "load",   "store"};
-    for (const ast::Item& item : items)
-        if (item.decl) known.push_back(c.text(c[item.decl].name.name));
+    for (const ast::Item* item : items)
+        if (item->decl) known.push_back(c.text(c[item->decl].name.name));
     Diagnostic& diagnostic =
         c.error(Diag::unknown_member, method.span, {body.program().structures[self.structure].display, name});
+    const ast::Decl& declaration = c[c.structure_decl.at(self.structure)];
+    if (const ast::DeclId left_out = conditional_method(c, items_of(declaration), method.name, false)) {
+        note(diagnostic, c[left_out].name.span,
+             "declared here, inside an 'if' that selects it for other arguments of " + c.text(declaration.name.name));
+        return error_operand(call.span);
+    }
     std::string_view meant = did_you_mean(name, known);
     if (!meant.empty()) note(diagnostic, method.span, "did you mean '" + std::string(meant) + "'?");
     return error_operand(call.span);
@@ -355,13 +368,12 @@ static void note_functions(const Context& c, Diagnostic& diagnostic, const Meta&
     note(diagnostic, span, "this is a module; it has " + all + (names.size() > most ? ", …" : ""));
 }
 
-/// Whether the container itself declares a function or pipeline of that name with this number of parameters; items
-/// inside an `if` do not count.
-static bool has_method(const Context& c, std::uint32_t container, Name name, std::size_t arguments) {
-    return std::ranges::any_of(items_of(c, container), [&](const ast::Item& item) {
-        if (!item.decl || c[item.decl].name.name != name) return false;
-        const auto* function = std::get_if<ast::Function>(&c[item.decl].body);
-        const auto* pipeline = std::get_if<ast::Pipeline>(&c[item.decl].body);
+/// Whether the container itself declares a function or pipeline of that name with this number of parameters.
+static bool has_method(Context& c, std::uint32_t container, Name name, std::size_t arguments) {
+    return std::ranges::any_of(items_of(c, container), [&](const ast::Item* item) {
+        if (!item->decl || c[item->decl].name.name != name) return false;
+        const auto* function = std::get_if<ast::Function>(&c[item->decl].body);
+        const auto* pipeline = std::get_if<ast::Pipeline>(&c[item->decl].body);
         return (function && function->params.size() == arguments) || (pipeline && pipeline->params.size() == arguments);
     });
 }

@@ -1,5 +1,6 @@
 #include "sema/constructors.h"
 
+#include "sema/components.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
 #include "sema/lookup.h"
@@ -39,6 +40,13 @@ const std::vector<ast::Item>& items_of(const ast::Decl& decl) {
     if (const auto* view = std::get_if<ast::View>(&decl.body)) return view->items;
     if (const auto* adaptor = std::get_if<ast::Adaptor>(&decl.body)) return adaptor->items;
     return std::get<ast::Structure>(decl.body).items;
+}
+
+std::vector<const ast::Item*> items_of(Context& c, std::uint32_t structure) {
+    std::vector<const ast::Item*> items;
+    for_each_item(c, *c.structure_env.at(structure), items_of(c[c.structure_decl.at(structure)]),
+                  [&](const ast::Item& item) { items.push_back(&item); });
+    return items;
 }
 
 Meta constructed_type(Body& body, const ast::Expr& call) {

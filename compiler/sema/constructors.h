@@ -11,6 +11,9 @@ const std::vector<ast::Param>* constructor_of(const ast::Decl&);
 /// The items in the body of the declaration of a structure, view or adaptor.
 const std::vector<ast::Item>& items_of(const ast::Decl&);
 
+/// The items of an instance: of those inside an `if`, the ones that its condition selects for the instance's arguments.
+std::vector<const ast::Item*> items_of(Context&, std::uint32_t structure);
+
 /// What `Name<…>` means in the call `Name<…>(arguments)`: where it constructs something, a type. Generic arguments that
 /// are not written are inferred from the arguments that are structures, given by a name or a path of members. Kind none
 /// after an error.

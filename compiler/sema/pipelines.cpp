@@ -123,21 +123,21 @@ void check_range_return(Body& body, const ast::Stmt& stmt) {
 }
 
 /// All declarations with the name of the pipeline, in its container or in its module.
-static std::vector<ast::DeclId> overloads_of(const Context& c, ast::DeclId id, std::optional<std::uint32_t> owner) {
+static std::vector<ast::DeclId> overloads_of(Context& c, ast::DeclId id, std::optional<std::uint32_t> owner) {
     std::vector<ast::DeclId> all;
     if (!owner) {
         const auto& names = c.scopes[c.module_of.at(id)].names;
         const auto found = names.find(c[id].name.name);
         return found == names.end() ? all : found->second;
     }
-    for (const ast::Item& item : items_of(c[c.structure_decl.at(*owner)]))
-        if (item.decl && c[item.decl].name.name == c[id].name.name) all.push_back(item.decl);
+    for (const ast::Item* item : items_of(c, *owner))
+        if (item->decl && c[item->decl].name.name == c[id].name.name) all.push_back(item->decl);
     return all;
 }
 
 /// A part of Body::key: the pipeline's container, if it has one, and its number among the overloads unless it is the
 /// first.
-static std::string overload_text(const Context& c, ast::DeclId id, std::optional<std::uint32_t> owner) {
+static std::string overload_text(Context& c, ast::DeclId id, std::optional<std::uint32_t> owner) {
     const std::vector<ast::DeclId> all = overloads_of(c, id, owner);
     const auto place = std::ranges::find(all, id) - all.begin();
     const std::string container = owner ? "<" + c.program.structures[*owner].key + ">" : "";
