@@ -13,7 +13,7 @@ enum class Intrinsic : std::uint8_t {
 };
 
 /// Whether results may differ between devices (docs/language.md, "Accuracy").
-enum class Exactness : std::uint8_t { exact, inexact };
+enum class Exactness : std::uint8_t { exact, exact_for_integers, inexact };
 
 std::string_view name_of(Intrinsic intrinsic);
 std::string_view signature_of(Intrinsic intrinsic);

@@ -178,11 +178,20 @@ void add_files(const Program& program, const Pass& pass, std::vector<std::uint32
 /// Whether conversions of the texels may differ between devices in the last bit: those between eight bits and floats.
 bool rounds_freely(Format format) { return format == Format::r8 || format == Format::rg8 || format == Format::rgba8; }
 
+bool is_exact(const Program& program, const Expr& intrinsic) {
+    switch (exactness_of(intrinsic.intrinsic)) {
+    case Exactness::exact: return true;
+    case Exactness::exact_for_integers: return !program.types.is_floating(program.types.scalar_of(intrinsic.type));
+    case Exactness::inexact: return false;
+    }
+    return false;
+}
+
 /// Adds the functions that the body calls, callees before callers; notes operations that are not exact.
 void add_functions(Context& cx, const std::vector<StmtId>& body) {
     for_each_expression_of_trees(cx.p, body, [&](ExprId id) {
         const Expr& node = cx.p.exprs[id];
-        if (node.op == Op::intrinsic && exactness_of(node.intrinsic) == Exactness::inexact) cx.pass.exact = false;
+        if (node.op == Op::intrinsic && !is_exact(cx.p, node)) cx.pass.exact = false;
         if (node.op == Op::image_sample && cx.pass.bindings[node.slot].linear) cx.pass.exact = false;
         if (node.op == Op::image_compare) cx.pass.exact = false;
         if (node.op != Op::call) return;

@@ -132,4 +132,22 @@ if os.geteuid():  # root writes everything
     (many.path / "kept.glift").chmod(0o444)
     says(many.run("fmt", "kept.glift"), 4, "cannot write 'kept.glift'")
 says(many.run("fmt", "--help"), 0, "Exit status", "The other files are done")
+
+# Sums and products of floats over a subgroup are rounded in an order that depends on the device; nothing else of these is.
+here.write("sums.glift", """module sums;
+use std.array;
+structure Ints = Array<1, uint>;
+structure Floats = Array<1, float>;
+kernel sum_ints(a: inout each<Ints>) group(64) { a = subgroupAdd(a) + subgroupInclusiveAdd(a); }
+kernel multiply_ints(a: inout each<Ints>) group(64) { a = subgroupMul(a); }
+kernel extremes(a: inout each<Floats>) group(64) { a = subgroupMax(a) + subgroupExclusiveMin(a); }
+kernel sum(a: inout each<Floats>) group(64) { a = subgroupAdd(a); }
+kernel sums_before(a: inout each<Floats>) group(64) { a = subgroupExclusiveAdd(float2(a, 1.0)).x; }
+kernel sums_to(a: inout each<Floats>) group(64) { a = subgroupInclusiveAdd(a); }
+kernel multiply(a: inout each<Floats>) group(64) { a = subgroupMul(a); }
+""")
+says(here.run("--target=json", "-o", "sums", "sums.glift"), 0)
+kernels = json.loads((here.path / "sums/sums.glift.json").read_text())["kernels"]
+exact = {kernel["name"] for kernel in kernels if all(form["exact"] for form in kernel["forms"].values())}
+expect(exact == {"sum_ints", "multiply_ints", "extremes"}, "sums and products of floats alone are inexact", exact)
 finish()
