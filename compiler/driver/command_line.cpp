@@ -6,6 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
+
 #ifndef GLIFT_VERSION
 #define GLIFT_VERSION "0.1.0"
 #endif
@@ -79,6 +81,22 @@ void finish(Options& options, const Typed& typed) {
     }
 }
 
+/// Throws ValidationError if the outputs of two files would have one name.
+void check_file_names(const Options& options) {
+    std::map<std::string, std::string> by_stem;
+    for (const std::string& file : options.files) {
+        if (file == "-") continue;
+        const std::filesystem::path path(file);
+        const auto [earlier, is_new] = by_stem.try_emplace(path.stem().string(), file);
+        std::error_code unknown;  // where a file is missing, which is reported when it is read
+        if (is_new || file == earlier->second || std::filesystem::equivalent(path, earlier->second, unknown)) continue;
+        throw CLI::ValidationError("files", "'" + earlier->second + "' and '" + file +
+                                                "' are written to files of one name, '" + path.stem().string() +
+                                                ".glift.hpp': rename one, or compile them by two calls with "
+                                                "different folders (-o)");
+    }
+}
+
 /// Throws ValidationError for a --depfile where no outputs are written, for '-' as output folder or depfile, and for a
 /// --library without the module std.transfer, which cannot be the standard library.
 void check_combinations(const Options& options) {
@@ -87,6 +105,9 @@ void check_combinations(const Options& options) {
     const bool writes = !options.check_only && !options.list_outputs && !stops;
     if (!options.depfile.empty() && (!writes || options.command != Command::compile))
         throw CLI::ValidationError("--depfile", "nothing is written here: leave it out");
+    const bool makes_outputs = !options.check_only && !stops;
+    if (makes_outputs && (options.command == Command::compile || options.command == Command::test))
+        check_file_names(options);
     if (options.output_folder == "-")
         throw CLI::ValidationError("-o",
                                    "outputs are several files, which do not go to standard output: name a folder");

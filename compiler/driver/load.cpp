@@ -145,7 +145,7 @@ private:
         auto [earlier, is_new] = by_name_.try_emplace(module.name.name, module.name.span);
         if (is_new) return;
         auto& error = diagnostics_.report(Diag::duplicate_name, module.name.span, {names_[module.name.name]});
-        error.notes.push_back({earlier->second, "another file holds this module"});
+        error.notes.push_back({earlier->second, "another file holds this module: give one of them another name"});
     }
 
     void report_cycle(Span use, const std::string& name) {

@@ -133,6 +133,16 @@ if os.geteuid():  # root writes everything
     says(many.run("fmt", "kept.glift"), 4, "cannot write 'kept.glift'")
 says(many.run("fmt", "--help"), 0, "Exit status", "The other files are done")
 
+# Two files of one name: their outputs would be, too.
+for folder in ("one", "other"):
+    here.write(f"{folder}/same.glift", f"module {folder}.same;\npub fn of_{folder}() -> int {{ return 1; }}\n")
+says(here.run("-o", "out", "one/same.glift", "other/same.glift"), 2, "'one/same.glift' and 'other/same.glift'", "rename one")
+says(here.run("--list-outputs", "one/same.glift", "other/same.glift"), 2, "'one/same.glift' and 'other/same.glift'")
+says(here.run("--check", "one/same.glift", "other/same.glift"), 0)
+says(here.run("-o", "out", "one/same.glift", "one/../one/same.glift"), 0)
+here.write("other/same.glift", "module one.same;\n")
+says(here.run("--check", "one/same.glift", "other/same.glift"), 1, "'one.same' is declared twice", "one/same.glift", "another name")
+
 # Sums and products of floats over a subgroup are rounded in an order that depends on the device; nothing else of these is.
 here.write("sums.glift", """module sums;
 use std.array;
