@@ -3,6 +3,7 @@
 #include "sema/meta.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gliftc::sema {
 
@@ -40,6 +41,22 @@ std::optional<std::uint32_t> home_of(const Context& c, ir::TypeId id) {
     return std::nullopt;
 }
 
+/// Reports that two imports declare the name, the same whatever their order. Returns the declaration with which
+/// checking goes on.
+ast::DeclId report_ambiguous(Context& c, ast::Identifier name, ast::DeclId one, ast::DeclId other) {
+    const auto module_of = [&](ast::DeclId decl) -> const std::string& {
+        return c.text(c.modules[c.module_of.at(decl)].tree->name.name);
+    };
+    if (module_of(other) < module_of(one)) std::swap(one, other);
+    const std::string &first = module_of(one), &second = module_of(other), &text = c.text(name.name);
+    Diagnostic& diagnostic = c.error(Diag::ambiguous_name, name.span, {text, first, second});
+    note(diagnostic, c[one].name.span, "one is declared here");
+    note(diagnostic, c[other].name.span, "another here");
+    const auto last = [](const std::string& module) { return module.substr(module.rfind('.') + 1); };
+    note(diagnostic, name.span, "write '" + last(first) + "." + text + "' or '" + last(second) + "." + text + "'");
+    return one;
+}
+
 }  // namespace
 
 bool is_function(const Context& c, const std::vector<ast::DeclId>& declarations) {
@@ -71,14 +88,16 @@ Visible look_up(Context& c, std::uint32_t module, ast::Identifier name) {
                 visible.hidden.push_back(decl);
                 continue;
             }
-            const bool are_overloads = is_function(c, {decl}) || (is_pass(c, {decl}) && is_pass(c, visible.found));
+            if (contains(visible.found, decl)) continue;  // imported twice
+            const bool are_overloads = (is_function(c, {decl}) && is_function(c, visible.found)) ||
+                                       (is_pass(c, {decl}) && is_pass(c, visible.found));
             if (!visible.found.empty() && from != import && !are_overloads) {
-                Diagnostic& diagnostic = c.error(Diag::ambiguous_name, name.span, {c.text(name.name)});
-                note(diagnostic, c[visible.found[0]].name.span, "one is declared here");
-                note(diagnostic, c[decl].name.span, "another here");
+                const ast::DeclId kept = report_ambiguous(c, name, visible.found[0], decl);
+                visible.found.push_back(decl);
+                std::erase_if(visible.found,
+                              [&](ast::DeclId other) { return c.module_of.at(other) != c.module_of.at(kept); });
                 return visible;
             }
-            if (contains(visible.found, decl)) continue;  // imported twice
             visible.found.push_back(decl);
             from = import;
         }
