@@ -135,6 +135,21 @@ bool is_type_declaration(const ast::Decl& decl) {
            std::holds_alternative<ast::Adaptor>(decl.body);
 }
 
+/// `mat<C, R, T>`: shaders have matrices of floating types alone.
+Meta matrix_type(Context& c, const ast::Expr& expr, std::int64_t columns, std::int64_t rows, ir::TypeId element) {
+    if (columns < 2 || columns > 4 || rows < 2 || rows > 4) {
+        c.error(Diag::matrix_size, expr.span, {std::to_string(columns), std::to_string(rows)});
+        return {};
+    }
+    if (!c.types().is_floating(element)) {
+        const Span span = c[expr.operands.back()].span;
+        note(c.error(Diag::matrix_element, span, {c.text(element)}), span,
+             "its elements are float, half or double; keep others in an array of vectors: vec<R, T>[C]");
+        return {};
+    }
+    return of_type(c.types().matrix(element, static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows)));
+}
+
 /// `vec<N, T>`, `mat<C, R, T>`.
 Meta builtin_generic(Context& c, const Env& env, const ast::Expr& expr, std::string_view name) {
     bool vec = name == "vec";
@@ -146,7 +161,8 @@ Meta builtin_generic(Context& c, const Env& env, const ast::Expr& expr, std::str
     auto rows = vec ? n : count_of(c, env, expr.operands[2]);
     ir::TypeId element = type_of(c, env, expr.operands.back());
     if (!n || !rows || element == c.types().error) return {};
-    if (*n < 1 || *n > 4 || *rows < 1 || *rows > 4) {
+    if (!vec) return matrix_type(c, expr, *n, *rows, element);
+    if (*n < 1 || *n > 4) {
         c.error(Diag::vector_size, c[expr.operands[1]].span, {std::to_string(*n)});
         return {};
     }
@@ -154,7 +170,7 @@ Meta builtin_generic(Context& c, const Env& env, const ast::Expr& expr, std::str
         c.error(Diag::vector_element, c[expr.operands.back()].span, {c.text(element)});
         return {};
     }
-    return of_type(vec ? c.types().vector(element, *n) : c.types().matrix(element, *n, *rows));
+    return of_type(c.types().vector(element, *n));
 }
 
 Meta meta_of_name(Context& c, const Env& env, const ast::Expr& expr) {
