@@ -103,7 +103,7 @@ public:
     bool is_recording() const;
 
     /// Whether a call needs the kernel's wide form (kernel.h): because its memories or its iteration are too large for
-    /// the other forms, because they include more buffers than the device has descriptors, or because bindings alias
+    /// the other forms, because it takes more buffers than the device has descriptors for, or because bindings alias
     /// (Sharing::one_place), for which shaders need pointers. The caller then packs the wide form's parameters.
     bool needs_wide(const Kernel& kernel, std::span<const Memory> memories, const std::array<std::uint32_t, 4>& size,
                     Sharing sharing = Sharing::unknown) const;
@@ -129,9 +129,9 @@ public:
     /// The same stream without conditions.
     Commands always() const;
 
-    /// Like Device::allocate. In a recording the memory lies in the recording's workspace and, unless it is to be left
-    /// uninitialised, is zeroed here by each replay; once its last handle is gone, later allocations of the recording
-    /// reuse its storage (on Vulkan devices not that of images).
+    /// Like Device::allocate. In a recording the memory counts in the recording's workspace and, unless it is to be
+    /// left uninitialised, each replay zeroes it where this was called; once its last handle is gone, later allocations
+    /// of the recording may reuse its storage (on Vulkan devices not that of images, each of which has its own).
     Memory allocate(const MemoryDescription& description) const;
 
     /// Returns `memory`, to be used in place of `allocate(description)`. Throws wrong_argument unless it is of this
@@ -173,7 +173,7 @@ public:
     Timestamp timestamp() const;  ///< not in a recording
 
     void flush() const;  ///< submits what was put into the stream; not in a recording
-    void wait() const;   ///< the same, and waits for it; throws what kernels reported (StatusRecord)
+    void wait() const;   ///< like flush, then waits until it is done; throws what kernels reported (StatusRecord)
 
     const std::shared_ptr<detail::Stream>& share() const { return stream_.share(); }
 
@@ -182,7 +182,7 @@ private:
     /// Throws for an empty handle, and where recording has ended.
     detail::Stream& stream(const char* call) const;
     detail::Stream& stream(const Kernel& kernel) const;
-    /// Throws under conditions, too.
+    /// Like `stream`, and throws where these commands have conditions.
     detail::Stream& unconditional_stream(const char* call) const;
     Commands with(Condition condition) const;
 

@@ -75,9 +75,9 @@ struct Statistics {
 /// A cheap handle: copies mean the same device. Several threads may use a device at the same time.
 class GLIFT_API Device {
 public:
-    /// `host`, written so, or in any case `gpu`, `lavapipe` or part of a device's name. Without an argument the
-    /// environment variable GLIFT_DEVICE decides, with the same values; without that, the best GPU, else a CPU that
-    /// runs Vulkan, which is logged once (log.h). Never the host unless asked.
+    /// `host`, in lower case; or, in upper or lower case, `gpu`, `lavapipe` or part of a device's name. Without an
+    /// argument the environment variable GLIFT_DEVICE decides, with the same values; without that, the best GPU, else a
+    /// CPU that runs Vulkan, which is logged once (log.h). Never the host unless asked.
     ///
     /// Other environment variables: GLIFT_VALIDATE=1 turns on the validation layer; GLIFT_CACHE_DIR says where
     /// compiled pipelines are kept (default: $XDG_CACHE_HOME/glift or ~/.cache/glift; empty: nowhere);

@@ -1,4 +1,5 @@
-// The 16-bit float. Each operation is computed in float, and its result rounded to the nearest half, ties to even.
+// The 16-bit float: arithmetic is computed in float, and its result rounded to the nearest half, ties to even. And
+// bools as memory stores them.
 #pragma once
 
 #include <bit>

@@ -4,7 +4,8 @@
 //     glift::inspect(grid, "grid").save("grid.inspection");
 //
 // Not part of <glift/glift.h>. For structures of any size. It waits for the device, and reads the elements in some
-// planes; where not all elements need be there, and not very many are (InspectionOptions::most_elements), all of these.
+// planes; of structures of which not all elements need be there, also all elements that are there, unless they are more
+// than InspectionOptions::most_elements.
 #pragma once
 
 #include <glift/inspected_values.h>
@@ -22,7 +23,7 @@ namespace glift {
 
 struct InspectionOptions {
     std::uint32_t most_pixels = 512;  ///< along an axis of a picture of two axes; along one of one axis its square
-    std::uint64_t most_elements = std::uint64_t{1} << 25;  ///< of a structure with more only planes are read
+    std::uint64_t most_elements = std::uint64_t{1} << 25;  ///< where more are there, only planes are read
 };
 
 /// A structure as text of the format that docs/inspection.md has.
@@ -90,9 +91,9 @@ template <class A> std::string json_counts(const std::vector<A>& addresses, cons
     return object.text();
 }
 
-/// In place of an element's place as a number, where no element is there or the number is larger.
+/// Stands for the number of an element's place where no element is there, or where that number is no less than this.
 inline constexpr std::uint32_t no_place = UINT32_MAX;
-/// The place of an element in its memory as one number, `no_place` at most.
+/// The place of an element in a memory of this extent as one number, counted in row-major order; `no_place` at most.
 inline std::uint32_t number_in(const Extent& place, const Extent& extent) {
     std::uint64_t number = 0;
     for (unsigned i = 4; i-- > 0;) number = saturated_sum(saturated_product(number, extent[i]), place[i]);

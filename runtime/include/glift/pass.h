@@ -61,8 +61,8 @@ inline const Form& form_of(const Kernel& kernel, FormName name) {
 enum class Sharing : std::uint8_t {
     unknown,    ///< nothing: refused (ErrorCode::aliased_memory), unless all these bindings are read_write
     apart,      ///< no invocation accesses what another one writes, nor by another binding what it writes itself
-    one_place,  ///< no invocation accesses what another one writes; some access what they write by another binding,
-                ///< too: not the direct form
+    one_place,  ///< no invocation accesses what another one writes, but some access an element by one binding that
+                ///< they write by another one: not in the direct form
 };
 
 /// One call of a kernel. Spans need to live only until Commands::dispatch returns.

@@ -24,7 +24,8 @@ public:
     explicit operator bool() const { return bool(object_); }
 
     /// One submission, in order with the device's own stream; may be called again at once. Throws wrong_argument where
-    /// a container has given up memory that the recording uses.
+    /// a container has given up memory that the recording uses, and in a body of Device::record or
+    /// Device::workspace_bytes of the same device.
     void submit() const;
 
     /// The size of the workspace.

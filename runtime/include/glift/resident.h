@@ -70,8 +70,8 @@ private:
     std::uint32_t entries_;
 };
 
-/// Lists what is there, into lists that have room for `most` entries. Returns how many entries there are; if these are
-/// `most`, brings the lists to the host, to `found`.
+/// Lists the elements of the range that are there, into lists on the device that have room for `most`. Returns how many
+/// are there; if the number is `most`, brings the lists to the host, to `found`.
 template <class S>
 std::uint32_t list(const Range<S>& range, const Commands& commands, std::uint32_t most, ResidentOf<S>& found) {
     const Memory counter = commands.allocate({.name = "counter", .bytes = 4});

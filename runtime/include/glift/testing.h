@@ -22,9 +22,9 @@ inline constexpr double inexact_tolerance = 1e-3;
 /// them in its way, and again where it blends.
 inline constexpr double drawn_tolerance = 2.01 / 255.0;
 
-/// All elements of one structure at the end of a test, and the layout of an element, `scalars`: one letter a scalar (f
-/// float, n float that draws write to eight bits, h half, d double, u uint, i int, b bool, U uint64, I int64), a point
-/// for each byte of padding, which nothing writes.
+/// A copy of all elements of a structure, of a box or of a buffer, for comparison, and the layout of an element,
+/// `scalars`: one letter a scalar (f float, n float that draws write to eight bits, h half, d double, u uint, i int, b
+/// bool, U uint64, I int64), a point for each byte of padding, which nothing writes.
 struct KeptStructure {
     std::string name;
     unsigned rank;

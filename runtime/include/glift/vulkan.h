@@ -15,8 +15,9 @@
 namespace glift::vulkan {
 
 /// The features to make a device with: those of Vulkan 1.0 to 1.3 and of float atomics that this physical device has,
-/// without a few that cost speed or serve capture tools. Chain `features` (a VkPhysicalDeviceFeatures2 with all the
-/// rest behind it) into VkDeviceCreateInfo::pNext, add your own, and enable the extensions.
+/// without a few that cost speed, serve capture tools or that Glift has no use for. Chain `features` (a
+/// VkPhysicalDeviceFeatures2 with all the rest behind it) into VkDeviceCreateInfo::pNext, add your own, and enable the
+/// extensions.
 class GLIFT_API DeviceFeatures {
 public:
     /// Throws unsupported_version, missing_feature or no_loader. get_instance_proc_addr: null for the system's loader.

@@ -82,7 +82,7 @@ V cube_mix(const HostMemory& memory, const float3& direction, std::uint32_t leve
 
 }  // namespace detail
 
-/// The texel of a cube, of the nearest level, in a direction.
+/// The texel of a cube in a direction, in the level nearest to `level`.
 template <Format F, class T>
 T sample_cube_nearest(const HostMemory& memory, const float3& direction, float level = 0.0f) {
     const detail::CubePoint point = detail::cube_point(direction);
@@ -92,7 +92,7 @@ T sample_cube_nearest(const HostMemory& memory, const float3& direction, float l
         memory, {detail::cube_texel(point.u, side), detail::cube_texel(point.v, side), point.face}, mip);
 }
 
-/// Linear interpolation between texel centres of the nearest level, over the edges of faces.
+/// Linear interpolation between texel centres in the level nearest to `level`, over the edges of faces.
 template <Format F, class T>
 T sample_cube_linear(const HostMemory& memory, const float3& direction, float level = 0.0f) {
     const std::uint32_t mip = detail::nearest_level(memory, level);

@@ -182,8 +182,8 @@ T clamped_texel(const HostMemory& memory, std::array<std::int64_t, 3> at, std::u
 
 }  // namespace detail
 
-/// The texel of the nearest level that contains the normalised coordinates, clamped to the edge. A third coordinate is
-/// rounded to the number of a layer if the image has layers.
+/// The texel in which the normalised coordinates lie, in the level nearest to `level`; beyond an edge, the edge's
+/// texel. A third coordinate is rounded to the number of a layer if the image has layers.
 template <Format F, class T, class At> T sample_nearest(const HostMemory& memory, const At& at, float level = 0.0f) {
     const std::array<float, 3> point = detail::as_array(at);
     const std::uint32_t mip = detail::nearest_level(memory, level);
@@ -195,8 +195,8 @@ template <Format F, class T, class At> T sample_nearest(const HostMemory& memory
     return detail::clamped_texel<F, T>(memory, texel, mip);
 }
 
-/// Linear interpolation between texel centres of the nearest level along each axis, x first; the layer of an array is
-/// the nearest one.
+/// Linear interpolation between texel centres along each axis, x first, in the level nearest to `level`; in the nearest
+/// layer if the image has layers.
 template <Format F, class T, class At> T sample_linear(const HostMemory& memory, const At& at, float level = 0.0f) {
     const std::array<float, 3> point = detail::as_array(at);
     const std::uint32_t mip = detail::nearest_level(memory, level);

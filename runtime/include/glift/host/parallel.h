@@ -33,7 +33,8 @@
 #define GLIFT_INDEPENDENT
 #endif
 
-// Before such a loop over `block_elements` elements: a few vectors, no remainder, no unrolling.
+// Before such a loop over `block_elements` elements: a few vectors without a remainder, which GCC is told not to
+// unroll.
 #if defined(__clang__)
 #define GLIFT_BLOCK _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
@@ -208,7 +209,7 @@ template <unsigned N, class T> void copy_numbers(const T* from, T* to) {
     }
 }
 
-/// All of an array from or to the scalars of a buffer, from 4 * index on.
+/// Copies all N numbers of an array from or to a buffer, whose scalars they are from 4 * index on.
 template <class T, unsigned N>
 void load_rows(const T* elements, std::size_t index, array<typename NumberOf<T>::type, N>& numbers) {
     copy_numbers<N>(reinterpret_cast<const typename NumberOf<T>::type*>(elements) + 4 * index, numbers.values);
@@ -283,12 +284,13 @@ template <std::size_t N, class T> void copy_row(const T* from, T* to) {
 /// There is no scalar remainder: where a part is no multiple of them, its last block overlaps the one before it.
 inline constexpr std::size_t block_elements = 16;
 
-/// Where block `block` (a multiple of block_elements) begins: the last one is moved back so that it ends with the part.
+/// Where the block begins that would begin at element `block`, a multiple of block_elements, of a part of `count`
+/// elements: the last one is moved back so that it ends with the part.
 inline std::size_t begin_of_block(std::size_t block, std::size_t count) {
     return detail::least(block, count - block_elements);
 }
 
-/// The part if it is as long as a block, else an empty one at `end`.
+/// The part if it is at least as long as a block, else an empty one at `end`.
 inline Part in_blocks(const Part& part, uint end) {
     return part.end - part.begin < block_elements ? Part{end, end} : part;
 }
