@@ -201,7 +201,7 @@ ColourImage::~ColourImage() {
     vkFreeMemory(device_, memory_, nullptr);
 }
 
-/// Without a barrier after the clear: Glift's own barriers order what it records later on the queue after it.
+/// Records no barrier after the clear: the barriers that Glift records with its passes order these after it.
 void ColourImage::clear(VkCommandBuffer commands, float value) const {
     constexpr VkImageSubresourceRange all = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
     const VkImageMemoryBarrier general = {.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,

@@ -115,7 +115,8 @@ void run(const Arguments& a) {
     std::printf("wrote %s\n", a.out.c_str());
 }
 
-/// The command line that makes the window's last picture again from the strokes that were recorded.
+/// The command line that makes the window's last picture again, without what was laid over the paint, from the recorded
+/// strokes.
 std::string words_of(const Arguments& a, const Orbit& orbit, glift::uint2 size) {
     char view[200];
     std::snprintf(view, sizeof view, " --turn %.9g --upwards %.9g --closer %.9g --target %.9g %.9g %.9g",

@@ -40,7 +40,7 @@ Word pages_of(Word levels) { return ((1u << 3 * levels) - 1) / 7; }
     throw std::runtime_error(path + ": " + what);
 }
 
-/// A file that is written under a temporary name, which the destructor deletes unless take_name() gave it its own.
+/// A file that is written under a temporary name; the destructor deletes it unless take_name() has renamed it.
 class NewFile {
 public:
     explicit NewFile(std::string path)

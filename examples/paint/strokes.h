@@ -27,7 +27,7 @@ struct Brush {
 
 struct Touch {
     glift::float2 place;  ///< in pixels
-    float pressure = 1;   ///< 0 to 1: multiplies the flow; the radius is half of it to all of it
+    float pressure = 1;   ///< 0 to 1: multiplies the flow; the dab's radius is half the brush's at 0, all of it at 1
 };
 
 struct Stroke {

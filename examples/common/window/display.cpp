@@ -14,7 +14,7 @@ namespace window {
 
 namespace {
 
-bool is_gone = false;  // the connection to the X server is lost; a global, since the handlers set below cannot capture
+bool is_gone = false;  // the connection to the X server is lost: set by the handler that the constructor installs
 
 std::string glfw_problem() {
     const char* text = nullptr;

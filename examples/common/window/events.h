@@ -22,7 +22,7 @@ struct PointerEvent {
     Button button = Button::left;  ///< of a press or a release
     bool is_down = false;          ///< after the event, a button that was pressed over the picture is still down
     glift::float2 place;
-    float pressure = 1;  ///< of a pen, 0 to 1; for a mouse it is 1
+    float pressure = 1;  ///< of the pointer, 0 to 1; Display leaves it at 1, since GLFW reports none
     Modifiers modifiers;
 };
 

@@ -14,8 +14,9 @@ public:
     Panel& operator=(const Panel&) = delete;
 
     void begin();  ///< begins an ImGui frame; one that was begun and not drawn is dropped
-    /// Removes the events that ImGui uses: presses over its widgets and their releases, moves and the wheel over them,
-    /// and keys while a widget has the keyboard's focus. Sets `is_down` of the pointer events that are left.
+    /// Removes the events that ImGui uses: presses over its widgets and their releases; the wheel and moves over them,
+    /// but for moves while a button that was pressed over the picture is down; and keys while a widget has the
+    /// keyboard's focus. Sets `is_down` of the pointer events that are left.
     void filter(Events& events);
     void draw(VkCommandBuffer commands);  ///< records commands within the swapchain's render pass
 

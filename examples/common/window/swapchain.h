@@ -22,7 +22,7 @@ public:
     };
 
     /// Makes no images yet: `resize` does. Throws glift::Error (missing_feature) if the device's queue cannot present
-    /// to the surface, or the surface has no format of eight bits a channel.
+    /// to the surface, or the surface has no UNORM format of eight bits a channel.
     Swapchain(const glift::vulkan::Objects& objects, VkSurfaceKHR surface);
     ~Swapchain();
     Swapchain(const Swapchain&) = delete;
