@@ -53,8 +53,8 @@ struct Axes {
     }
 };
 
-/// Of the light's faces, as shadow_map.glift has them: one that has all of the map or, of a point light, six squares of
-/// four times four.
+/// The axes of the light's faces. As in shadow_map.glift, the only face has all of the map; a point light's six have
+/// one of its 4 x 4 squares each.
 std::vector<Axes> faces_of(const Frame& frame) {
     const camera::Camera& light = frame.scene().light;
     if (frame.light_kind() == LightKind::spot) return {Axes::of(light, 1, 0)};
@@ -172,7 +172,8 @@ private:
             faces_[0].is_parallel ? near_ + depth * (far_ - near_) : far_ * near_ / (far_ - depth * (far_ - near_));
         return from + along * distance;
     }
-    /// Along the axis of the face that a way to the light comes from.
+    /// How far a point is before the light, along the axis of the face that sees the point; `way` leads from the point
+    /// to the light.
     double distance_before(const Vector& way) const {
         double most = dot(way, faces_[0].forward) * -1.0;
         for (const Axes& face : faces_) most = std::max(most, dot(way, face.forward) * -1.0);
