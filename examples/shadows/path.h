@@ -20,7 +20,7 @@ struct Way {
     float closer = 1;               ///< how many times closer to the target the last frame is than the first
     bool is_static = false;         ///< scene and light stand still
 };
-/// The steps of such a way, 1/24 s apart in the scene's time.
+/// The steps of such a way, from `time` on: 1/24 s apart in the scene's time, or, if `is_static`, all at `time`.
 std::vector<Step> around(const scenes::Scene& scene, float time, const Way& way);
 
 /// `number` of the steps, spread evenly over all of them, from the first one on; all if `number` is 0 or there are no
