@@ -28,6 +28,18 @@ bool Numbers::is_written(std::uint32_t binding) const {
     });
 }
 
+/// What a call of the function reads: memory that the pass writes, or that other workgroups write meanwhile.
+std::uint8_t Numbers::traits_of_body(FunctionId function) const {
+    std::uint8_t trait = 0;
+    for_each_expression_of_trees(cx.p, cx.p.functions[function].body, [&](ExprId id) {
+        const Expr& node = cx.p.exprs[id];
+        if (has_effect(cx.pass, node)) trait |= impure;
+        if (is_load(node.op) && is_written(node.slot)) trait |= changes;
+        if (node.op == Op::call) trait |= traits_of_body(node.function);
+    });
+    return trait;
+}
+
 std::uint8_t Numbers::find_traits(ExprId id) {
     const Expr& node = cx.p.exprs[id];
     std::uint8_t trait = known;
@@ -40,8 +52,7 @@ std::uint8_t Numbers::find_traits(ExprId id) {
         trait |= loads;
         if (is_written(node.slot)) trait |= changes;
     }
-    // A function that is called may load.
-    if (node.op == Op::call) trait |= loads;
+    if (node.op == Op::call) trait |= loads | traits_of_body(node.function);
     for (ExprId operand : node.operands) trait |= traits_of(operand) & (impure | loads | changes);
     cx.traits.emplace(id, trait);
     return trait;
@@ -95,7 +106,10 @@ ValueNumber Numbers::of(ExprId id) {
     }
     const std::uint8_t traits = traits_of(id);
     ShapeKey key = shape_of(node);
-    if ((traits & impure) && has_effect(cx.pass, node)) key.mix(++next_ + (std::uint64_t{1} << 32));
+    if ((traits & impure) && (node.op == Op::call || has_effect(cx.pass, node)))
+        key.mix(++next_ + (std::uint64_t{1} << 32));
+    if (node.op == Op::call && (traits & changes))  // the function's loads have versions of their own
+        for (const PassBinding& binding : cx.pass.bindings) key.mix(version_of(binding.one_place));
     for (ExprId operand : node.operands) key.mix(of(operand));
     ValueNumber& number = memory_->number_of(key);
     if (number == 0) number = ++next_;
