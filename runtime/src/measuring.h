@@ -6,7 +6,7 @@
 namespace glift::detail {
 
 /// Has the properties of the real device. Memories allocated on it get places in a workspace, as in a recording, but no
-/// storage; commands are ignored, except that those that wait throw.
+/// storage; commands are ignored, except that downloads, timestamps, waits and recordings throw.
 class MeasuringDevice final : public DeviceObject {
 public:
     explicit MeasuringDevice(std::shared_ptr<DeviceObject> real);

@@ -141,7 +141,7 @@ public:
 
     /// Replaces a container's member by `made`, a structure of the same type with other memories. All copies of the
     /// container share the member. `memories` are the old member's: recordings that use them can no longer be
-    /// submitted, and calls that are given them throw. Throws in a recording.
+    /// submitted, and calls that are given them throw. Throws in a recording, and in a body of Device::workspace_bytes.
     template <class S> void replace(S& member, S&& made, std::initializer_list<Memory> memories) const {
         note_replaced(memories);
         member = std::move(made);

@@ -105,8 +105,8 @@ public:
 
     /// The bytes of temporary memory that a recording of what body(const Commands&) does would take: what
     /// Recording::workspace_bytes() of that recording returns. Nothing is allocated and nothing runs: in the body,
-    /// structures made from its Commands have no storage. So it throws wrong_argument where the body waits for a value
-    /// of the device (`await` in a pipeline). See recording.h.
+    /// structures made from its Commands have no storage. So it throws wrong_argument where the body waits for the
+    /// device or asks for what is there (`await` in a pipeline, downloads, timestamps). See recording.h.
     template <class Body> std::uint64_t workspace_bytes(Body&& body) const;
 
     void wait() const;  ///< Commands::wait of the device's own stream

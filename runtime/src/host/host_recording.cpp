@@ -30,7 +30,7 @@ private:
     std::shared_ptr<DeviceObject> device_;
     std::vector<std::function<void(HostStream&)>> steps_;
     std::vector<Memory> held_;                             ///< that steps use
-    std::vector<std::shared_ptr<HostStorage>> workspace_;  ///< all of workspace_bytes, used by steps or not
+    std::vector<std::shared_ptr<HostStorage>> workspace_;  ///< its blocks, of workspace_bytes_ in total
     std::uint64_t workspace_bytes_;
 };
 

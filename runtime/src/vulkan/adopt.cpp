@@ -5,7 +5,7 @@
 
 #include <glift/error.h>
 
-// Includes vulkan.h, of which it needs types alone: here it is without prototypes (VK_NO_PROTOTYPES).
+// Only types of Vulkan's own header, which this one includes, are needed: it has no prototypes here (VK_NO_PROTOTYPES).
 #include <glift/vulkan.h>
 
 #include <cstdlib>

@@ -61,7 +61,7 @@ public:
     VkPhysicalDeviceProperties core = {};
     VkPhysicalDeviceMemoryProperties memory = {};
     std::uint32_t max_push_descriptors = 0;
-    std::uint64_t max_piece_bytes = 0;  ///< largest allocation; larger buffers are bound from several
+    std::uint64_t max_piece_bytes = 0;  ///< largest allocation; larger buffers need several, and sparse binding
     FloatControls float_controls;
     std::vector<const char*> extensions;  ///< that the device was made with; point to names_
     std::atomic<bool> lost{false};

@@ -20,7 +20,8 @@ struct DescriptorCounts {
 /// sets `buffers` to 0.
 DescriptorCounts count_descriptors(const Kernel& kernel, const Form& form);
 
-/// Whether the device has enough descriptors for forms that take one for each buffer.
+/// Whether the device has enough descriptors for forms that take one for each buffer. True for kernels of images alone,
+/// which have no more descriptors in these forms than in the wide one.
 bool buffers_fit(const Context& context, const Kernel& kernel);
 
 /// Throws too_large, naming the kernel, the number and the limit, where the device has too few.

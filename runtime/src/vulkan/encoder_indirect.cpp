@@ -73,13 +73,14 @@ void Encoder::open_preparation(std::span<const Patch> patches, std::span<const C
     prepared_at_ = hazards_.writes();
 }
 
-/// Adds a pass to those that the preparing pass prepares, which is recorded if there is none to add to. Returns where
-/// it will write the pass's indirect command.
+/// Adds a pass to the list of the last preparing pass; a new preparing pass is recorded first where there is none yet,
+/// its list is full, or what it would read has been written since. Returns where the preparing pass will write the
+/// added pass's indirect command.
 Slice Encoder::prepare(PrepareArguments arguments, std::span<const Patch> patches,
                        std::span<const Condition> conditions) {
     if (!prepared_.chunk || prepared_count_ == most_prepared || !is_prepared_with(patches, conditions))
         open_preparation(patches, conditions);
-    const Slice command = batch_->parameters.take(sizeof(VkDrawIndirectCommand));  // the larger one
+    const Slice command = batch_->parameters.take(sizeof(VkDrawIndirectCommand));  // larger than a dispatch's
     const std::size_t sources = patches.size() * sizeof(PatchSource);
     const Slice list =
         batch_->parameters.take(sizeof arguments + sources + conditions.size() * sizeof(ConditionSource));

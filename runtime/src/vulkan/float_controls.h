@@ -16,7 +16,7 @@ struct FloatMode {
 };
 
 struct FloatControls {
-    /// Those that the device has: keep subnormals; keep signed zeros, infinities and NaN; round to nearest even.
+    /// Those that the device can set: keep subnormals; keep signed zeros, infinities and NaN; round to nearest even.
     std::vector<FloatMode> modes;
     bool hides_zeros = false;  ///< the driver simplifies constant zeros even so: see hidden_zeros.h
     bool keeps_sums = false;   ///< the driver rounds differences of constants wrong: see kept_sums.h
@@ -24,7 +24,8 @@ struct FloatControls {
     static FloatControls of(const VkPhysicalDeviceVulkan12Properties& properties);
 };
 
-/// Adds these modes to each entry point of the module. SPIR-V 1.4 or later.
+/// Adds these modes to each entry point of the module, which must be SPIR-V 1.4 or later: older versions need an
+/// extension for them, which is not declared.
 std::vector<std::uint32_t> with_float_modes(std::span<const std::uint32_t> spirv, std::span<const FloatMode> modes);
 
 }  // namespace glift::detail

@@ -21,8 +21,8 @@ using Module = std::vector<std::uint32_t>;
 /// How an instruction uses a constant.
 enum class Use : std::uint8_t {
     none,
-    computes,   // arithmetic, which the driver simplifies for a zero
-    passes_on,  // forwards it, perhaps to arithmetic with another constant that folds to zero
+    computes,   // computes with it or takes it apart, which the driver simplifies for zeros: those are hidden
+    passes_on,  // forwards it, perhaps to arithmetic with another constant that folds to zero: all are hidden
 };
 
 Use use_of(std::uint32_t op) {
@@ -107,12 +107,12 @@ private:
     std::unordered_map<std::uint32_t, std::uint32_t> floats_;      ///< types: their width
     std::unordered_map<std::uint32_t, std::uint32_t> integers_;    ///< types: their width
     std::unordered_map<std::uint32_t, std::uint32_t> counts_;      ///< types of 32-bit and 64-bit integers: components
-    std::unordered_map<std::uint32_t, std::uint32_t> components_;  ///< vector types of these: the component's type
-    std::unordered_map<std::uint32_t, std::uint32_t> types_;       ///< values of these types: their type
+    std::unordered_map<std::uint32_t, std::uint32_t> components_;  ///< vector types in counts_: the component's type
+    std::unordered_map<std::uint32_t, std::uint32_t> types_;       ///< values of types in counts_: their type
     std::map<std::uint32_t, Constant> constants_;                  ///< ordered, so that the output is deterministic
     std::vector<Words> function_;                                  ///< the function being read
-    std::unordered_map<std::uint32_t, std::uint32_t> replaced_;    ///< in it: constants, and the ids that replace them
-    std::uint32_t bit_ = 0;                                        ///< in it: the hidden zero, a uint
+    std::unordered_map<std::uint32_t, std::uint32_t> replaced_;    ///< in function_: constants, and their new ids
+    std::uint32_t bit_ = 0;                                        ///< in function_: the hidden zero, a uint
 };
 
 void Hiding::read_constant(Words w) {
@@ -220,7 +220,7 @@ std::uint32_t Hiding::bit_as(Module& module, std::uint32_t type) {
     return result;
 }
 
-/// The same, in each component of a vector.
+/// The hidden zero as a value of an integer type or, in each component, of a vector of integers.
 std::uint32_t Hiding::zeros(Module& module, std::uint32_t type) {
     const std::uint32_t count = count_of(type);
     if (count == 1) return bit_as(module, type);
@@ -282,8 +282,8 @@ bool is_atomic(std::uint32_t op) { return op == atomic_exchange || (op >= atomic
 
 bool is_widening(std::uint32_t op) { return op == s_convert || op == u_convert; }
 
-/// The index of the operand that is an integer and becomes a float, which a driver may know; 0: this instruction has
-/// none.
+/// The index of the operand of which this instruction makes a float, if it is an integer, which the caller checks; 0:
+/// the instruction makes no float of an integer.
 std::size_t place_of_integer(Words w) {
     const std::uint32_t op = op_of(w);
     if (op == convert_s_to_f || op == convert_u_to_f || op == bitcast) return 3;

@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint64_t most_operations = 512;  // of a batch: the device should not idle while the host records
 constexpr std::size_t most_in_flight = 32;      // batches: bounds how far the host may run ahead
 constexpr std::uint64_t most_staged = std::uint64_t(64) << 20;
-constexpr std::size_t most_staged_in_flight = 4;  // batches, where uploads have filled one
+constexpr std::size_t most_staged_in_flight = 4;  // batches, when uploads have staged most_staged bytes
 
 class VulkanDownload final : public DownloadObject {
 public:

@@ -135,8 +135,8 @@ private:
         append(module, constant, {uint_, sign_, negative_zero});
     }
 
-    /// -0, or a vector of it, which the driver does not know: its sign is combined with the top bit of the invocation's
-    /// global number, never set. (The lowest bit of x * (x + 1) it knows to be 0.)
+    /// -0, or a vector of it, which the driver does not know: its bits are or-ed with the top bit of the x of the
+    /// invocation's global number, which is never set. (That the lowest bit of x * (x + 1) is 0, the driver knows.)
     std::uint32_t unknown_zero(Module& module, std::uint32_t type) {
         if (const auto vector = vectors_.find(type); vector != vectors_.end()) {
             const std::uint32_t part = unknown_zero(module, vector->second.component), result = fresh();

@@ -1,4 +1,4 @@
-// Selects a physical device by `gpu`, `lavapipe` or part of its name.
+// Selects a physical device by `gpu`, `lavapipe` or part of its name; without any of these, the best that can be used.
 #pragma once
 
 #include "instance.h"

@@ -13,7 +13,7 @@ namespace {
 
 /// The specialisation constants of generated shaders, by number.
 enum Constant : std::uint32_t {
-    exact_division = 100,  ///< true where the device rounds / and sqrt of floats correctly: those of CPUs do
+    exact_division = 100,  ///< true where the device rounds / and sqrt of floats correctly: on CPUs
     loop_rounds = 101,     ///< the device's loop_round_limit; 0: it has none
     fences_are_barriers = 102,
     is_cpu = 103,

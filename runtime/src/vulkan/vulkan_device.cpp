@@ -122,7 +122,7 @@ void VulkanDevice::throw_too_large(const MemoryDescription& description) const {
 void VulkanDevice::allocate_parts(const VkMemoryRequirements& needs, bool linear, const MemoryDescription& description,
                                   Allocation& result) {
     if (allocator_->allocate(needs, MemoryUse::device, linear, result)) return;
-    // Freed memories may be kept only until the device is done with them.
+    // Freed memories are kept until the device is done with them: waits for that, then tries again.
     stream_->submit();
     timeline_->wait(timeline_->submitted());
     collect();

@@ -78,7 +78,8 @@ public:
     /// Reused once the device is done with it.
     void give_back(std::unique_ptr<CommandBatch> batch);
 
-    /// From any thread, with or without the lock: destroys it when all commands recorded so far are done.
+    /// From any thread, with or without the lock: when all commands recorded so far are done, the objects are
+    /// destroyed, and the query may be used again.
     void retire(const MemoryParts& parts, MemoryId id);
     void retire(Query query);
 

@@ -42,7 +42,8 @@ VkImageViewType view_type(MemoryKind kind) {
     return VK_IMAGE_VIEW_TYPE_2D;
 }
 
-/// The integers that have the bits of floats, for atomic operations that devices have of integers alone.
+/// The format of views of an image of floats as integers of the same bits: for atomic operations that devices have on
+/// integers alone.
 constexpr VkFormat bits_format = VK_FORMAT_R32_SINT;
 
 bool may_be_bits(Format format) { return format == Format::r32f; }

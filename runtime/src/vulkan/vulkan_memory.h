@@ -60,7 +60,7 @@ public:
     void make();
     /// Takes the user's image, with its storage, instead.
     void adopt(VkImage image, VkImageUsageFlags usage, VkImageCreateFlags flags);
-    /// Throws missing_feature where this is a user's image that was made without this usage.
+    /// Throws missing_feature where this is a user's image, or a part of one, that was made without this usage.
     void require(VkImageUsageFlagBits usage) const;
     /// Binds storage: its own, or a part of another memory's, which is kept alive.
     void place(const Allocation& own);

@@ -38,7 +38,8 @@ template <class T> std::vector<T> values_of(std::span<const std::byte> bytes) {
 
 glift::Memory buffer(const glift::Device& device, const char* name, std::uint64_t bytes);
 
-/// Picks the form of the kernel as generated code does.
+/// Takes the wide form where Commands::needs_wide says so, else the direct one, as generated code does for whole
+/// structures.
 void run_scale(const glift::Commands& commands, const glift::Memory& f, const glift::Memory& g, std::uint32_t size,
                float factor);
 void run_add(const glift::Commands& commands, const glift::Memory& g, std::uint32_t size, std::uint32_t amount);

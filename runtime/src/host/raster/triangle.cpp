@@ -9,7 +9,8 @@ namespace glift::host::raster {
 
 namespace {
 
-/// Scaled and moved about as fused arithmetic of devices does it: the product is exact in a double, the sum nearly so.
+/// Scales and moves a coordinate, nearly as a device's fused multiply-add does: the product is exact in a double, the
+/// sum almost.
 float in_viewport(float place, float half_size, float middle) {
     return static_cast<float>(static_cast<double>(place) * static_cast<double>(half_size) +
                               static_cast<double>(middle));
