@@ -28,8 +28,8 @@ public:
     const MemoryDescription& description() const { return description_; }
     const std::shared_ptr<DeviceObject>& device() const { return device_; }
 
-    /// Notes that the container whose memory this was has other memory now: recordings that use this one are out of
-    /// date.
+    /// Notes that the container whose memory this was has other memory now: recordings that use this one can no longer
+    /// be submitted, and calls that are given it throw.
     void note_replaced() { (whole_ ? whole_->is_replaced_ : is_replaced_) = true; }
     bool is_replaced() const { return whole_ ? whole_->is_replaced_ : is_replaced_; }
 

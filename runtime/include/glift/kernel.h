@@ -186,8 +186,9 @@ struct Kernel {
     std::uint64_t loop_rounds;           ///< bound on the iterations of one invocation's loops in total, their last
                                          ///< tests included; UINT64_MAX if unknown. A bound beyond the device's
                                          ///< loop_round_limit is refused (ErrorCode::loop_limit). A kernel without a
-                                         ///< bound counts its iterations where specialisation constant 101 (a uint)
-                                         ///< is the device's limit and not 0, and reports when it passes it
+                                         ///< bound counts the iterations of each subgroup where specialisation
+                                         ///< constant 101 (a uint) is the device's limit, not 0 for none, and
+                                         ///< reports when the count passes it
     std::span<const Binding> bindings;
     Form direct, general, wide;
     std::span<const Parameter> parameters = {};      ///< what Commands::specialised can fix

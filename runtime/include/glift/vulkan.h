@@ -75,13 +75,13 @@ GLIFT_API void finish(const Commands& commands);
 
 struct BufferHandle {
     VkBuffer buffer;
-    VkDeviceSize offset, bytes;  ///< 0, and the memory's size, at least 16 and rounded up to a multiple of 16
+    VkDeviceSize offset, bytes;  ///< offset: 0; bytes: the memory's size, rounded up to a multiple of 16, at least 16
     VkDeviceAddress address;
 };
 
 struct ImageHandle {
     VkImage image;
-    VkImageView view;  ///< of all mips and layers, for sampling; null where an adopted image's usage lacks that
+    VkImageView view;  ///< of all mips and layers, for sampling; null where an adopted image's usage has no sampling
     VkFormat format;
     VkImageLayout layout;  ///< always VK_IMAGE_LAYOUT_GENERAL
 };

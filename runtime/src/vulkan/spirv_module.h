@@ -113,9 +113,9 @@ struct WordRange {
     std::size_t first = 0, last = 0;
 };
 
-/// The operands of an instruction that are values of the shader (of a phi with the labels between them); the other words
-/// are types, results, labels and literals. Empty for instructions that have none, or of which no rewriting needs to
-/// know.
+/// The operands of an instruction that are values of the shader (of a phi with the labels between them); the other
+/// words are types, results, labels and literals. Empty for instructions that have none, or of which no rewriting needs
+/// to know.
 inline WordRange value_operands(SpirvWords w) {
     using namespace spirv;
     const std::uint32_t op = op_of(w);

@@ -51,7 +51,7 @@ public:
     Pipelines& pipelines() { return *pipelines_; }
     Queries& queries() { return *queries_; }
     VkBuffer status_buffer() const { return status_->buffer; }
-    /// Runs prepare_indirect.comp. The push constant is the address of its arguments.
+    /// Runs prepare_indirect.comp. The push constant is the address of the list of passes that it prepares.
     InternalPass& prepare_pass() { return prepare_; }
     /// Runs fill_words.comp. The push constants are FillArguments; one invocation a word, 256 a workgroup.
     InternalPass& fill_pass() { return fill_; }

@@ -1,5 +1,5 @@
-// Accesses of host kernels to memory that several threads write: combined writes of `scatter` parameters, and what
-// `coherent` parameters read, write and do by atomics.
+// Accesses of host kernels to memory that several threads write: writes of `scatter` parameters, and what `coherent`
+// parameters read, write and do by atomics.
 #pragma once
 
 #include <atomic>
