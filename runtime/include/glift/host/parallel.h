@@ -316,7 +316,7 @@ template <class T> T* row_pointer(T* pointer) {
     return pointer;
 }
 
-// Atomics on workgroup memory. A workgroup runs on one thread, one invocation after the other.
+// Atomics on workgroup memory. A workgroup runs on one thread, between two barriers one invocation after the other.
 template <class T> T atomicLoad(const T& target) { return target; }
 template <class T> void atomicStore(T& target, T value) { target = value; }
 template <class T> T atomicAdd(T& target, T value) { return std::exchange(target, glift::detail::add(target, value)); }

@@ -1,5 +1,5 @@
-// A batch of up to 98,304 vertices of a draw: their triangles are set up in parallel by chunks, sorted into the tiles
-// of the viewport that they may touch, and drawn tile by tile.
+// A batch of up to 98,304 vertices of a draw: chunks of them are made triangles in parallel, and these sorted into the
+// tiles of the viewport that they may touch; then the tiles are drawn in parallel.
 #pragma once
 
 #include "host/raster/clip.h"
