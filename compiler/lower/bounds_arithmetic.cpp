@@ -56,8 +56,8 @@ Sum Following::opaque(std::uint32_t operation, std::vector<Sum> operands, TypeId
     return symbols.applied({operation, std::move(operands)}, {low, std::nullopt}, varies);
 }
 
-/// Whether the sum is known not to exceed 2^32 - 1, so that it is what the program's wrapping arithmetic gives. Sums of
-/// sizes alone are taken to fit.
+/// Whether the sum is known not to exceed 2^32 - 1, so that it is what the program's wrapping arithmetic gives. Sums
+/// that are the same for all addresses (of sizes) are taken to fit, see contained.h.
 bool Following::fits(const Sum& sum) {
     if (!symbols.varies(sum)) return true;
     if (sum.size() == 1 && sum.begin()->first.size() == 1 && sum.begin()->second == 1) return true;

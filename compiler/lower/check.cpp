@@ -3,8 +3,8 @@
 // Reported is a read, write or atomic operation by address, in a kernel or a function that it calls, outside the domain
 // (or range) of a structure that does not define what lies outside. A structure defines that by an `otherwise` of its
 // own or of its memory, or by a first translator that is partial (a border, a page table). Not reported are accesses by
-// translators, views and functions of blocks, which may rely on reading zeros outside, nor `near`, `sample`, `find` and
-// `contains`, which are meant for addresses that may be outside.
+// translators, views and functions of blocks, which may rely on reading zeros outside, nor `load`, nor `near`,
+// `sample`, `gather`, `compare`, `find` and `contains`, which are meant for addresses that may be outside.
 #include "ir/chain.h"
 #include "lower/expand.h"
 

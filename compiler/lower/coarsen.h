@@ -2,8 +2,8 @@
 // start invocations and wait for memory; with one small element each they do little else (docs/performance.md).
 //
 // Needs: the statements of a kernel after "expand". Guarantees: at the end of the range, where there is no second
-// element, it has the first one's address, and its stores repeat the first one's or are left out. In kernels over
-// blocks each element is tested, unless all elements of the block are known to be visited.
+// element, the code for it computes the first one again, and its stores repeat the first one's or are left out. In
+// kernels over blocks each element is tested, unless all elements of the block are known to be visited.
 #pragma once
 
 #include "lower/expand.h"
@@ -13,8 +13,8 @@ namespace gliftc::lower {
 /// A body for several elements an invocation.
 struct Coarsened {
     std::vector<StmtId> body;  ///< empty: there is no gain, or the kernel does not allow it
-    ExprId in_range;  ///< condition that holds in it: the second element's address is in the range (in kernels over
-                      ///< blocks: the first one's)
+    ExprId in_range;  ///< condition that is known in `body`: the second element's address is in the range (in kernels
+                      ///< over blocks: the first one's)
     std::array<std::uint32_t, 3> elements = {1, 1, 1};  ///< how many elements along each axis
 };
 

@@ -1,6 +1,5 @@
 // Thread coarsening in kernels over blocks: an invocation of a shader takes several elements of a block, a workgroup's
-// width apart. Each invocation computes the values that depend on the block alone, so fewer invocations compute them
-// less often.
+// width apart. Each invocation computes the values that depend on the block alone: once for all its elements.
 //
 // Blocks all of whose elements are visited have separate code, on devices that skip branches: elements without a loop,
 // at constant distances from the invocation's first one, several of which load before any of these is stored. A loop

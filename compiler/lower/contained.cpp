@@ -68,8 +68,8 @@ std::uint8_t axes_inside(const Program& p, std::uint32_t index, const std::vecto
 }
 
 /// Whether accesses need no check even if the constructor argument `none`, an extent of the domain, is 0: every address
-/// is unmapped, or leads to physical address 0, and every buffer and image has room for one element, which reads as
-/// zero (so there must be no `otherwise`).
+/// is unmapped, or leads to physical address 0 of a buffer or image. These always have room for one element, which
+/// reads as zero (so there must be no `otherwise`); a memory that is a structure may have none.
 bool is_harmless_empty(const Program& p, std::uint32_t index, const Argument& none) {
     const Structure& s = p.structures[index];
     Following following(p, index);

@@ -29,8 +29,9 @@ ExprId at_first(Context& cx, LocalId local, ExprId id) {
     return operands == node.operands ? id : cx.make.again(node, std::move(operands));
 }
 
-/// Whether the loop is `for x in 0..n { array[to + x] = memory[from + x]; }` with a constant n. Other loops, as at the
-/// end of a domain, copy few elements and stay as they are.
+/// Whether the loop is `for x in 0..n { array[to + x] = memory[from + x]; }` with a constant n, and the pass only reads
+/// the memory, which is not coherent and not of bools. Loops to another limit, as at the end of a domain, copy few
+/// elements and stay as they are.
 bool is_copy(const Context& cx, const Stmt& loop) {
     if (loop.op != StmtOp::for_ || loop.body.size() != 1 || cx.make.bits_of(loop.value) != 0 ||
         !cx.make.is_constant(loop.limit))

@@ -222,7 +222,7 @@ Bounds bounds_of(Context& cx, const Expr& identity) {
                                                 : Bounds{operands[0], operands[1], {}};
 }
 
-/// Replaces each of these operations by the operand that it equals in the middle of a row.
+/// Replaces each operation of `identities` by the operand that it equals in the middle of a row.
 class Unclamping {
 public:
     Unclamping(Context& context, const Identities& identities) : cx(context), identities_(identities) {}

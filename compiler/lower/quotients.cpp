@@ -106,7 +106,8 @@ std::optional<ExprId> Make::put_together(ExprId quotients, ExprId rest) {
     return is_same(whole, product.operands[0]) ? std::optional(remainder.operands[0]) : std::nullopt;
 }
 
-/// Simplifies an operation on uints by these identities, if the bound of any local is known.
+/// Simplifies a quotient, remainder or sum of uints by the identities at the top of this file, if some local has a
+/// known bound.
 std::optional<ExprId> Make::simpler_number(const Expr& node, ExprId a, ExprId b) {
     if (limits.empty() || node.type != p.types.uint || type(a) != p.types.uint) return std::nullopt;
     const auto divisor = bits_of(b);

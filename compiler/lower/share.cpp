@@ -27,7 +27,7 @@ struct Decision {
         truth,     // replace a condition whose value is known by `number`, 1 or 0
         first,     // first use of the value of record `number`
         repeated,  // replace by the local of record `number`
-        renamed,   // drop a `let` of another local: uses name that one
+        renamed,   // drop a `let` whose value is another local: uses name that local
         any,       // keep a `let`; its value has a decision of its own
     };
     Kind kind = operands;

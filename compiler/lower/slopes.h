@@ -18,7 +18,8 @@ struct Slope {
                                 ///< a multiple of it; 0: not known
 };
 
-/// The slopes of the components of a scalar or vector; those of values of other types are never known.
+/// The slopes of the components of a scalar or vector. A value of any other type is constant along the row as a whole,
+/// or unknown.
 using Slopes = std::array<Slope, 4>;
 
 /// The slopes of values within one function or kernel body.

@@ -89,8 +89,8 @@ Pair Expander::leave_early(const Function& function, const std::string& name) {
     return result;
 }
 
-/// Whether a variable is needed that says whether a return was executed (Leaving::left): for statements that follow one
-/// and cannot be moved into the other side of an `if`.
+/// Whether a variable is needed that says whether a return was executed (Leaving::left): for statements that follow a
+/// return and cannot be moved into the other side of an `if`, and to leave a loop around the loop that has the return.
 bool Expander::asks_whether_left(const std::vector<StmtId>& body, bool is_in_loop) const {
     for (std::size_t i = 0; i < body.size(); ++i) {
         const Stmt& stmt = p.stmts[body[i]];

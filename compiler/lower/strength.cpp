@@ -58,7 +58,8 @@ bool Strength::is_step(ExprId id) {
            (is_local(node.operands[1]) && is_uniform(cx, node.operands[0]) && node.binary == BinaryOp::add);
 }
 
-/// The expression as an earlier local plus or minus a uniform amount; absent: there is no such local, or no gain.
+/// The expression as an earlier local plus or minus an amount that is uniform but for conditions (c ? step : 0);
+/// absent: there is no such local, or no gain.
 ExprId Strength::relative(ExprId id) {
     if (!is_sum(id) || !numbers_.is_fixed(id) || is_uniform(cx, id)) return {};
     const Polynomial* polynomial = polynomials_.of(id);

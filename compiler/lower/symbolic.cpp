@@ -83,7 +83,7 @@ std::pair<Sum, Sum> divided(const Sum& a, const Sum& b) {
         std::vector<Unknown> rest;
         std::ranges::set_difference(product, divisor, std::back_inserter(rest));
         const bool divides = rest.size() + divisor.size() == product.size();
-        // Rounds down, so that the remainder of a constant is not negative.
+        // Rounds down, so that the factor that remains is not negative.
         std::int64_t quotient = divides ? factor / by : 0;
         if (divides && factor - quotient * by < 0) --quotient;
         if (quotient != 0) add_term(result.first, rest, quotient);

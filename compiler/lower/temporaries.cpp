@@ -120,8 +120,8 @@ bool may_write(const Program& p, const Stmt& stmt, const std::vector<LocalId>& n
     return calls;
 }
 
-/// Marks reads that need no copy because nothing writes the element up to the value's last use, in the same list of
-/// statements.
+/// Marks reads that need no copy: no statement of `body` after the read, up to and including the last one that uses the
+/// value, may write the element, and no assignment uses the value.
 void mark_reads(Program& p, const std::vector<StmtId>& body, const std::vector<StmtId>& pipeline) {
     std::vector<LocalId> temporaries;
     for_each_statement(p, pipeline, [&](const Stmt& stmt) {

@@ -65,12 +65,12 @@ private:
     /// For each body the uniform values in it, in the order of their uses.
     std::vector<std::vector<ExprId>> lifted_values_;
     std::unordered_map<ValueNumber, std::uint32_t> slots_;  ///< the parameters of values that have become one
-    // The following are for the body that is being rewritten.
+    // Those from here to top_ are for the body that is being rewritten.
     NodeMap<ExprId, ExprId> visited_{cx.first_expr};
     std::unordered_map<ValueNumber, unsigned> counts_;  ///< number of uses of uniform values that the shader computes
     std::unordered_map<ValueNumber, LocalId> locals_;   ///< the locals that hold these values
     std::vector<StmtId> top_;                           ///< the `let`s of these locals, put before the body
-    NodeMap<ExprId, ExprId> closed_{cx.first_expr};
+    NodeMap<ExprId, ExprId> closed_{cx.first_expr};     ///< the results of closed()
 };
 
 bool Uniforms::is_leaf(ExprId id) const {
@@ -168,7 +168,7 @@ void Uniforms::collect(const std::vector<StmtId>& body) {
     for (ExprId value : lifted_values_.back()) note_leaves(value);
 }
 
-/// Whether the value is a sum or product of parts of leaves that are parameters anyway, with few operations.
+/// Whether the value takes few sums and products of constants and of parts of leaves that are parameters anyway.
 bool Uniforms::is_cheap(ExprId id, unsigned& operations) {
     if (cx.make.is_constant(id)) return true;
     if (is_part_of_leaf(id)) return leaves_.contains(numbers_.of(base(id)));

@@ -30,7 +30,7 @@ struct Reach {
     bool is_number() const { return terms.empty() && step == 0; }
 };
 
-/// The test that base + end <= extent: the elements from base + begin on, up to there, are inside.
+/// The test that base + end <= extent: then the elements base + begin to base + end - 1 are inside.
 struct Fit {
     Terms base;
     ExprId extent;
