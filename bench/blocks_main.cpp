@@ -1,6 +1,7 @@
 // bench_blocks [side]: kernels over a dense array, over the same array in pages visited page by page, and over pages
 // visited like a dense array; on the host device and on the Vulkan device. Prints the median time of a kernel among
-// many, one after the other in one recording, and of a kernel alone in one; in brackets the dense array's time by it.
+// many, one after the other in one recording, and of a kernel alone in one; in brackets the dense array's time divided
+// by it.
 #include "timing.h"
 
 #include "blocks.glift.hpp"
@@ -10,7 +11,7 @@
 
 namespace {
 
-/// Times the three alternately: in recordings of about `seconds`, and each alone in one.
+/// Times the three works in turn: repeated in recordings of about `seconds`, and each alone in a recording.
 void compare(const glift::Device& device, const char* what, const bench::Work& dense, const bench::Work& blocks,
              const bench::Work& whole) {
     constexpr int runs = 11;

@@ -1,7 +1,7 @@
 // bench_paint: a painted model (examples/paint) drawn beside the same model of one colour, and with a dense 3-D image
 // of its paint. All clear a picture and its depths and draw all triangles with the same light: they differ in where a
 // fragment's colour comes from. The example draws what is seen, and a kernel then colours pixels ("paint"); so does
-// "dense after". "dense" and "paint at once" colour fragments.
+// "dense after". "plain", "dense" and "paint at once" colour fragments in the draw.
 //
 //     bench_paint [MODEL] [--strokes FILE | --load FILE] [--sizes 512x512,1920x1080] [--runs N] [--json FILE]
 #include "picture_size.h"
@@ -75,7 +75,8 @@ std::vector<View> views_of(const mesh::Mesh& mesh, const Options& o) {
     return {{"far", far}, {"near", looking_at(nearest, right, upwards, static_cast<float>(o.near))}};
 }
 
-/// From four sides and above in rows that cover the model, then a finer line in the middle of each view.
+/// Strokes seen from four sides and from above, in rows that cover the model; then a finer one in the middle of each
+/// view.
 std::vector<strokes::Stroke> generated_strokes(const mesh::Mesh& mesh, const std::vector<View>& views) {
     const mesh::Box box = mesh::bounds_of(mesh);
     std::vector<strokes::Stroke> made;

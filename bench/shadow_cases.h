@@ -26,8 +26,8 @@ std::vector<ShadowCase> shadow_cases(const Settings& settings);
 struct ShadowFrames {
     std::vector<double> seconds;  ///< of each frame, by device timestamps; of a static case without the first one
     std::vector<std::uint32_t> pages, granted, refused;  ///< of each of these frames: resident; new; found no room
-    std::optional<double>
-        touched;  ///< share of the texels of resident pages that pixels look up; median of some frames
+    std::optional<double> touched;  ///< share of the texels of resident pages that pixels look up, median of every
+                                    ///< fifth frame; absent for standard maps and static cases
     std::uint64_t texels_a_page = 0, capacity = 0;
     std::uint64_t submissions = 0, waits = 0;  ///< of a frame, the most
     std::vector<PassTime> passes;              ///< means over the frames; empty on the host device

@@ -16,7 +16,7 @@ METHODS = {"standard": "standard map", "asm": "ASM", "rmsm": "RMSM"}
 THESIS = {"asm / rmsm": "2 to 10", "rmsm / standard": "2 to 4", "asm / rmsm static": "1 to 3", "rmsm / standard static": "1 to 2"}
 # Kernels of examples/shadows with which a part of a frame ends, each with the part that follows, and those with which a part begins,
 # each with this part. What lies between belongs to the part that has begun, so that library kernels, which several parts call, are told
-# apart.
+# apart. WITHIN gives kernels inside "fill" parts of their own.
 ENDS = {"project": "look", "find_surface": "standard map", "draw_light": "ask", "ask_all": "allocate", "ask_at_edges": "allocate",
         "put_all": "allocate", "find_lit": "ask"}
 BEGINS = {"mark": "fill", "find_lit": "find_lit", "shade": "shade"}

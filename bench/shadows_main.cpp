@@ -1,7 +1,8 @@
 // bench_shadows [--scenes A,B] [--frames N] [--size N] [--runs N] [--cases A,B] [--json FILE], and more (--help):
-// thesis section 11.4.3 again. Times frames of examples/shadows along its recorded paths, by RMSM, ASM and a standard
-// map, of scenes that move and that stand still; counts pages and, of scenes that move, the texels of them that are
-// looked up; and, on a Vulkan device, times each pass.
+// section 11.4.3 of Lefohn's thesis (2006) again. Times frames of examples/shadows along its recorded paths, by
+// resolution-matched and adaptive shadow maps (RMSM, ASM) and a standard map, of scenes that move and that stand still;
+// counts pages and, of scenes that move, the texels of these pages that are looked up; and, on a Vulkan device, times
+// each pass.
 #include "median.h"
 #include "shadow_cases.h"
 

@@ -56,7 +56,7 @@ void sort_pairs(Bench& bench, std::size_t count) {
     values.fill(Positions{});
     const Work run = with_workspace(sort);
     if (bench.checks(count)) {
-        for (std::uint32_t run_length : {8u, 1u}) {  // checks that the sort is stable
+        for (std::uint32_t run_length : {8u, 1u}) {  // runs of 8 equal keys check that the sort is stable
             keys.fill(Hashed{run_length});
             run();
             require_sorted_pairs(sorted_keys, sorted_values, count, Hashed{run_length});

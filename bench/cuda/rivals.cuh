@@ -2,8 +2,9 @@
 //
 // Times are device times: CUDA events around one run, the median of many. Before each run a kernel occupies the stream
 // for about 100 microseconds, longer than the host takes to launch any run, so that launch latency is hidden; before that
-// kernel comes `refill`, which restores input that a run overwrites and is not timed. All runs use the same memories, so
-// that data that fits into the caches is read from there, as in the benches of Glift.
+// kernel comes `refill`, which restores input that a run overwrites and is not timed. All runs of a result use the same
+// memories (but for the results `_from_memory` of tridiagonal.cu), so that data that fits into the caches is read from
+// there, as in the benches of Glift.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -24,7 +25,7 @@ void require(cudaError_t error, const char* call, const char* file, int line);
 /// Ends the program with an error: results must be correct to be compared.
 [[noreturn]] void fail(const std::string& what);
 
-/// A pseudo-random bijection of 32-bit numbers, the same as in bench/bench_input.h and in the .glift files of the benches.
+/// A pseudo-random bijection of 32-bit numbers, the same as in bench/bench_input.h and bench/algorithms.glift.
 __host__ __device__ inline std::uint32_t hash32(std::uint32_t x) {
     x ^= x >> 16;
     x *= 0x7feb352du;
@@ -130,7 +131,7 @@ struct Row {
     std::string algorithm, variant;
     std::uint64_t elements;
     double seconds;             ///< median
-    std::uint64_t bytes_moved;  ///< the minimum traffic: input read once, output written once
+    std::uint64_t bytes_moved;  ///< the least: input read once, output written once (left out if it is a few numbers)
     int runs;
     double error = -1;  ///< largest relative error of the results; negative: not measured
 };
@@ -141,7 +142,7 @@ public:
     Bench(std::vector<std::size_t> sizes, int runs) : sizes_(std::move(sizes)), runs_(runs) {}
 
     const std::vector<std::size_t>& sizes() const { return sizes_; }
-    bool checks(std::size_t size) const { return size == sizes_.front(); }  ///< only the smallest
+    bool checks(std::size_t size) const { return size == sizes_.front(); }  ///< true for the smallest size alone
 
     /// Adds a row and prints it to stderr.
     void time(
