@@ -1,5 +1,5 @@
 // Functions of structures for the user's own shaders: read, write and translate at one address, and, where not every
-// address is known to be mapped, is_mapped. Views have no write; those without a translator have read alone.
+// address is known to be mapped, is_mapped. Views have read alone, structures whose memory is a view all but write.
 #pragma once
 
 #include "diag/diagnostics.h"

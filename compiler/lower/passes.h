@@ -18,7 +18,7 @@ struct BodyPass {
     std::string_view guarantees;
     /// `facts` are conditions that are known to hold throughout the body.
     std::vector<StmtId> (*run)(Context& cx, const std::vector<StmtId>& body, const std::vector<ExprId>& facts);
-    /// Whether the pass is run for this kernel; null: for all.
+    /// Whether the pass is run for this kernel and, in a draw, this part (Context::part); null: always.
     bool (*applies)(const Context& cx) = nullptr;
 };
 

@@ -1,7 +1,7 @@
 // Make: folds quotients and remainders of uint sums. With upper bounds of locals (Make::limits) it proves that sums do
 // not wrap. Then (n * c + offset) / c is n and (n * c + offset) % c is offset, for an offset below c: in a kernel over
 // blocks, n is the number of a block, and translators that divide by its size give simple values. And x / c * c + x % c
-// is x.
+// is x, and x / c / d is x / (c * d).
 #include "lower/make.h"
 
 #include <algorithm>
