@@ -37,8 +37,8 @@ struct Halo {
 
 /// The halos for the near parameters that are read at offsets other than zero but no further away than the adjacent
 /// blocks, whose elements are scalars or vectors (not of bools) and are not computed by a view, and whose memory the
-/// pass does not write; in the order of the parameters, up to the first that makes them too large together. None if the
-/// size of blocks is no constant, or very small or very large.
+/// pass does not write; in the order of the parameters, those before the first that makes them too large together. None
+/// if the size of blocks is no constant, or very small or very large.
 std::vector<Halo> halos_of(Context& cx, const NearOffsets& offsets);
 
 }  // namespace gliftc::lower
