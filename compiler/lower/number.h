@@ -50,7 +50,7 @@ public:
     bool is_pure(ExprId id) { return !(traits_of(id) & impure); }
     bool has_load(ExprId id) { return traits_of(id) & loads; }
     /// Whether the value cannot change within the pass: no effect, no mutable local or workgroup memory, no load from
-    /// memory that is written. Of calls only the arguments are looked at, not what the function loads.
+    /// memory that is written, neither by itself nor by a function that it calls.
     bool is_fixed(ExprId id) { return !(traits_of(id) & (changes | impure)); }
 
 private:

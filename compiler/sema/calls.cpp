@@ -8,6 +8,7 @@
 #include "sema/raster.h"
 #include "sema/texture.h"
 #include "sema/typing.h"
+#include "sema/unknown_names.h"
 #include "sema/values.h"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "sema/arms.h"
 #include "sema/instances.h"
 #include "sema/typing.h"
+#include "sema/unknown_names.h"
 #include "sema/values.h"
 
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "sema/instances.h"
 #include "sema/typing.h"
+#include "sema/unknown_names.h"
 #include "sema/values.h"
 
 namespace gliftc::sema {

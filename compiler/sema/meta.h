@@ -43,11 +43,6 @@ ir::ExprId constant_declaration(Context&, ast::DeclId);
 /// The value of a compile-time int or uint from 0 to 2^32 - 1, such as an array size or a radius; reports otherwise.
 std::optional<std::uint32_t> count_of(Context&, const Env&, ast::ExprId);
 
-/// The visible name, intrinsic, common built-in type or one of `more` that is most similar to `name`, for "did you
-/// mean"; empty if none is.
-std::string suggestion_for(Context&, const Env&, std::string_view name, const std::vector<std::string_view>& more = {});
-void report_unknown(Context&, const Env&, ast::Identifier name, const std::vector<std::string_view>& more = {});
-
 /// Text of a generic argument: 4, float, uint2(8, 8).
 std::string to_text(const Context&, const Meta&);
 /// The same with qualified names.

@@ -1,0 +1,18 @@
+// Names that nothing declares: the error, and what may have been meant.
+#pragma once
+
+#include "sema/context.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gliftc::sema {
+
+/// The visible name, intrinsic, common built-in type or one of `more` that is most similar to `name`, for "did you
+/// mean"; empty if none is.
+std::string suggestion_for(Context&, const Env&, std::string_view name, const std::vector<std::string_view>& more = {});
+/// Reports the name, with a hint: its spelling in Glift, the module that has it, or the name that is most similar.
+void report_unknown(Context&, const Env&, ast::Identifier name, const std::vector<std::string_view>& more = {});
+
+}  // namespace gliftc::sema
