@@ -29,7 +29,7 @@ bool has_compare_exchange(const Printer& p) {
             found = found || (expr.op == ir::Op::intrinsic && expr.intrinsic == Intrinsic::atomicCompareExchange);
         });
     };
-    look(variant_for(p.pass, ir::Devices::shaders).body);
+    look(p.body());
     for (ir::FunctionId function : p.pass.functions) look(p.program.functions[function].body);
     return found;
 }
