@@ -28,14 +28,16 @@ bool Numbers::is_written(std::uint32_t binding) const {
     });
 }
 
-/// What a call of the function reads: memory that the pass writes, or that other workgroups write meanwhile.
-std::uint8_t Numbers::traits_of_body(FunctionId function) const {
+/// Of a call, whether the function reads memory that the pass writes, or that other workgroups write meanwhile. `seen`:
+/// the functions that have been looked at.
+std::uint8_t Numbers::traits_of_body(FunctionId function, std::unordered_set<FunctionId>& seen) const {
+    if (!cx.made_functions.contains(function) || !seen.insert(function).second) return 0;
     std::uint8_t trait = 0;
-    for_each_expression_of_trees(cx.p, cx.p.functions[function].body, [&](ExprId id) {
+    for_each_expression(cx.p, cx.p.functions[function].body, [&](ExprId id) {
         const Expr& node = cx.p.exprs[id];
         if (has_effect(cx.pass, node)) trait |= impure;
         if (is_load(node.op) && is_written(node.slot)) trait |= changes;
-        if (node.op == Op::call) trait |= traits_of_body(node.function);
+        if (node.op == Op::call) trait |= traits_of_body(node.function, seen);
     });
     return trait;
 }
@@ -52,7 +54,10 @@ std::uint8_t Numbers::find_traits(ExprId id) {
         trait |= loads;
         if (is_written(node.slot)) trait |= changes;
     }
-    if (node.op == Op::call) trait |= loads | traits_of_body(node.function);
+    if (node.op == Op::call) {
+        std::unordered_set<FunctionId> seen;
+        trait |= loads | traits_of_body(node.function, seen);
+    }
     for (ExprId operand : node.operands) trait |= traits_of(operand) & (impure | loads | changes);
     cx.traits.emplace(id, trait);
     return trait;

@@ -63,7 +63,7 @@ private:
         return found != nullptr ? *found : find_traits(id);
     }
     std::uint8_t find_traits(ExprId id);
-    std::uint8_t traits_of_body(ir::FunctionId function) const;
+    std::uint8_t traits_of_body(ir::FunctionId function, std::unordered_set<ir::FunctionId>& seen) const;
     std::uint32_t version_of(LocalId local) const {
         const std::uint32_t* found = versions_.find(local);
         return found == nullptr ? 0 : *found;
