@@ -12,8 +12,9 @@ std::vector<Name> public_names(const Structure& structure, std::uint32_t module)
 
 bool is_public(const Structure& structure, std::uint32_t module);
 
-/// The name of the structure in a module: the first public name that the module gives it, else the first private one,
-/// else the first that a module gives it which this one imports, directly or through others. Empty if there is none.
+/// The name of the structure in a module: the first public name that the module gives it, else its first private one,
+/// else the first name, public or private, from a module that it imports directly or through others. Empty if there is
+/// none.
 Name name_in(const Program& program, const Structure& structure, std::uint32_t module);
 
 /// The public functions of a structure or adaptor, those whose only structure it is, each once: first the methods that

@@ -118,8 +118,8 @@ struct Pass {
 
     /// Whether shaders count the iterations of every loop, for devices that limit them (lavapipe).
     bool counts_rounds() const { return loop_rounds == UINT64_MAX; }
-    /// Whether there is a binding after the others for the status record, in which shaders write reports and loop
-    /// counts.
+    /// Whether there is a binding after the others for the status record, in which shaders report errors: accesses
+    /// outside a structure, and loops that reach the device's limit.
     bool has_status() const { return has_reports || counts_rounds(); }
 };
 

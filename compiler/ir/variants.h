@@ -60,8 +60,8 @@ struct Variant {
     RowOrder order = RowOrder::ascending;  ///< used on the host device, for kernels without a group
 };
 
-/// The variant that a device runs by default: the last of its variants that assumes nothing about addresses. For a
-/// draw the vertex part.
+/// The variant that a device runs by default: the last one for the device that is valid at every address, so without
+/// `interior`, `bounds` or `block`. For a draw the vertex part.
 const Variant& variant_for(const Pass& pass, Devices devices);
 
 /// The fragment part of a draw; null: it has none.

@@ -72,7 +72,7 @@ struct Words {
     std::string spirv, fragment;
 };
 
-/// The names for the three forms; a form whose code is that of the form before has its name.
+/// The names for the three forms; where the code of a form equals that of the form before, both have one name.
 struct FormWords {
     Words direct, general, wide;
 };

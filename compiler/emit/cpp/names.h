@@ -1,5 +1,5 @@
-// Names in generated C++: as in the source where C++ allows it, else with a '_' or a number behind. docs/language.md,
-// "Names in C++".
+// Names in generated C++: as in the source where C++ allows it, else with a '_' or a number behind, or an 'n' before.
+// docs/language.md, "Names in C++".
 #pragma once
 
 #include <initializer_list>
@@ -15,16 +15,16 @@ namespace gliftc::cpp {
 /// an 'n' is put before names that would begin with a digit or '_', and a '_' is appended to keywords and macros.
 std::string identifier(std::string_view text);
 
-/// Variables that the host code of a kernel declares: names of the source that equal one are changed.
+/// Variables that the host code of every kernel declares: names of the source that equal one are changed.
 inline constexpr const char* locals_of_kernels[] = {
     "address", "block", "call",       "count", "first", "i",       "inside",    "interior",
     "lane",    "part",  "parameters", "row",   "rows",  "stretch", "unclamped", "x",
 };
-/// Variables that the host code of draws declares, too.
+/// Further variables, which only the host code of draws declares.
 inline constexpr const char* locals_of_draws[] = {
     "corner", "corners", "drawn", "fragments", "instance", "left", "parts", "pixel", "pointer", "running", "targets",
 };
-/// Variables that the host code of kernels with a group declares, too.
+/// Further variables, which only the host code of kernels with a group declares.
 inline constexpr const char* locals_of_groups[] = {
     "global_id",   "group_count", "group_id",    "group_index", "group_size",
     "group_total", "local_id",    "local_index", "number",      "returned",

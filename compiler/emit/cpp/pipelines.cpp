@@ -230,8 +230,8 @@ void PipelinePrinter::replace(const Stmt& stmt) {
                memories_of(unit, member, index) + "});");
 }
 
-/// The line that keeps one structure for the comparison, under the name `shown`; where its domain may be larger than
-/// its memory, also the lines that keep its memories and members instead.
+/// The line that keeps one structure for the comparison, under the name `shown`. If the structure may be sparse, its
+/// domain may be too large to read: then also the lines that keep its memories and stored members in that case.
 void PipelinePrinter::keep(const std::string& shown, const std::string& object, std::uint32_t index) {
     const ir::Structure& made = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];
@@ -253,8 +253,8 @@ void PipelinePrinter::keep(const std::string& shown, const std::string& object, 
     p.out.close();
 }
 
-/// Keeps the structures of a test, to be compared between devices. Also checks translators that can be checked only
-/// with the state of structures that a test made and filled.
+/// Keeps the structures that the outermost statements of a test make, if they are stored and the host can read them, to
+/// be compared between devices. Also checks translators that can be checked only with the state of such structures.
 void PipelinePrinter::keep_all() {
     std::vector<std::pair<std::string, std::uint32_t>> made;
     for (ir::StmtId id : pipeline.body) {
@@ -296,7 +296,7 @@ void PipelinePrinter::statement(const Stmt& stmt) {
     switch (stmt.op) {
     case StmtOp::temp: return temporary(stmt);
     case StmtOp::release:
-        // A test looks at its structures when it is over.
+        // Nothing is released: a test looks at its structures when it is over.
         if (tracks) return;
         for (ir::LocalId local : stmt.locals) p.out.line(p.local_names.at(local) + " = {};");
         return;

@@ -120,7 +120,7 @@ struct Printer {
     /// pipelines.
     std::function<Text(const ir::Expr&)> outer_expression;
     std::function<std::string(const ir::Expr&)> outer_place;  ///< the lvalue of a load, for atomic operations
-    std::function<void(const ir::Stmt&)> outer_statement;     ///< prints the statements that do
+    std::function<void(const ir::Stmt&)> outer_statement;     ///< prints the statements that depend on it
     /// Prints `return value;`; empty: as in C++.
     std::function<void(ir::ExprId)> print_return;
     /// Spells a local that is not simply a name (an element of an array over the workgroup); gives "" for others. May

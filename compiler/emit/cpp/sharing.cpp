@@ -17,8 +17,8 @@ std::size_t structure_number(const ir::Kernel& kernel, std::uint32_t root) {
     return static_cast<std::size_t>(std::count_if(kernel.params.begin(), last, is_structure));
 }
 
-/// The parameters of which the kernel declares that it accesses other elements than of this one: a bit each, by their
-/// numbers among the structures.
+/// The parameters that the kernel declares @disjoint from the parameter `root`: a bit each, by their structure_number;
+/// those numbered 32 or more are left out.
 std::uint32_t promised_apart(const ir::Kernel& kernel, std::uint32_t root) {
     std::uint32_t bits = 0;
     for (std::uint32_t other = 0; other < kernel.params.size(); ++other) {

@@ -73,7 +73,7 @@ std::string Spelling::of(ir::TypeId id) const {
         return "glift::mat<" + of(type.element) + ", " + std::to_string(type.count) + ", " + std::to_string(type.rows) +
                ">";
     case TypeKind::array: {
-        // Bools of arrays lie as in memory, like those of structs: one type for both.
+        // Arrays, like structs, hold bools as memory does, so that values and memory have one type.
         const Spelling element{globals, prefix, true};
         return "glift::array<" + element.of(type.element) + ", " + std::to_string(type.count) + ">";
     }

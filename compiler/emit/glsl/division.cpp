@@ -1,6 +1,7 @@
 // Division and square root that come out correctly rounded on devices whose own are not.
 //
-// Devices may be 2.5 units in the last place off (Vulkan, "Precision of core SPIR-V instructions"). From an
+// A device's quotients may be 2.5 units in the last place off, and its roots are only as exact as 1 / inversesqrt
+// (Vulkan, "Precision of core SPIR-V instructions"). From an
 // approximation and a fused multiply-add the right result is found by Markstein's corrections; operands are brought
 // near 1 first, so that nothing overflows or is flushed. Results of halves are rounded from those of floats, which have
 // more than twice their digits, so that it is as if they were rounded once. tests/device/probe_exact measures

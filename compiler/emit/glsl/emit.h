@@ -1,4 +1,4 @@
-// GLSL: a compute shader for one lowered kernel, or the two shaders of a draw.
+// GLSL: a compute shader for one lowered kernel, or one of the two shaders of a draw.
 #pragma once
 
 #include "ir/pass.h"
@@ -16,7 +16,7 @@ enum class LineMarks : std::uint8_t {
 
 /// How `/` and `sqrt` of floats are rounded.
 enum class Rounding : std::uint8_t {
-    device,   ///< as written: up to 2.5 units in the last place off on some devices
+    device,   ///< as the device does it: on some, quotients are up to 2.5 units in the last place off
     correct,  ///< corrected unless specialisation constant 100 (default true) says that the device's own is correct
 };
 

@@ -262,8 +262,8 @@ Text print_index(Printer& p, const Expr& expr) {
     return {whole + "[" + guarded_index(p, expr.operands[1], of.count) + "]"};
 }
 
-/// One side of a select. glslang keeps structs in blocks and structs in variables apart, as they are laid out
-/// differently, and does not convert between the two in `?:`.
+/// One side of a select, or an argument of parts_of_whole. A struct, array or optional in a block is composed of its
+/// parts: glslang gives it another type than one in a variable, and does not convert between the two in `?:`.
 std::string print_side(Printer& p, ExprId id, Level least) {
     TypeId type = p.program.exprs[id].type;
     TypeKind kind = p.program.types.kind(type);

@@ -2,7 +2,7 @@
 // for the others can be left out.
 //
 // The meaning is the same on every target: division by zero divides by one (and INT_MIN / -1 too), shift amounts count
-// modulo the width, indices are clamped to the ends, conversions to integers saturate.
+// modulo the width, indices are clamped to the ends, conversions of floats to integers saturate.
 #include "emit/glsl/printer.h"
 
 namespace gliftc::glsl {
@@ -21,8 +21,8 @@ bool depends_on_value_parameters(const ir::Program& program, ExprId id) {
     return false;
 }
 
-/// Whether a parameter depends on the state of structures alone: lower/divisors.cpp makes sure that such a parameter is
-/// not zero where it is a divisor.
+/// Whether a parameter depends on the state of structures alone, or is the size of the visited range. The former is not
+/// zero where it is a divisor: lower/divisors.cpp makes sure of that. The latter is not zero if any invocation runs.
 bool is_state_of_structures(const Printer& p, std::uint32_t parameter) {
     const ir::PassParameter& param = p.pass.parameters[parameter];
     switch (param.source) {

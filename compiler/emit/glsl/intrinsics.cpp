@@ -87,8 +87,8 @@ Text atomic(Printer& p, const char* name, const Expr& expr) {
     return call(p, name, expr);
 }
 
-/// NVIDIA's driver (580) fails to compile GLSL's sign of 64-bit integers beside other arithmetic, and sign(~x) ^ y of
-/// integers of 32 bits.
+/// Never GLSL's sign: NVIDIA's driver (580) fails to compile that of 64-bit integers beside other arithmetic, and
+/// sign(~x) ^ y of integers of 32 bits.
 Text sign(Printer& p, const Expr& expr) {
     const ir::Types& types = p.program.types;
     const TypeId scalar = types.scalar_of(expr.type);

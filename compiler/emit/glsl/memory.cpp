@@ -81,8 +81,8 @@ const char* access_text(ir::Access access) {
     return "";
 }
 
-/// Whether a call may write the memory through another binding. It is not `readonly` then: GPUs read such buffers
-/// through a cache that writes do not update.
+/// Whether a call may give the memory for another binding as well (PassBinding::one_place). The buffer then is neither
+/// `readonly` nor `writeonly`: GPUs read `readonly` buffers through a cache that writes do not update.
 bool may_alias(const Printer& p, const PassBinding& binding) {
     return std::ranges::any_of(p.pass.bindings, [&](const PassBinding& other) {
         return &other != &binding && other.one_place == binding.one_place;
@@ -231,8 +231,8 @@ std::string parameter_declaration(Printer& p, std::size_t i) {
     return declaration(p, param.type, name);
 }
 
-/// Whether a parameter that lies in a buffer may be copied to a variable: scalars and vectors may. A struct has another
-/// type in a block than in a variable, which glslang's `?:` mixes up.
+/// Whether a parameter that lies in a buffer may be copied to a variable: scalars and vectors may, matrices are read in
+/// place. Structs, arrays and optionals have other types in a block than in a variable, which glslang's `?:` mixes up.
 bool is_copied(const Printer& p, const ir::PassParameter& parameter) {
     const ir::TypeKind kind = p.program.types.kind(parameter.type);
     return parameter.source != ir::ParameterSource::address && kind != ir::TypeKind::struct_ &&

@@ -34,7 +34,8 @@ struct Text {
     Level level = Level::postfix;
 };
 
-/// Functions that are printed before those of the source, if they are used; helpers.cpp has their definitions.
+/// Functions (`skips_branches`: a constant) that are printed before those of the source, if they are used; helpers.cpp,
+/// division.cpp and subgroups.cpp have their definitions.
 enum class Helper : std::uint8_t {
     quotient,
     remainder,

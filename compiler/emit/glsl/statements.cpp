@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t line_length = 110;
 
 /// The best place to break a line before `limit`: of the spaces before an operator or behind a comma, the last one at
-/// the lowest depth of brackets. npos: there is none, but for the first few characters.
+/// the lowest depth of brackets. The first 12 characters after `from` are left out; npos: there is none behind them.
 std::size_t break_point(const std::string& text, std::size_t from, std::size_t limit) {
     std::size_t best = std::string::npos;
     int depth = 0, best_depth = 1000;
@@ -41,7 +41,7 @@ std::size_t break_point(const std::string& text, std::size_t from, std::size_t l
 
 std::string statement_end(const std::string& text) { return text + ";"; }
 
-/// `x += y` in place of `x = x + y`.
+/// The assignment as text: `x += y` in place of `x = x + y`, and likewise for the other operators.
 std::string assignment(Printer& p, const Stmt& stmt) {
     std::string target = print(p, stmt.target, Level::postfix);
     const Expr& value = p.program.exprs[stmt.value];

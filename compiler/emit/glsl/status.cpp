@@ -2,8 +2,9 @@
 // loops.
 //
 // Some devices (lavapipe) end the loops of an invocation after a number of rounds, silently. They run the lanes of a
-// subgroup in step, so a round of one lane is a round of all: the count is the subgroup's, and each test of a loop's
-// condition adds one to it. Specialisation constant 101 is the device's limit; where it is 0 nothing is counted and the
+// subgroup in step, so a round of one lane is a round of all: the count is the subgroup's (in draws the
+// invocation's). Each test of a loop's condition adds one to it, and the rounds of inner loops that run with no lane
+// active (idle_rounds). Specialisation constant 101 is the device's limit; where it is 0 nothing is counted and the
 // driver drops all of this.
 #include "emit/glsl/printer.h"
 #include "ir/walk.h"
@@ -123,8 +124,9 @@ bool leaves(const Printer& p, const ir::Stmt& stmt) {
     return std::ranges::any_of(stmt.body, one_leaves) || std::ranges::any_of(stmt.otherwise, one_leaves);
 }
 
-/// Rounds of the loops in a body that the device runs for nothing: one of each loop that a condition may leave out, and
-/// one of what is inside a loop when that ends.
+/// How many rounds of the loops in a body the device may run with no lane active: one for each loop that a condition or
+/// an earlier break, continue or return may leave out, one for each loop inside another loop, when that ends, and one
+/// for each loop in a called function and each addition by compare-and-swap.
 std::uint32_t idle_rounds(const Printer& p, const std::vector<ir::StmtId>& body, bool may_be_left_out) {
     std::uint32_t rounds = 0;
     for (ir::StmtId id : body) {

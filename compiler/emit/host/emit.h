@@ -7,8 +7,8 @@
 // A kernel with a group becomes a function for one workgroup: the code between two barriers is a loop over the
 // invocations, values that live on across a barrier are arrays with an element for each invocation.
 //
-// A kernel that draws becomes a function for vertices, one for the fragments of a block of 64 pixels, and one that
-// calls the runtime's rasteriser with them.
+// A kernel that draws becomes a function for vertices, one for the fragments of a block of 64 pixels if it has a
+// fragment part, and one that calls the runtime's rasteriser with them.
 #pragma once
 
 #include "emit/cpp/printer.h"
