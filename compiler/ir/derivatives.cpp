@@ -41,7 +41,8 @@ private:
         return found;
     }
 
-    /// Whether the expression depends on a load. `in_doubt`: whether it is evaluated depends on a load.
+    /// Whether the expression depends on a load; also notes derivatives in it whose operand, or evaluation, depends on
+    /// one (is_derived_). `in_doubt`: whether the expression is evaluated depends on a load.
     bool value(ExprId id, bool in_doubt) {
         bool depends = is_load(program_.exprs[id]);
         for (ExprId operand : program_.exprs[id].operands) depends = value(operand, in_doubt) || depends;

@@ -28,7 +28,7 @@ void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, 
 /// memory of any of them.
 bool has_rows(const ir::Program& program, const ir::Structure& structure);
 
-/// The memory that the elements of a structure which has rows lie in.
+/// The C++ expression, within the class, of the memory that holds the elements of a structure which has rows.
 std::string rows_of(const Unit& unit, std::uint32_t structure);
 
 /// `std::uint64_t place(uint4 address) const`: the index, in the memory of rows_of, of an element of a structure that

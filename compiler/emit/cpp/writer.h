@@ -15,8 +15,8 @@ public:
     /// `+`: of those places that are not in the first third of the room, at the last one of the lowest depth of
     /// brackets. Comments are not broken.
     void line(std::string_view text);
-    /// Adds an empty line, unless there is one already, a block has just begun, or the last line is a label
-    /// (`public:`).
+    /// Adds an empty line, unless there is one already, no line has been written, a block has just begun, or the last
+    /// line is a label (`public:`).
     void gap();
     /// `text {` and one level deeper.
     void open(std::string_view text);

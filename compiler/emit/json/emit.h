@@ -11,9 +11,9 @@ namespace gliftc::json {
 /// Incremented when a reader of the older form could misread the newer.
 inline constexpr unsigned schema_version = 1;
 
-/// The reflection of one module: its kernels, pipelines (but not those of tests) and tests; and the structures,
-/// translators, structs and enums that are public or that its kernels and pipelines take or give. The same program
-/// gives the same bytes.
+/// The reflection of one module: its kernels, pipelines (but not those of tests) and tests; and the structures (with
+/// their translators), structs and enums that are public in it, or that its kernels and pipelines take or give, and
+/// those that these consist of. The same program gives the same bytes.
 std::string reflection_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources,
                           std::uint32_t module);
 
