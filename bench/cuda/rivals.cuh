@@ -1,10 +1,11 @@
-// Shared by the CUDA rivals: device memory, input, timing, rows of results.
+// Shared by the .cu files of this folder, which time what Glift's algorithms are compared with (its rivals: CUB,
+// cuSPARSE, and kernels that only move data): device memory, input, timing, rows of results.
 //
 // Times are device times: CUDA events around one run, the median of many. Before each run a kernel occupies the stream
-// for about 100 microseconds, longer than the host takes to launch any run, so that launch latency is hidden; before that
-// kernel comes `refill`, which restores input that a run overwrites and is not timed. All runs of a result use the same
-// memories (but for the results `_from_memory` of tridiagonal.cu), so that data that fits into the caches is read from
-// there, as in the benches of Glift.
+// for about 100 microseconds, longer than the host takes to launch any run, so that launch latency is hidden; before
+// that kernel comes `refill`, which restores input that a run overwrites and is not timed. All runs of a result use the
+// same memories (but for the results `_from_memory` of tridiagonal.cu), so that data that fits into the caches is read
+// from there, as in the benches of Glift.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -160,7 +161,7 @@ private:
     std::vector<Row> rows_;
 };
 
-// The families: each function times all variants of one algorithm.
+// The families: each function times an algorithm, or a few related ones, in all variants.
 void copy(Bench& bench);
 void scan(Bench& bench);
 void reduce(Bench& bench);
