@@ -3,7 +3,7 @@
 
     consumer_test.py subdirectory SOURCE_TREE          Glift by add_subdirectory
     consumer_test.py prebuilt SOURCE_TREE GLIFTC       the same, with a gliftc that is built already
-    consumer_test.py package SOURCE_TREE BUILD_TREE    Glift by find_package, from an install tree made of BUILD_TREE
+    consumer_test.py package SOURCE_TREE BUILD_TREE    Glift by find_package and by pkg-config, from an install tree made of BUILD_TREE
 """
 import os
 import pathlib
@@ -89,7 +89,7 @@ def check(consumer):
 
 
 def check_pkg_config(folder, prefix):
-    """Builds the same program without CMake, with the flags that pkg-config gives and no others."""
+    """Builds the same program without CMake, with the flags that pkg-config gives for Glift's headers and library."""
     made, program = folder / "made", folder / "program"
     source = pathlib.Path(__file__).parent / "consumer"
     libraries = [str(p.parent) for p in prefix.rglob("glift.pc")]

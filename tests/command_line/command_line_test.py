@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests options, exit codes and `gliftc explain`: command_line_test.py GLIFTC"""
+"""Tests options, exit codes, `gliftc explain`, `gliftc fmt` and reflection: command_line_test.py GLIFTC"""
 import json
 import os
 import pty
@@ -133,7 +133,7 @@ if os.geteuid():  # root writes everything
     says(many.run("fmt", "kept.glift"), 4, "cannot write 'kept.glift'")
 says(many.run("fmt", "--help"), 0, "Exit status", "The other files are done")
 
-# Two files of one name: their outputs would be, too.
+# Two files of one name in one run: their outputs would have one name, too.
 for folder in ("one", "other"):
     here.write(f"{folder}/same.glift", f"module {folder}.same;\npub fn of_{folder}() -> int {{ return 1; }}\n")
 says(here.run("-o", "out", "one/same.glift", "other/same.glift"), 2, "'one/same.glift' and 'other/same.glift'", "rename one")
@@ -143,7 +143,8 @@ says(here.run("-o", "out", "one/same.glift", "one/../one/same.glift"), 0)
 here.write("other/same.glift", "module one.same;\n")
 says(here.run("--check", "one/same.glift", "other/same.glift"), 1, "'one.same' is declared twice", "one/same.glift", "another name")
 
-# Sums and products of floats over a subgroup are rounded in an order that depends on the device; nothing else of these is.
+# Sums and products of floats over a subgroup are rounded in an order that depends on the device; the other operations here are
+# exact.
 here.write("sums.glift", """module sums;
 use std.array;
 structure Ints = Array<1, uint>;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""docs/grammar.ebnf beside the tables of the lexer: it lists the same keywords and words, uses each of them in a rule, has every
-punctuation, and defines each rule that it uses, once: grammar.py"""
+"""docs/grammar.ebnf beside the tables of the lexer: it lists the same keywords and words, uses each of them in a rule but those
+that are kept for later, has every punctuation, and defines each rule that it uses, once: grammar.py"""
 import pathlib
 import re
 import sys

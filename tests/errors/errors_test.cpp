@@ -1,5 +1,5 @@
-// Every file of tests/errors gives exactly the diagnostics that its comments expect (README.md there), and every id of
-// a diagnostic has a file.
+// Every file of tests/errors gives exactly the errors and warnings that its comments expect, and at least the notes
+// (README.md there). Every id of a diagnostic has a file, and is expected.
 
 #include "expectations.h"
 

@@ -17,7 +17,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 int number(const std::ssub_match& match) { return match.matched ? std::stoi(match.str()) : 0; }
 
-/// Reads "error: text [id]" or "note: text".
+/// Reads "error: text [id]", "warning: text [id]" or "note: text".
 void read_message(const std::string& message, Report& report) {
     static const std::regex form(R"((error|warning|note): (.*?)(?: \[([a-z0-9-]+)\])?)");
     std::smatch match;
@@ -27,7 +27,7 @@ void read_message(const std::string& message, Report& report) {
     report.id = match[3];
 }
 
-/// Reads a `//~` comment; `code_line` is the line that it refers to.
+/// Reads a `//~` comment; `code_line` is the line that its carets refer to, if it has some.
 Report read_expectation(const std::string& file, const std::string& line, int code_line) {
     static const std::regex carets(R"(\s*//~\s*(\^+)\s*(.*))");
     static const std::regex numbers(R"(\s*//~\s*@(?:([\w./-]+):)?(\d+):(\d+)(?:-(\d+))?\s+(.*))");

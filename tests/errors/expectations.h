@@ -26,7 +26,7 @@ std::vector<Report> read_expectations(const std::string& file, const std::string
 /// The diagnostics in gliftc's text format.
 std::vector<Report> read_diagnostics(const std::string& printed);
 
-/// The arguments after "// gliftc:" on the first line.
+/// The arguments after "// gliftc:" on the first line; none if the text does not begin with that.
 std::vector<std::string> extra_arguments(const std::string& text);
 
 }  // namespace glift::test

@@ -3,7 +3,8 @@
 
     generate.py GLIFTC [--seeds FIRST..LAST] [--kernels N] [--minutes M] [--device NAME] [--keep FOLDER] [--found FOLDER]
 
-A program has N kernels with tests and, for functions that the compiler can evaluate, constants computed with them.
+A program has N kernels with tests and, for functions that the compiler can evaluate, constants that it
+computes by calls of them.
 `gliftc test` runs it twice: as it is, and with the wide form (64-bit addresses) of each kernel (GLIFT_WIDE_ELEMENTS). A
 program that fails is shrunk to a small .glift file, which is printed and stored in the folder of --found. --keep keeps
 the built programs, which run without a compiler.
@@ -22,7 +23,7 @@ from program import Program
 from shrink import Shrinker
 
 COMPILE_SECONDS = 60   # time limit for gliftc
-SECONDS = 600          # time limit to compile, build and run
+SECONDS = 600          # time limit to compile, build and run in one mode
 
 
 # How a program is run: the name of each mode, and the environment variables that it sets.
@@ -116,7 +117,7 @@ def failures_of(output):
 
 
 def shrink(runner, program, failure, options):
-    """Returns the smallest program that was found to fail in the same way."""
+    """Writes the smallest program that was found to fail in the same way to a file; returns its path."""
     kind = failure.kind
 
     def fails(text):

@@ -65,7 +65,7 @@ class Intrinsic:
 
 
 def read_table():
-    """The intrinsics that any kernel may call: none of subgroups, coherent memory or quads."""
+    """The intrinsics that any kernel may call: none of subgroups, quads or atomic operations."""
     found = re.findall(r'^INTRINSIC\((\w+), "([^"]*)", (\w+)\)', TABLE.read_text(), re.MULTILINE)
     return [Intrinsic(name, signature, exactness == "exact") for name, signature, exactness in found
             if not name.startswith(("subgroup", "atomic")) and not signature.endswith("+")]

@@ -56,7 +56,7 @@ class Kernel:
         self.name, self.axes, self.extent = name, axes, extent
         self.params = []
         self.scope = Scope()
-        self.writes = []  # functions that take a scope and return a statement that writes an output
+        self.writes = []  # functions that take a scope and return a statement that writes an output or hashes a window of `near`
 
 
 class Kernels:
@@ -177,7 +177,7 @@ class Kernels:
             found = self.visited(kernel, each=True)
             kind = self.random.weighted([(6, "out"), (3, "inout"), (3, "scatter"), (1, "coherent"), (2, "calls")])
             name = f"y{i}"
-            # An element that another one shares may be read while the other invocation writes it.
+            # Where two addresses lead to one element, one invocation may read it while another one writes it.
             found = [s for s in found if kind != "inout" or s.owns]
             if kind in ("out", "inout") and found:
                 self.add_written(kernel, name, kind, self.random.choice(found))
@@ -195,7 +195,7 @@ class Kernels:
         kernel.writes.append(lambda scope: Node(f"{name} = ", self.mixed(structure.element, scope), ";"))
 
     def mixed(self, t, scope):
-        """A value of type t that depends on `sum`, into which most of the kernel's variables are hashed."""
+        """A value of type t that depends on `sum`, into which `body` hashes most of the variables that it declares."""
         value = self.expressions.of(t, scope, 4)
         if t in (INT, UINT):
             return Node("(", value, f" ^ {t.name}(sum))", type=t)
@@ -204,7 +204,7 @@ class Kernels:
         return Node("gt(sum % 3u == 0u, ", value, ", ", self.expressions.of(t, scope, 3), ")", type=t)
 
     def combined_structures(self):
-        """Structures whose elements `scatter` can combine, in buffers and in images: those of 32 bits."""
+        """Structures whose elements `scatter` can combine, in buffers and in images: those of one int, uint or float."""
         return [s for s in self.structures.all if s.element in (INT, UINT, FLOAT)]
 
     def add_scatter(self, kernel, name):

@@ -1,4 +1,4 @@
-"""Random structures: those of the library, and translators, page tables and views that the program defines."""
+"""Random structures: those of the library, and others over translators, page tables and blocks that the program defines."""
 from declarations import split_declarations
 from model import FLOAT, INT, UINT, Matrix, Node, Vector, literal, vector
 
@@ -201,7 +201,7 @@ class Structures:
         return Structure(name, axes, t, is_dense=False, capacity=page), text
 
     def inner(self, axes):
-        """A structure of the program whose constructor takes an extent alone; None if there is none."""
+        """A structure of the program without blocks whose constructor takes an extent alone; None if there is none."""
         found = [s for s in self.all if s.axes == axes and not s.extra and not s.capacity and not s.block]
         return self.random.choice(found) if found else None
 

@@ -1,5 +1,5 @@
-// For every golden case: the output of gliftc is equal to the stored files, glslang and spirv-val accept the GLSL, and
-// the C++ compiles. Nothing here writes golden files: tools/bless does.
+// For every golden case: the output of gliftc is equal to the stored files, glslang accepts the GLSL and spirv-val the
+// SPIR-V made of it, and the C++ compiles. Nothing here writes golden files: tools/bless does.
 
 #include "golden.h"
 

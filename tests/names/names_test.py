@@ -4,7 +4,7 @@
     names_test.py GLIFTC INCLUDE_FOLDER CXX [--all] [POSITION…]
 
 For each position in the language (names of fields, of locals, of kernels, …) a module has one declaration for each
-word. gliftc compiles the module to C++ and GLSL, and the GLSL to SPIR-V; then the C++ compiler reads the C++ after the
+word. gliftc compiles the module to C++ and, for positions whose names reach shaders, to GLSL and that to SPIR-V; then the C++ compiler reads the C++ after the
 C and POSIX headers. Words are keywords of C++ and GLSL, names that headers of C and of the runtime declare, and names
 in gliftc's own output; without --all a sample of them. A word that the module itself uses is left out in positions
 where it would hide that name.
@@ -29,8 +29,8 @@ BODY = "pub kernel zuse%d(zx: in each<ZLine>, zy: out each<ZLine>) {\n    var zs
 
 
 def in_body(line):
-    """Makes a module whose words are used in functions and in bodies of kernels, a dozen in each. `line` gives (declaration,
-    use)."""
+    """A maker of modules that declare the words, and use them in bodies of kernels, twelve words a kernel. `line` gives
+    (declaration, use) of a word."""
     def module(entries):
         lines = [line(i, w) for i, w in entries]
         uses = [use for _, use in lines]
@@ -44,7 +44,7 @@ def declared(line):
 
 
 def called(line, call, head):
-    """Makes a module of declarations each of which is used in one pipeline."""
+    """A maker of modules of declarations, all of which one pipeline calls."""
     return lambda entries: "".join(line(i, w) for i, w in entries) + head + "".join(
         call(i, w) for i, w in entries) + "}\n"
 

@@ -18,7 +18,8 @@ PassCase read_pass_case(const std::filesystem::path& path);
 
 void write_pass_case(const std::filesystem::path& path, const PassCase& pass_case);
 
-/// Runs the pass with the name of the folder on the case. Throws if the text cannot be parsed or the result is invalid.
+/// Runs the pass with the name of the folder on the case. Throws if there is no such pass, the text
+/// or source has errors, or the result is invalid.
 std::string run_pass(const std::filesystem::path& path, const std::string& before);
 
 }  // namespace gliftc::test

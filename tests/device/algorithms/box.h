@@ -21,7 +21,7 @@ struct Box {
         if (round.chance(4)) std::swap(length, systems);
         size = along == 0 ? glift::uint2(length, systems) : glift::uint2(systems, length);
         capacity = size;
-        // Less where columns are long, to bound the number of elements around the box.
+        // Fewer columns are added beside the box where columns are long, to bound the number of elements.
         const std::uint32_t most = std::min(600u, limit() / std::max(size.y, 1u) + 3);
         if (taken == Taken::counted) capacity.x += round.below(round.chance(2) ? most : 3);
         if (taken != Taken::whole) origin = {round.below(20), round.below(20)};

@@ -67,8 +67,8 @@ template <class T> T mirrored(T x) {
     else return static_cast<T>(~x);
 }
 
-/// A structure that has `values` in its part, in the form of the round. Pipelines take a structure for each form; those
-/// that this form does not use have one element.
+/// A structure that has `values` in its part, in the form of the round. Pipelines take `dense`, from which they make
+/// the views of the forms strided and mapped, `folded` and `tiled`; those that this form does not use have one element.
 template <class Dense, class Folded, class Tiled, class Line> struct Input {
     using T = typename Dense::Element;
 
@@ -108,7 +108,7 @@ private:
     static bool used_by_dense(Form form) { return form != Form::folded && form != Form::tiled; }
 };
 
-/// A structure as long as the input, whose same part the algorithm writes.
+/// A structure as long as the one that has the input; the algorithm writes the same part of it.
 template <class S> struct Output {
     using T = typename S::Element;
 

@@ -229,7 +229,8 @@ TEST_F(Coverage, OfTheDragon) {
     same_mesh(mesh, {middle + float3(0.9f, 0.35f, 1.3f), middle, float3(0, 1, 0), 0.8f, 0.05f, 5}, {1024, 1024});
 }
 
-/// A triangle of one of the kinds that should be harmless: degenerate, with NaN or infinity, invisible or tiny.
+/// A triangle of one of the kinds that should be harmless: degenerate, with NaN or infinity, with w = 0,
+/// invisible or tiny.
 std::vector<float4> odd_triangle(unsigned kind, Numbers& number) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
     const auto corner = [&](float size, float w) {

@@ -1,5 +1,6 @@
 // Octree 3-D paint: strokes give the same bits on every device and in every run, and after undo and redo; samples are
-// near those in double precision; pools that are too small.
+// near those in double precision; pages meet without a step, and coarse levels have the means of finer ones; painting
+// stops where the pool is full.
 #include "paint_model.h"
 #include "tests/device/guards/on_every_device.h"
 

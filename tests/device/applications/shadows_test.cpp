@@ -48,7 +48,7 @@ scenes::Scene room() {
     return scene;
 }
 
-/// Seen so that no triangle leaves the view, since devices may cover other pixels where they clip.
+/// The room, seen so that no triangle leaves the view, since devices may cover other pixels where they clip.
 scenes::Scene all_of_room() {
     scenes::Scene scene = room();
     scene.view.eye.z = 12;
@@ -84,7 +84,7 @@ std::set<Page> pages_of(const Lighting& lighting, Settings settings, std::uint32
     return wanted;
 }
 
-/// Of the pages of a level that a frame with none finer asks for, the first so many, row by row.
+/// The first `most` of the pages of a level, row by row, that a frame without finer levels asks for.
 std::set<Page> first_pages(const Lighting& lighting, const Settings& settings, std::uint32_t level, std::size_t most) {
     std::vector<Page> all;
     for (const Page& page : pages_of(lighting, settings, level))
@@ -94,7 +94,8 @@ std::set<Page> first_pages(const Lighting& lighting, const Settings& settings, s
     return {all.begin(), all.end()};
 }
 
-/// What frames of these pages have as their owners, those without a page, too.
+/// The owners of the pool's frames where these pages are resident: the pages' numbers plus one, and 0, the owner of a
+/// frame without a page.
 std::set<std::uint32_t> owners_of(const std::set<Page>& pages, const Settings& settings) {
     std::set<std::uint32_t> owners{0u};
     for (const auto& [level, x, y] : pages) {
@@ -129,7 +130,7 @@ TEST_P(Shadows, AgreeWithRays) {
     }
 }
 
-/// Of the directions in which a point light shines, those beside the edges of its cube.
+/// Checks the directions beside the edges of a point light's cube.
 TEST_P(Shadows, HaveNoSeamsAtTheEdgesOfACube) {
     Settings settings = small();
     settings.light = LightKind::point;
@@ -148,7 +149,7 @@ TEST_P(Shadows, HaveNoSeamsAtTheEdgesOfACube) {
     EXPECT_THAT(faces, testing::ElementsAre(0, 1, 2, 3, 4, 5));
 }
 
-/// Faces of a point light look elsewhere than a spot at the same place does.
+/// The faces of a point light's cube look elsewhere than a spot at the same place does; what both light is the same.
 TEST_P(Shadows, OfAPointLightAreThoseOfASpot) {
     Settings settings = small();
     std::array<Compared, 2> found;

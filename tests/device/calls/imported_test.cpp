@@ -1,4 +1,5 @@
-// A program makes, writes and fills a structure for a pipeline. Another module than the pipeline's declares its type.
+// A program makes, writes and fills a structure for a pipeline. The structure's type is declared in another module than
+// the pipeline.
 #include "imported.glift.hpp"
 
 #include <gtest/gtest.h>

@@ -16,7 +16,7 @@ GLIFT_PROPERTY_SUITE(Neighbours);
 
 std::vector<neighbours::Numbered> particles(Round& round, uint3 cells, Number n) {
     std::vector<neighbours::Numbered> made(n);
-    // In a part of the box, so that some have many neighbours and some cells are empty.
+    // Most particles are in a part of the box, so that some have many neighbours and some cells are empty.
     const float part = 0.3f + 0.7f * static_cast<float>(std::abs(round.real()));
     const auto along = [&](Number axis) {
         const float side = static_cast<float>(axis);

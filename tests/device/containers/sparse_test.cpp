@@ -45,7 +45,7 @@ public:
 
 private:
     /// The model of the pages of a two-level table's lower level: its pool has one for each frame of the field, but no
-    /// more than there are.
+    /// more than there are, and all of them if the field may grow.
     model::Pages leaves_of(model::Overflow policy) const {
         const Number all = (along_.x * along_.y + leaf_entries - 1) / leaf_entries;
         return {model::Overflow::drop, all, policy == model::Overflow::grow ? all : std::min(all, capacity_)};
@@ -116,7 +116,7 @@ private:
             std::copy_n(before.begin() + from * page_volume, page_volume, contents_.begin() + to * page_volume);
     }
 
-    /// An element in the model; null if its page is not resident.
+    /// An element in the model; null outside, or if its page is not resident.
     Number* element(uint2 place) {
         if (!is_inside(place)) return nullptr;
         const auto at = pages_.frames().find(page_of(place));

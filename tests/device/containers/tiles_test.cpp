@@ -48,7 +48,8 @@ private:
         return made;
     }
 
-    /// Requests tiles. Only these are then resident; where they are too many, the first ones in row-major order.
+    /// Requests tiles. Only these are then resident; where they are too many, those that were resident before, and the
+    /// first of the others in row-major order.
     void request() {
         const std::vector<uint2> asked = places(30);
         tiles::Places given(device_, static_cast<Number>(asked.size()));
@@ -68,7 +69,7 @@ private:
 
     static std::uint64_t number_of(uint2 at) { return std::uint64_t{at.y} << 32 | at.x; }
 
-    /// An element in the model; null if its tile is not resident.
+    /// An element in the model; null outside, or if its tile is not resident.
     float* element(uint2 at) {
         const bool is_there = at.x < extent_.x && at.y < extent_.y && there_.contains({at.y / 16, at.x / 4});
         return is_there ? &values_.at(number_of(at)) : nullptr;

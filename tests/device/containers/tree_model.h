@@ -59,7 +59,8 @@ public:
     }
 
     /// Replaces pages until there are no more than `most`, as the policy `coarsen` does: those of the finest levels by
-    /// their parents; then the first of the last level that went come back.
+    /// their parents; then pages of the last level that went come back, the lowest numbers first, as far as there is
+    /// room.
     void coarsen(Number most) {
         std::map<Number, Page> gone;
         for (Number level = 0; level + 1 < levels_ && pages_.size() > most; ++level) {

@@ -13,7 +13,8 @@ using glift::uint2;
 
 constexpr uint2 size = {40, 24};
 
-/// `left_half`: a triangle at depth z that covers the window's left half; `everything`: one that covers all of it.
+/// `left_half`: a triangle at depth z in the window's left half, half of whose first row it covers; `everything`: one
+/// that covers the whole window.
 std::vector<float4> left_half(float z) { return {{-1, -1, z, 1}, {-1, 3, z, 1}, {0, -1, z, 1}}; }
 std::vector<float4> everything(float z) { return {{-1, -1, z, 1}, {-1, 3, z, 1}, {3, -1, z, 1}}; }
 
@@ -93,7 +94,7 @@ TEST(Draws, GoIntoTheProgramsCommandBuffer) {
     for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
 }
 
-/// Draws the left half into images that the program made, in its own command buffer, between its clears and its copy:
+/// Draws `left_half` into images that the program made, in its own command buffer, between its clears and its copy:
 /// into one layer of one level, with the program's depths.
 TEST(Draws, GoIntoTheProgramsImages) {
     const PlainVulkan mine;

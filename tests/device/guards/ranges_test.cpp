@@ -1,4 +1,4 @@
-// Modules compiled with bounds checks (gliftc --checked): accesses by address that are out of bounds are reported.
+// Modules compiled by gliftc --checked: reads and writes by address outside of a domain are reported.
 // Accesses that are allowed to be, such as `find`, samples, windows and structures that define what lies outside, are
 // not.
 #include "on_every_device.h"
