@@ -1,5 +1,6 @@
-// Names that modules give to structures: neither they nor what headers include depend on which other modules are
-// compiled in the same run. Also which output has what several modules share.
+// Names that modules give to structures: neither these names, nor the functions that headers declare, nor those for
+// shaders depend on which other modules are compiled in the same run. Also which headers a header includes, and which
+// output has what several modules share.
 #include "driver/compile.h"
 
 #include <gmock/gmock.h>

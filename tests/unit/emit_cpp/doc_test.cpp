@@ -28,7 +28,7 @@ TEST(Doc, OtherLinesStayLines) {
     EXPECT_EQ(printed(" @param a first\n @param b second"), "/// @param a first\n/// @param b second\n");
 }
 
-/// The next line would be part of the comment.
+/// After a `//` comment that ends with a backslash, the next line would be part of it.
 TEST(Doc, NoLineEndsWithABackslash) {
     const std::string words(110, 'a');
     EXPECT_EQ(printed(" Ends with \\\n\n next"), "/// Ends with \\ .\n///\n/// next\n");

@@ -67,8 +67,7 @@ TEST(Library, OfAnArray) {
           "result = Field_read(id);\n");
 }
 
-// The including shader provides the structure's state, which is its constructor's arguments and nothing computed from
-// them.
+// The state, which the including program provides, is the constructor's arguments and nothing computed from them.
 TEST(Library, StateIsThatOfTheStructure) {
     std::string text = library("module own;\nuse std.tiled;\npub structure Plane = Tiled<2, float, uint2(8, 8)>;\n");
     EXPECT_THAT(text, HasSubstr("buffer Plane_state {\n    uvec2 Plane_extent;\n};"));

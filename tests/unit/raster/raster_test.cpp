@@ -75,7 +75,7 @@ std::array<std::int64_t, 2> snapped(uint2 viewport, const Corner& corner) {
     return {snap(corner.x * (1.0f / corner.w), viewport.x), snap(corner.y * (1.0f / corner.w), viewport.y)};
 }
 
-/// Whether a pixel is covered by exact arithmetic and the top-left rule.
+/// Whether a triangle covers a pixel, by exact arithmetic and the top-left rule.
 bool covers(std::array<std::array<std::int64_t, 2>, 3> p, std::int64_t x, std::int64_t y) {
     const auto cross = [](const auto& a, const auto& b, std::int64_t px, std::int64_t py) {
         return (b[0] - a[0]) * (py - a[1]) - (b[1] - a[1]) * (px - a[0]);
