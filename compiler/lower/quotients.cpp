@@ -61,8 +61,9 @@ bool Make::is_same(ExprId one, ExprId other) const {
     if (a.op != b.op || a.type != b.type || a.operands.size() != b.operands.size()) return false;
     if (a.op == Op::constant) return a.bits == b.bits && a.number == b.number;
     if (a.op == Op::local) return a.local == b.local && !p.locals[a.local].is_mutable;
-    if (a.op != Op::binary || a.binary != b.binary) return false;
-    return is_same(a.operands[0], b.operands[0]) && is_same(a.operands[1], b.operands[1]);
+    const bool is_operation = a.op == Op::binary ? a.binary == b.binary : a.op == Op::field && a.slot == b.slot;
+    return is_operation &&
+           std::ranges::equal(a.operands, b.operands, [&](ExprId x, ExprId y) { return is_same(x, y); });
 }
 
 std::optional<ExprId> Make::simpler_quotient(ExprId value, std::uint64_t divisor) {

@@ -354,10 +354,12 @@ std::string param_type(const Unit& unit, const ir::PipelineParam& param, bool qu
     return "";
 }
 
-std::string signature(Unit& unit, std::uint32_t index, const Printer& names, const std::string& owner, bool qualified) {
+/// `mark_of_commands` stands before the parameter `commands`.
+std::string signature(Unit& unit, std::uint32_t index, const Printer& names, const std::string& owner, bool qualified,
+                      const std::string& mark_of_commands = {}) {
     const Pipeline& pipeline = unit.program.pipelines[index];
-    std::string parameters = "const glift::Commands& commands";
-    if (is_test(unit, index)) parameters = "glift::Test& test, const glift::Commands& commands";
+    std::string parameters = mark_of_commands + "const glift::Commands& commands";
+    if (is_test(unit, index)) parameters = "glift::Test& test, " + parameters;
     const auto mark = [&](const ir::PipelineParam& param) -> std::string {
         return qualified ? std::string() : unused_mark(unit.program, pipeline.body, param.local);
     };
@@ -385,8 +387,10 @@ void print_pipeline(Unit& unit, Writer& out, std::uint32_t index) {
     out.line("// " + place_text(unit.sources, pipeline.span) + ": " +
              (is_test(unit, index) ? quoted(pipeline.display) : pipeline.display));
     const std::string owner = pipeline.owner ? unit.own_name(*pipeline.owner) + "::" : "";
-    out.open(unit.linkage(pipeline.key) + signature(unit, index, printer.p, owner, false));
-    out.raw(printer.p.out.take());
+    const std::string body = printer.p.out.take();
+    const std::string mark = body.find("commands") == std::string::npos ? "[[maybe_unused]] " : "";
+    out.open(unit.linkage(pipeline.key) + signature(unit, index, printer.p, owner, false, mark));
+    out.raw(body);
     out.close();
 }
 
