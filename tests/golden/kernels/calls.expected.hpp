@@ -13,8 +13,8 @@ namespace std_array {
 
 #ifndef GLIFT_std_array_HAS_Array_1_uint_none_buffer
 #define GLIFT_std_array_HAS_Array_1_uint_none_buffer
-/// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
-/// `edge`: by default reads give zero and writes go nowhere. Lefohn's thesis (Glift: Generic Data Structures for
+/// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element an address. What reads outside give is up
+/// to `edge`, by default zero; writes outside are discarded. Lefohn's thesis (Glift: Generic Data Structures for
 /// Graphics Hardware, 2006), section 9.1.
 class Array_1_uint_none_buffer : public glift::Structure<Array_1_uint_none_buffer, glift::uint, glift::uint> {
 public:

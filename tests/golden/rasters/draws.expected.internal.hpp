@@ -236,7 +236,7 @@ namespace std_image {
 
 #ifndef GLIFT_std_image_HAS_Everything
 #define GLIFT_std_image_HAS_Everything
-/// The corners of a triangle over all that is drawn to.
+/// The numbers of the three corners of a triangle that covers the whole viewport.
 class Everything : public glift::View<Everything, glift::uint, glift::uint> {
 public:
     static constexpr const char* type_name = "Everything";
