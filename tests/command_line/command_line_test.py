@@ -51,8 +51,13 @@ def on_terminal(**environment):
     """The output of gliftc when it writes to a terminal."""
     mine, its = pty.openpty()
     subprocess.run([compiler, "--check", "bad.glift"], cwd=here.path, stderr=its, env={**os.environ, **environment})
+    os.write(its, b"\0")  # marks the end: one read gives only what has arrived
+    said = b""
+    while not said.endswith(b"\0"):
+        said += os.read(mine, 4096)
     os.close(its)
-    return os.read(mine, 4096).decode()
+    os.close(mine)
+    return said.decode()
 
 
 expect("\x1b[" in on_terminal(NO_COLOR=""), "errors are coloured on a terminal")
