@@ -2,6 +2,7 @@
 
 #include "interop/interop.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace gliftc {
@@ -43,9 +44,17 @@ public:
             const auto* record = std::get_if<ast::Struct>(&c_.tree.decls[module.decls[i]].body);
             if (record && !record->extern_header.empty()) import(module, module.decls[i]);
         }
+        for (const NestedUse& use : nested_uses_) check(module, use);
+        nested_uses_.clear();
     }
 
 private:
+    /// A struct that a field of an imported struct has as its type.
+    struct NestedUse {
+        std::string qualified;  ///< its name in C++
+        ast::DeclId outer;
+    };
+
     void import(ast::Module& module, ast::DeclId id) {
         const ast::Decl decl = c_.tree.decls[id];
         const auto& record = std::get<ast::Struct>(decl.body);
@@ -62,8 +71,28 @@ private:
             return fail(record, request.name, (place.empty() ? "" : place + ": ") + imported.error);
         }
         c_.read_files.insert(c_.read_files.end(), imported.read_files.begin(), imported.read_files.end());
-        for (std::size_t i = 0; i + 1 < imported.structs.size(); ++i) add_nested(module, decl, imported, i);
+        for (std::size_t i = 0; i + 1 < imported.structs.size(); ++i) {
+            nested_uses_.push_back({imported.structs[i].name, id});
+            add_nested(module, decl, imported, i);
+        }
         fill(std::get<ast::Struct>(c_.tree.decls[id].body), decl.name.span, imported, imported.structs.size() - 1);
+    }
+
+    /// Reports a nested struct whose last name means something else in the module.
+    void check(const ast::Module& module, const NestedUse& use) {
+        const auto is_it = [&](ast::DeclId id) {
+            return c_.names[c_.tree.decls[id].name.name] == last_part(use.qualified);
+        };
+        const auto found = std::ranges::find_if(module.decls, is_it);
+        const auto* declared = std::get_if<ast::Struct>(&c_.tree.decls[*found].body);
+        if (declared && declared->extern_name == use.qualified) return;
+        const std::string name = last_part(use.qualified);
+        const bool is_imported = declared && !declared->extern_name.empty();
+        const ast::Decl& outer = c_.tree.decls[use.outer];
+        fail(std::get<ast::Struct>(outer.body), c_.names[outer.name.name],
+             "it holds a '" + use.qualified + "', but '" + name + "' is " +
+                 (is_imported ? "'" + declared->extern_name + "'" : "something else") +
+                 " in this module: rename one of them");
     }
 
     void fail(const ast::Struct& record, const std::string& name, const std::string& why) {
@@ -140,6 +169,7 @@ private:
     const Options& options_;
     const FileSystem& files_;
     Compilation& c_;
+    std::vector<NestedUse> nested_uses_;  ///< of the module being completed
 };
 
 }  // namespace

@@ -105,8 +105,9 @@ struct Pass {
     Span longest_loop;
     bool has_reports = false;          ///< some statement is a `report`. The same in all forms
     std::vector<std::uint32_t> files;  ///< source files that reports name, the kernel's first. The same in all forms
-    bool exact = true;                 ///< devices agree bit for bit: no inexact intrinsic, no sampler that filters or
-                                       ///< compares, no texels of 8 bits read as floats, no rasterisation
+    bool exact = true;                 ///< devices agree bit for bit: no inexact intrinsic, no sum of floats by atomic
+                                       ///< operations, no sampler that filters or compares, no texels of 8 bits read as
+                                       ///< floats, no rasterisation
 
     Variant& plain() { return variants.front(); }
     const Variant& plain() const { return variants.front(); }

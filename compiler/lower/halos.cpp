@@ -120,8 +120,10 @@ std::vector<Halo> halos_of(Context& cx, const NearOffsets& offsets) {
         if (!is_number || cx.p.types.scalar_of(element) == cx.p.types.bool_ || !is_stored) continue;
         if (std::ranges::all_of(of, is_centre) || !are_in_reach(of, block)) continue;
         Halo halo = halo_of_block(root, block, of);
-        numbers += std::uint64_t{halo.elements()} * cx.p.types.components(element);
-        if (numbers <= most_numbers) halos.push_back(std::move(halo));
+        const std::uint64_t more = std::uint64_t{halo.elements()} * cx.p.types.components(element);
+        if (numbers + more > most_numbers) continue;
+        numbers += more;
+        halos.push_back(std::move(halo));
     }
     return halos;
 }

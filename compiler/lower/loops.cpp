@@ -203,6 +203,16 @@ void add_functions(Context& cx, const std::vector<StmtId>& body) {
     });
 }
 
+/// Whether the body adds floats to elements by atomic operations, whose order depends on the device.
+bool adds_floats(const Context& cx, const std::vector<StmtId>& body) {
+    bool found = false;
+    for_each_statement(cx.p, body, [&](const Stmt& stmt) {
+        if (stmt.op != StmtOp::atomic || stmt.combine != Combine::add) return;
+        found = found || cx.p.types.is_floating(cx.p.types.scalar_of(cx.pass.bindings[stmt.slot].element));
+    });
+    return found;
+}
+
 bool has_reports(const Program& program, const std::vector<StmtId>& body) {
     bool found = false;
     for_each_statement(program, body, [&](const Stmt& stmt) { found = found || stmt.op == StmtOp::report; });
@@ -217,6 +227,7 @@ void summarize(Context& cx) {
         cx.pass.loop_rounds = std::max(cx.pass.loop_rounds, Loops(cx).rounds(fragment->body));
     if (cx.kernel.raster) cx.pass.exact = false;  // devices round interpolated values differently
     for (const auto* body : bodies_of(cx.pass)) add_functions(cx, *body);
+    for (const auto* body : bodies_of(cx.pass)) cx.pass.exact = cx.pass.exact && !adds_floats(cx, *body);
     for (const auto* body : bodies_of(cx.pass)) cx.pass.has_reports = cx.pass.has_reports || has_reports(cx.p, *body);
     for (FunctionId function : cx.pass.functions)
         cx.pass.has_reports = cx.pass.has_reports || has_reports(cx.p, cx.p.functions[function].body);

@@ -161,9 +161,12 @@ kernel sum(a: inout each<Floats>) group(64) { a = subgroupAdd(a); }
 kernel sums_before(a: inout each<Floats>) group(64) { a = subgroupExclusiveAdd(float2(a, 1.0)).x; }
 kernel sums_to(a: inout each<Floats>) group(64) { a = subgroupInclusiveAdd(a); }
 kernel multiply(a: inout each<Floats>) group(64) { a = subgroupMul(a); }
+kernel count(a: in each<Ints>, b: out scatter<Ints, add>) { b[a] = 1u; }
+kernel least(a: in each<Floats>, b: out scatter<Floats, min>) { b[uint(a)] = a; }
+kernel total(a: in each<Floats>, b: out scatter<Floats, add>) { b[uint(a)] = a; }
 """)
 says(here.run("--target=json", "-o", "sums", "sums.glift"), 0)
 kernels = json.loads((here.path / "sums/sums.glift.json").read_text())["kernels"]
 exact = {kernel["name"] for kernel in kernels if all(form["exact"] for form in kernel["forms"].values())}
-expect(exact == {"sum_ints", "multiply_ints", "extremes"}, "sums and products of floats alone are inexact", exact)
+expect(exact == {"sum_ints", "multiply_ints", "extremes", "count", "least"}, "sums and products of floats alone are inexact", exact)
 finish()

@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
 """Tests `gliftc test`: failures, translators that cannot be checked, crashes. test_command_test.py GLIFTC"""
+import os
+
 from gliftc import Folder, expect, finish, says, sources
 
 wrong = sources / "wrong_translations.glift"
@@ -41,7 +43,8 @@ for again in "", " again":
 
 # A test that ends the program is named in the report. The signal stands for a driver that crashes when the program exits.
 here.write("crash.hpp", "inline void crash() {}\n")
-here.write("killer", "#!/bin/sh\nexec c++ \"$@\" -include " + str(here.path / "crash.h") + "\n")
+cxx = os.environ.get("CXX", "c++")
+here.write("killer", f"#!/bin/sh\nexec {cxx} \"$@\" -include {here.path / 'crash.h'}\n")
 here.write("crash.h", "#pragma once\n#include <csignal>\n#include <cstdlib>\n"
            "namespace { struct Killer { Killer() { if (std::getenv(\"GLIFT_TEST_NOW\")) std::atexit([] "
            "{ std::raise(SIGKILL); }); } } killer; }\n")

@@ -378,7 +378,8 @@ std::string print_as(Printer& p, ExprId id, TypeId shape) {
 
 std::string print_negated(Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
-    if (expr.op == Op::unary && expr.unary == ir::UnaryOp::logical_not) return print_any(p, expr.operands[0]);
+    if (expr.op == Op::unary && expr.unary == ir::UnaryOp::logical_not)
+        return print(p, expr.operands[0], Level::logical_or);
     if (expr.op == Op::binary) {
         const ir::Types& types = p.program.types;
         bool ordered = !types.is_floating(types.scalar_of(p.program.exprs[expr.operands[0]].type));

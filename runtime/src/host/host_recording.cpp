@@ -1,7 +1,6 @@
 #include "../check.h"
 #include "../report.h"
 #include "host_stream.h"
-#include "host_targets.h"
 
 namespace glift::detail {
 
@@ -61,6 +60,17 @@ std::vector<Condition> HostRecordingStream::held_all(std::span<const Condition> 
     return result;
 }
 
+Attachment HostRecordingStream::held(const Attachment& attachment) {
+    if (!attachment.memory) return {};
+    return {held(attachment.memory), attachment.mip, attachment.face};
+}
+
+std::shared_ptr<KeptTargets> HostRecordingStream::held(const DrawTargets& targets) {
+    std::vector<Attachment> colours;
+    for (const Attachment& colour : targets.colours) colours.push_back(held(colour));
+    return std::make_shared<KeptTargets>(std::move(colours), held(targets.depth), targets.origin, targets.extent);
+}
+
 void HostRecordingStream::note(std::function<void(HostStream&)> step) {
     const auto held = lock();
     if (is_closed()) throw_closed("Commands");
@@ -80,7 +90,7 @@ void HostRecordingStream::dispatch(const Kernel& kernel, const Call& call) {
     note([&kernel, form = call.form, memories = held_all(call.memories), parameters = copied(call.parameters),
           size = call.size, patches = held_all(call.patches), sharing = call.sharing,
           conditions = held_all(call.conditions),
-          kept_targets = call.targets ? std::make_shared<KeptTargets>(*call.targets) : nullptr](HostStream& stream) {
+          kept_targets = call.targets ? held(*call.targets) : nullptr](HostStream& stream) {
         Call again = {form, memories, parameters, size, patches, {}, sharing, conditions};
         DrawTargets targets;
         if (kept_targets) {

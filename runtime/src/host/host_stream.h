@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host_memory.h"
+#include "host_targets.h"
 
 #include <functional>
 #include <mutex>
@@ -84,12 +85,14 @@ private:
     std::vector<Memory> held_all(std::span<const Memory> memories);
     std::vector<Patch> held_all(std::span<const Patch> patches);
     std::vector<Condition> held_all(std::span<const Condition> conditions);
+    Attachment held(const Attachment& attachment);
+    std::shared_ptr<KeptTargets> held(const DrawTargets& targets);
 
     std::shared_ptr<DeviceObject> keep_;
     std::shared_ptr<Workspace> workspace_ = std::make_shared<Workspace>();
     std::vector<std::shared_ptr<HostStorage>> blocks_;  ///< of the workspace
     std::vector<std::function<void(HostStream&)>> steps_;
-    std::vector<Memory> held_;  ///< that steps use; without the targets of draws, which their steps hold
+    std::vector<Memory> held_;  ///< that steps use
     std::unordered_set<const MemoryObject*> held_objects_;
 };
 

@@ -15,22 +15,12 @@ HostTargets::Texels texels_of(const Attachment& attachment, uint2 origin) {
     return {level + origin.y * row + origin.x * texel, row};
 }
 
-Attachment kept(const Attachment& attachment) {
-    if (!attachment.memory) return {};
-    return {detail::kept(attachment.memory), attachment.mip, attachment.face};
-}
-
 }  // namespace
 
 HostTargetViews::HostTargetViews(const Kernel& kernel, const DrawTargets& targets) {
     for (const Attachment& colour : targets.colours) colours_.push_back(texels_of(colour, targets.origin));
     targets_ = {colours_, {}, targets.origin, targets.extent};
     if (kernel.drawing->depth) targets_.depth = texels_of(targets.depth, targets.origin);
-}
-
-KeptTargets::KeptTargets(const DrawTargets& targets)
-    : depth_(kept(targets.depth)), origin_(targets.origin), extent_(targets.extent) {
-    for (const Attachment& colour : targets.colours) colours_.push_back(kept(colour));
 }
 
 }  // namespace glift::detail

@@ -3,6 +3,7 @@
 
 #include <glift/pass.h>
 
+#include <utility>
 #include <vector>
 
 namespace glift::detail {
@@ -20,10 +21,11 @@ private:
     HostTargets targets_;
 };
 
-/// A copy of a call's targets that holds their memories: for calls that are recorded.
+/// A copy of a call's targets, for calls that are recorded.
 class KeptTargets {
 public:
-    explicit KeptTargets(const DrawTargets& targets);
+    KeptTargets(std::vector<Attachment> colours, Attachment depth, uint2 origin, uint2 extent)
+        : colours_(std::move(colours)), depth_(std::move(depth)), origin_(origin), extent_(extent) {}
     DrawTargets targets() const { return {colours_, depth_, origin_, extent_}; }
 
 private:

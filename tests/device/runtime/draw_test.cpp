@@ -181,6 +181,15 @@ TEST_P(Draw, RecordingsDrawAtEachReplay) {
     EXPECT_EQ(scene.count(), 3u * 256u);
 }
 
+TEST_P(Draw, RecordingsDoNotOutliveTheirTargets) {
+    const Scene scene(device, uint2(16, 16), sheet(0.5f, 0.5f, 0.5f));
+    const glift::Recording recording =
+        device.record([&](const glift::Commands& commands) { scene.draw(commands, draw_over, {}); });
+    glift::Memory member = scene.image;
+    device.commands().replace(member, scene.texture("other", glift::Format::rgba32f), {scene.image});
+    EXPECT_THROW(recording.submit(), glift::Error);
+}
+
 TEST_P(Draw, NothingIsDrawnOfNothing) {
     const Scene scene(device, uint2(8, 8), {});
     scene.draw(draw_replacing, {});
