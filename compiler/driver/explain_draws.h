@@ -2,7 +2,6 @@
 #pragma once
 
 #include "driver/compile.h"
-#include "emit/json/text.h"
 
 #include <string>
 #include <utility>

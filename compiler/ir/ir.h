@@ -192,7 +192,6 @@ struct Function {
 struct StructField {
     Name name;
     TypeId type;
-    ExprId default_value;
     std::string doc;
 };
 struct Struct {

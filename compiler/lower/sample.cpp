@@ -130,7 +130,9 @@ ExprId Expander::gather(const Expr& node) {
 /// The mean of the comparisons with each of the elements around a point, with the weights that `sample` gives them.
 ExprId Expander::compare(const Expr& node) {
     Place place = resolved(node.place);
-    const Memory& memory = root_memory(p, cx.structure_at(place));
+    const Memory computed;  // stands for the memory of a view
+    const Structure& structure = cx.structure_at(place);
+    const Memory& memory = is_computed(p, structure) ? computed : root_memory(p, structure);
     const Compare how = memory.compare;
     const bool is_depth = memory.format == Format::d32;
     const std::string name = cx.name_of(place);

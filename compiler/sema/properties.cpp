@@ -73,7 +73,11 @@ void infer_properties(Context& c, std::uint32_t index, const ast::Decl& decl) {
     properties.access_complexity = flow.has_open_loop ? not_known : constant;
     properties.memory_complexity = translator.structures.empty() ? constant : not_known;
     add_tables(c.program, translator);
-    const bool is_constant = properties.access_complexity == constant;
+    const auto declared = [&](const std::string& what, std::string& property, const std::string& text, Span span) {
+        if (property == constant && text != constant && !text.empty())
+            c.error(Diag::property_contradicts, span, {what, text, constant});
+        property = text;
+    };
     properties.location = "GPU and CPU";
     if (properties.invertible) properties.mapping = ir::Mapping::claimed_one_to_one;
     for (const ast::Attribute& attribute : decl.attributes) {
@@ -93,12 +97,9 @@ void infer_properties(Context& c, std::uint32_t index, const ast::Decl& decl) {
         } else if (name == "one_to_one") {
             properties.mapping = ir::Mapping::claimed_one_to_one;
         } else if (name == "access") {
-            std::string declared = text();
-            if (is_constant && declared != constant && !declared.empty())
-                c.error(Diag::property_contradicts, attribute.span, {"access", declared, constant});
-            properties.access_complexity = declared;
+            declared(name, properties.access_complexity, text(), attribute.span);
         } else if (name == "memory") {
-            properties.memory_complexity = text();
+            declared(name, properties.memory_complexity, text(), attribute.span);
         } else {
             c.error(Diag::unknown_attribute, attribute.span, {name});
         }

@@ -206,6 +206,14 @@ void check_if(Body& body, const ast::Stmt& stmt) {
     emit(body, id);
 }
 
+/// A bound of a range, whose type is that of the other bound. A value on the device is an error.
+ir::ExprId check_bound(Body& body, ast::ExprId bound) {
+    const ir::ExprId value = check_value(body, bound);
+    const ir::TypeId type = body.program().exprs[value].type;
+    const bool is_on_device = body.types().kind(type) == ir::TypeKind::device;
+    return is_on_device ? coerce(body, value, body.types()[type].element, body.context[bound].span) : value;
+}
+
 /// Both bounds of `a..b`; a literal takes the other's type; if both are literals, uint, or int where one is negative.
 std::pair<ir::ExprId, ir::ExprId> check_range(Body& body, const ast::Expr& range) {
     Context& c = body.context;
@@ -218,10 +226,10 @@ std::pair<ir::ExprId, ir::ExprId> check_range(Body& body, const ast::Expr& range
         low = check_value(body, range.operands[0], type);
         high = check_value(body, range.operands[1], type);
     } else if (low_flexible) {
-        high = check_value(body, range.operands[1]);
+        high = check_bound(body, range.operands[1]);
         low = check_value(body, range.operands[0], body.program().exprs[high].type);
     } else {
-        low = check_value(body, range.operands[0]);
+        low = check_bound(body, range.operands[0]);
         high = check_value(body, range.operands[1], body.program().exprs[low].type);
     }
     return {low, high};

@@ -146,8 +146,8 @@ enum class Direction : std::uint8_t { none, in, out, inout };
 /// iterators"). `range` is no pattern of kernels: a pipeline's parameter or result `range<N, T>`.
 enum class Pattern : std::uint8_t { none, each, near, any, at, scatter, coherent, calls, target, instance, range };
 
-/// `name: [in|out|inout] (each|near|any|at|scatter|coherent|calls|target|instance|range)<type, extra…> [= default]`,
-/// `name: [in|out|inout] type [= default]`, or in some methods (Parser::parse_param) `name`
+/// `name: [in|out|inout] (each|near|any|at|scatter|coherent|calls|target|instance|range)<type, extra…>`,
+/// `name: [in|out|inout] type`, or in some methods (Parser::parse_param) `name`
 struct Param {
     Identifier name;
     Direction direction = Direction::none;
@@ -157,7 +157,6 @@ struct Param {
     ExprId type;
     std::vector<ExprId> extra;  ///< what follows the type: near: the radius; scatter, target: the operation or test;
                                 ///< at: how many elements; range<N, T>: type is N, extra[0] is T
-    ExprId default_value;
 };
 
 /// `@name(arguments)` before a declaration or method.
@@ -190,7 +189,6 @@ struct Function {
 struct Field {
     Identifier name;
     ExprId type;
-    ExprId default_value;
     std::string doc;
 };
 

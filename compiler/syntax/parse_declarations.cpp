@@ -73,14 +73,13 @@ ast::Struct Parser::parse_struct() {
     return structure;
 }
 
-/// field = name ":" type [ "=" expression ] ";" ;
+/// field = name ":" type ";" ;
 ast::Field Parser::parse_field() {
     ast::Field field;
     field.doc = doc_before(cursor_);
     field.name = parse_name("a field");
     expect(TokenKind::colon);
     field.type = parse_type();
-    if (accept(TokenKind::equal)) field.default_value = parse_expression();
     end_statement();
     return field;
 }

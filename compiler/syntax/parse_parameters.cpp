@@ -22,7 +22,7 @@ std::vector<ast::Param> Parser::parse_params() {
     return params;
 }
 
-/// parameter = name [ ":" [ direction ] ( pattern | type ) [ "=" expression ] ] ;
+/// parameter = name [ ":" [ direction ] ( pattern | type ) ] ;
 /// Types may be left out in methods whose types the component's header or the language gives (translate, invert, at,
 /// block); sema reports parameters of other functions that have none.
 ast::Param Parser::parse_param() {
@@ -40,7 +40,6 @@ ast::Param Parser::parse_param() {
     } else {
         param.type = parse_type();
     }
-    if (accept(TokenKind::equal)) param.default_value = parse_expression();
     return param;
 }
 

@@ -162,7 +162,6 @@ private:
         if (p.pattern != Pattern::none) text += " " + std::string(word_of(p.pattern));
         if (p.type) text += " " + expr(p.type);
         for (ExprId extra : p.extra) text += " " + expr(extra);
-        if (p.default_value) text += " = " + expr(p.default_value);
         return text + ")";
     }
     std::string params(const std::vector<Param>& list) const {
@@ -218,7 +217,7 @@ private:
     }
 
     void field(const Field& f) {
-        line("(field " + typed(f.name, f.type) + (f.default_value ? " = " + expr(f.default_value) : "") + doc(f.doc) +
+        line("(field " + typed(f.name, f.type) + doc(f.doc) +
              ")");
     }
 

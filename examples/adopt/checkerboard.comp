@@ -1,4 +1,4 @@
-// The program's own shader: draws into a Glift structure through functions that gliftc generated.
+// The program's own shader: writes into a Glift structure through functions that gliftc generated.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

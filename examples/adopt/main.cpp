@@ -1,6 +1,6 @@
 // Glift inside a program that has its own Vulkan device, its own shader, its own image and its own command buffer: the
-// program draws into a Glift structure with its shader, Glift's passes soften it in the same command buffer, and Glift
-// draws it into the program's image, which the program has cleared before and copies afterwards.
+// program's compute shader writes a picture into a Glift structure, Glift's passes blur it in the same command buffer,
+// and Glift draws it into the program's image, which the program has cleared before and copies afterwards.
 #include "../common/png.h"
 #include "adopt.glift.hpp"
 #include "checkerboard.h"
@@ -75,7 +75,8 @@ glift::Memory adopted(const glift::Device& device, const ColourImage& image) {
                                                .name = "film"});
 }
 
-/// Draws the picture, blurs it, draws it to the film and copies both to the host, in one command buffer of the program.
+/// Writes the picture with the program's shader, blurs it, draws it to the film and copies both to the host, in one
+/// command buffer of the program.
 Pictures draw(const PlainVulkan& vulkan) {
     const glift::Device device = glift::vulkan::adopt({.instance = vulkan.instance,
                                                        .physical = vulkan.physical,

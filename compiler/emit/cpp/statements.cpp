@@ -110,8 +110,8 @@ bool is_constant(const Printer& p, ExprId id) {
             std::ranges::all_of(expr.operands, [&](ExprId operand) { return is_constant(p, operand); }));
 }
 
-/// Whether a `let` is a constant that no later statement mentions: only the compiler used it, in a type or as a generic
-/// argument.
+/// Whether a `let` is a constant that no later statement mentions: it was used at compile time only (in a type, a
+/// generic argument, another constant), or not at all.
 bool is_used_up(const Printer& p, const std::vector<ir::StmtId>& body, std::size_t at) {
     const Stmt& stmt = p.program.stmts[body[at]];
     if (stmt.op != StmtOp::let || !stmt.value || p.program.locals[stmt.local].is_mutable || is_outer(p, stmt.local))

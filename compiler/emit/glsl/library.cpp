@@ -26,7 +26,7 @@ std::vector<bool> used_parameters(const Program& program, const Pass& pass) {
 
 /// What all functions share: the union of their memories, by place, and of their state, by name.
 struct Interface {
-    Pass all;
+    Pass all{.kernel = no_kernel};
     Scopes names;
 
     std::string binding(const PassBinding& wanted) {

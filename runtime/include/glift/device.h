@@ -38,7 +38,8 @@ struct DeviceProperties {
     std::array<std::uint32_t, 3> max_workgroups = {UINT32_MAX, UINT32_MAX, UINT32_MAX};
     std::array<std::uint32_t, 3> max_workgroup_size = {1024, 1024, 64};
     std::uint32_t max_workgroup_invocations = 1024;
-    std::uint64_t loop_round_limit = unlimited;  ///< loop iterations after which the device ends an invocation
+    /// Iterations, summed over all loops of an invocation, after which the device leaves the invocation's loops.
+    std::uint64_t loop_round_limit = unlimited;
     /// An acquire or release fence that only some subgroups of a workgroup reach ends the other subgroups.
     bool fences_are_barriers = false;
     /// Helper invocations (pixels beside a triangle, which take part in derivatives) load the elements of buffers;

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <dlfcn.h>
+#include <string>
 
 namespace glift::detail {
 
@@ -15,10 +16,14 @@ PFN_vkGetInstanceProcAddr load_vulkan() {
     void* entry = library ? dlsym(library, "vkGetInstanceProcAddr") : nullptr;
     if (!entry) {
         const char* reason = dlerror();
-        throw Error(ErrorCode::no_loader, "there is no Vulkan loader on this machine",
+        const bool is_named = name == named;
+        const std::string remedy = is_named ? "name another library in GLIFT_VULKAN_LOADER, or unset it"
+                                            : "install it (Debian: apt install libvulkan1 mesa-vulkan-drivers)";
+        throw Error(ErrorCode::no_loader,
+                    is_named ? "GLIFT_VULKAN_LOADER names no Vulkan loader"
+                             : "there is no Vulkan loader on this machine",
                     std::string("Device::open, ") + name, reason ? reason : "it has no vkGetInstanceProcAddr",
-                    "install it (Debian: apt install libvulkan1 mesa-vulkan-drivers), or run on the host device: "
-                    "Device::open(\"host\") or GLIFT_DEVICE=host");
+                    remedy + ", or run on the host device: Device::open(\"host\") or GLIFT_DEVICE=host");
     }
     return reinterpret_cast<PFN_vkGetInstanceProcAddr>(entry);
 }
@@ -48,7 +53,7 @@ void check_result(VkResult result, const char* call) {
                 "GLIFT_DEVICE=host");
 }
 
-const char* result_text(VkResult result) {
+std::string result_text(VkResult result) {
     switch (static_cast<int>(result)) {
     case VK_SUCCESS: return "VK_SUCCESS";
     case VK_NOT_READY: return "VK_NOT_READY";
@@ -70,7 +75,7 @@ const char* result_text(VkResult result) {
     case VK_ERROR_INVALID_SHADER_NV: return "VK_ERROR_INVALID_SHADER_NV";
     case VK_ERROR_UNKNOWN: return "VK_ERROR_UNKNOWN";
     }
-    return "a Vulkan error without a name";
+    return "VkResult " + std::to_string(static_cast<int>(result));
 }
 
 }  // namespace glift::detail

@@ -152,7 +152,7 @@ PFN_vkGetInstanceProcAddr load_vulkan();
 InstanceTable load_instance_table(PFN_vkGetInstanceProcAddr get, VkInstance instance);
 DeviceTable load_device_table(const InstanceTable& instance, VkDevice device);
 
-const char* result_text(VkResult result);
+std::string result_text(VkResult result);
 
 /// Throws out_of_memory or vulkan if the call failed. For calls that have no device yet.
 void check_result(VkResult result, const char* call);

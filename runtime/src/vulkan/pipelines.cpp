@@ -28,7 +28,7 @@ void check_limits(const Context& context, const Kernel& kernel, const Form& form
         throw Error(ErrorCode::loop_limit, "the kernel's loops run longer than this device allows",
                     where + kernel_text(kernel),
                     "up to " + std::to_string(kernel.loop_rounds) + " iterations an invocation, over all its loops; " +
-                        p.name + " ends it after " + std::to_string(p.loop_round_limit),
+                        p.name + " leaves its loops after " + std::to_string(p.loop_round_limit),
                     loop_remedy);
     }
     const auto& g = kernel.group;

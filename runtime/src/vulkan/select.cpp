@@ -23,8 +23,8 @@ int rank(VkPhysicalDeviceType type) {
     case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return 4;
     case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return 3;
     case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return 2;
-    case VK_PHYSICAL_DEVICE_TYPE_CPU: return 1;
-    case VK_PHYSICAL_DEVICE_TYPE_OTHER:
+    case VK_PHYSICAL_DEVICE_TYPE_OTHER: return 1;
+    case VK_PHYSICAL_DEVICE_TYPE_CPU:
     case VK_PHYSICAL_DEVICE_TYPE_MAX_ENUM: return 0;
     }
     return 0;

@@ -110,8 +110,8 @@ VkImageUsageFlags image_usage(Context& context, const MemoryDescription& d) {
 
 VkBufferCreateInfo buffer_info(const VulkanDevice& owner, const MemoryDescription& d) {
     // Rounded up, since shaders may load vectors of four words: the last one must fit, and one of an empty buffer.
-    if (d.bytes > owner.properties().max_allocation_bytes - 16) owner.throw_too_large(d);
-    const VkDeviceSize size = (std::max<VkDeviceSize>(d.bytes, 1) + 15) / 16 * 16;
+    const VkDeviceSize size = (std::max<VkDeviceSize>(std::min(d.bytes, unlimited - 15), 1) + 15) / 16 * 16;
+    if (size > owner.properties().max_allocation_bytes) owner.throw_too_large(d);
     const bool in_pieces = size > owner.max_piece_bytes();
     return {.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
             .flags = in_pieces ? VkBufferCreateFlags(VK_BUFFER_CREATE_SPARSE_BINDING_BIT) : 0,

@@ -42,7 +42,9 @@ TEST(OpenErrors, NoLoader) {
 
 TEST(OpenErrors, ALoaderThatIsNone) {
     const Environment loader("GLIFT_VULKAN_LOADER", "libm.so.6");
-    expect_complete(error_of([] { glift::Device::open("lavapipe"); }), ErrorCode::no_loader);
+    const auto error = error_of([] { glift::Device::open("lavapipe"); });
+    expect_complete(error, ErrorCode::no_loader);
+    EXPECT_NE(error.remedy().find("GLIFT_VULKAN_LOADER"), std::string::npos) << error.what();
 }
 
 TEST(OpenErrors, NoDriver) {
@@ -329,6 +331,11 @@ TEST_P(CallErrors, MemoryBeyondTheDevice) {
     const auto error = error_of([&] { buffer(device, "whale.data", device.properties().max_allocation_bytes + 4096); });
     expect_complete(error, ErrorCode::too_large);
     EXPECT_NE(error.where().find("whale.data"), std::string::npos) << error.what();
+    // The limit itself is allowed: here only the memory is too small.
+    const Environment limit("GLIFT_MEMORY_LIMIT", "100000000");
+    const auto small = glift::Device::open(vulkan_name());
+    const std::uint64_t most = small.properties().max_allocation_bytes;
+    expect_complete(error_of([&] { buffer(small, "whale.data", most / 16 * 16); }), ErrorCode::out_of_memory);
 }
 
 }  // namespace

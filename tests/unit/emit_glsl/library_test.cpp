@@ -87,6 +87,14 @@ TEST(Library, OfMortonOrder) {
     prove(text, "#define CLOUD_BINDING 0\n", "Cloud_write(id, Cloud_read(id.zyx));\n");
 }
 
+// The program's first kernel is a draw, whose parts declare only what they use.
+TEST(Library, BesideADraw) {
+    std::string text = library("module own;\nuse std.array;\nuse std.image;\npub structure Line = Array<1, float3>;\n"
+                               "raster draw(c: in each<Line>, t: out target<Image<rgba8>>) {\n"
+                               "    vertex { place(float4(c, 1.0)); }\n    fragment { t = float4(1.0); }\n}\n");
+    prove(text, "#define LINE_BINDING 0\n", "Line_write(id.x, Line_read(id.y));\n");
+}
+
 // A translator with a loop is a separate function, declared before its callers.
 TEST(Library, OfATranslatorWithALoop) {
     std::string text = library(

@@ -57,9 +57,9 @@ TEST(Statements, are_read) {
 TEST(Kernels, have_access_patterns) {
     EXPECT_EQ(declarations(
                   "pub kernel k(f: in near<Field, 1>, g: out each<Field>, h: inout each<S>, a: at<S>, b: in any<S>,\n"
-                  "             c: out scatter<S, min>, dt: float = 0.5) group(8, 8) { shared tile: float[64]; }"),
+                  "             c: out scatter<S, min>, dt: float) group(8, 8) { shared tile: float[64]; }"),
               "  (pub kernel k ((f in near Field 1) (g out each Field) (h inout each S) (a at S) (b in any S) "
-              "(c out scatter S min) (dt float = 0.5)) group 8 8\n"
+              "(c out scatter S min) (dt float)) group 8 8\n"
               "    (shared tile:(index float 64)))");
 }
 
