@@ -5,6 +5,7 @@
 #include "driver/environment.h"
 
 #include <cstdio>
+#include <filesystem>
 
 namespace gliftc {
 
@@ -24,14 +25,15 @@ void check_written(const std::string& path, const std::optional<std::string>& er
     if (error) throw EnvironmentError("cannot write '" + path + "': " + *error);
 }
 
-/// The depfile's path: as given; else beside the outputs, the name of the first one with its last ending replaced by
-/// .d (<name>.glift.d, as the first is mostly the C++ header of the first module). Empty, so that none is written, if
-/// no path is given and there are no outputs, or --target chooses them and -MD is not given.
+/// The depfile's path: as given; else beside the outputs <file>.d, after the first file on the command line, or for
+/// standard input after the first output without its last ending. Empty, so that none is written, if no path is given
+/// and there are no outputs, or --target chooses them and -MD is not given.
 std::string depfile_of(const Options& options, const Result& result) {
     if (!options.depfile.empty() || result.outputs.empty()) return options.depfile;
     if (!options.targets.empty() && !options.writes_depfile) return {};
-    const std::string& header = result.outputs.front().name;
-    return options.output_folder + "/" + header.substr(0, header.rfind('.')) + ".d";
+    const bool is_stdin = options.files.front() == "-";
+    const std::filesystem::path named = options.files.front(), first = result.outputs.front().name;
+    return options.output_folder + "/" + (is_stdin ? first.stem() : named.filename()).string() + ".d";
 }
 
 void write_outputs(const Options& options, const Result& result, const Compilation& compilation) {

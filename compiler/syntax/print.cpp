@@ -216,10 +216,7 @@ private:
         out_ += ")";
     }
 
-    void field(const Field& f) {
-        line("(field " + typed(f.name, f.type) + doc(f.doc) +
-             ")");
-    }
+    void field(const Field& f) { line("(field " + typed(f.name, f.type) + doc(f.doc) + ")"); }
 
     void item(const Item& i) {
         switch (i.kind) {

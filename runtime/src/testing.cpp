@@ -137,7 +137,7 @@ public:
     }
 
     int finish() const {
-        std::printf("%zu tests on %s%s: %zu failed", ran_, "the host",
+        std::printf("%zu test%s on %s%s: %zu failed", ran_, ran_ == 1 ? "" : "s", "the host",
                     devices_.size() > 1 ? (" and " + devices_[1].properties().name).c_str() : "", failed_);
         std::printf(unchecked_ ? ", %zu not checked\n" : "\n", unchecked_);
         return failed_ == 0 ? 0 : 1;

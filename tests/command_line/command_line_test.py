@@ -25,6 +25,9 @@ expect("good.glift.hpp" in (here.path / "made.d").read_text(), "-MF writes the r
 says(here.run("-MD", "--target=json", "-o", "json", "good.glift"), 0)
 expect(here.names("json") == ["good.glift.d", "good.glift.json"], "-MD writes a rule beside any output",
        here.names("json"))
+here.write("halved.glift", "module halved;\nuse std.array;\nkernel halve(f: inout each<Array<1, float>>) { f = f * 0.5; }\n")
+says(here.run("-MD", "--target=glsl", "-o", "glsl", "halved.glift"), 0)
+expect("halved.glift.d" in here.names("glsl"), "the rule has the name of the file, whatever is written", here.names("glsl"))
 says(here.run("--check", "--depfile", "d", "good.glift"), 2, "nothing is written here")
 
 # Outputs.
