@@ -1,9 +1,9 @@
-# What the runtime, the compiler, the tests and the benches need from the system, all of it in Debian 12 (tools/setup
-# installs it). The examples find what they need themselves.
-# The order matters: the CMake packages of glslang and SPIRV-Tools use targets of packages found before them.
+# Packages that the runtime, the compiler, the tests and the benches share, all of them in Debian 12 (tools/setup installs
+# them). What one folder alone needs (glslangValidator, X11, the libraries of the examples) is found there.
 
-# Dependencies of the runtime.
+# Before glslang and SPIRV-Tools, whose packages name its target.
 find_package(Threads REQUIRED)
+# Dependencies of the runtime.
 find_package(Vulkan REQUIRED)
 find_package(TBB CONFIG REQUIRED)
 # Dependencies of the compiler, not needed if GLIFT_GLIFTC names a gliftc that is built already. The benches need some

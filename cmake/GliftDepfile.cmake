@@ -4,7 +4,11 @@
 # outputs. Then makes or touches the stamp.
 
 file(READ "${DEPFILE}" text)
+string(REGEX MATCH "^([^:]|:[^ \n\\])*:" outputs "${text}")
+string(LENGTH "${outputs}" end)
+string(SUBSTRING "${text}" ${end} -1 dependencies)
 string(REPLACE " " "\\ " target "${STAMP}")
-string(REGEX REPLACE "^([^:]|:[^ \n\\])*:" "${target}:" text "${text}")
-file(WRITE "${DEPFILE}" "${text}")
+string(REPLACE "#" "\\#" target "${target}")
+string(REPLACE "$" "$$" target "${target}")
+file(WRITE "${DEPFILE}" "${target}:${dependencies}")
 file(TOUCH "${STAMP}")

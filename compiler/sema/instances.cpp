@@ -53,7 +53,7 @@ ir::TypeId make_struct(Context& c, ast::DeclId id, const Env& env, const std::st
         for (const ir::StructField& other : fields)
             if (other.name == field.name.name)
                 c.error(Diag::duplicate_name, field.name.span, {c.text(field.name.name)});
-        fields.push_back({field.name.name, type, {}, field.doc});
+        fields.push_back({field.name.name, type, field.doc});
     }
     c.program.structs[index].fields = std::move(fields);
     return c.types().of_struct(index);

@@ -78,7 +78,7 @@ void add_fields(Context& c, const Env& env, const ast::Translator& written, ir::
             translator.structures.push_back(c.types()[type].index);
             translator.structure_names.push_back(field.name.name);
         } else {
-            translator.scalars.push_back({field.name.name, type, {}, field.doc});
+            translator.scalars.push_back({field.name.name, type, field.doc});
         }
     }
 }

@@ -1,5 +1,5 @@
-// Where the texels of an image lie when they are packed: level after level, in each level face after face (layer after
-// layer), row-major.
+// Extents of an image's levels, and where its texels lie in the host device's memory: level after level, in each level
+// face after face (layer after layer), row-major without gaps.
 #pragma once
 
 #include <glift/memory.h>
@@ -8,7 +8,7 @@ namespace glift::detail {
 
 /// The extent of one face or layer at a mip level.
 std::array<std::uint32_t, 3> mip_extent(const MemoryDescription& image, std::uint32_t mip);
-/// The number of faces or layers.
+/// The number of faces or layers; 1 of other images, whose levels count as one face.
 std::uint32_t face_count(const MemoryDescription& image);
 /// The bytes of one face or layer at a mip level.
 std::uint64_t face_bytes(const MemoryDescription& image, std::uint32_t mip);

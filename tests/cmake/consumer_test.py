@@ -30,8 +30,8 @@ def expect(condition, what):
 
 class Consumer:
     def __init__(self, folder, settings):
-        self.source = folder / "consumer"
-        self.build_dir = folder / "build"
+        self.source = folder / "a consumer"  # paths with spaces
+        self.build_dir = folder / "its build"
         shutil.copytree(pathlib.Path(__file__).parent / "consumer", self.source)
         run("cmake", "-G", "Ninja", "-S", self.source, "-B", self.build_dir, "-DCMAKE_BUILD_TYPE=Release", *settings)
 

@@ -78,8 +78,10 @@ struct Binding {
     std::uint32_t radius = 0;  ///< of Reach::window
     Combine combine = Combine::none;
     /// The parameters of which the kernel promises (@disjoint) that they access other elements than this binding's
-    /// parameter does: bit i for parameter i.
+    /// parameter does: bit i for parameter i, of the first 32.
     std::uint32_t apart_from = 0;
+
+    bool is_apart_from(std::uint32_t other) const { return other < 32 && (apart_from >> other & 1) != 0; }
 };
 
 /// A location in the source.

@@ -25,7 +25,7 @@ constexpr std::uint32_t changes[] = {0x40, 0x01};
 bool writes(const Binding& binding) { return binding.access != Access::read; }
 
 bool is_promised(const Binding& read, const Binding& written) {
-    return !writes(read) && writes(written) && read.apart_from >> written.parameter & 1;
+    return !writes(read) && writes(written) && read.is_apart_from(written.parameter);
 }
 
 void change_word(Bytes& bytes, std::size_t word, std::uint32_t by) {

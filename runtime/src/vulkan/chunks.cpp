@@ -52,7 +52,10 @@ void ChunkPool::make_buffer(Chunk& chunk) {
                          (chunk.use == MemoryUse::parameters &&  // in the host's memory when the device's is full
                           allocator_.allocate(needs, MemoryUse::upload, true, chunk.allocation));
     if (!is_made) {
-        throw Error(ErrorCode::out_of_memory, "no memory is left for staging buffers", context_.properties.name,
+        throw Error(ErrorCode::out_of_memory,
+                    chunk.use == MemoryUse::parameters ? "no memory is left for parameters"
+                                                       : "no memory is left for staging buffers",
+                    context_.properties.name,
                     size_text(chunk.bytes) + " asked for, " + size_text(allocator_.reserved()) + " in use by Glift",
                     "free structures that are no longer used, or move fewer bytes at a time");
     }

@@ -20,14 +20,15 @@ protected:
     glift::Recording recorded(Pipeline pipeline) const {
         return device.record([&](const glift::Commands& commands) { pipeline(commands, x, y); });
     }
-    /// Waits until the storage of freed memories is reclaimed, which happens once the device has finished using it.
+    /// Frees the storage of memories that are gone: that happens when a batch of commands begins after the device is
+    /// done with them, so in the second round. Sets y's first element to 0.
     void collect() const {
         for (int time = 0; time < 2; ++time) {
             device.commands().fill(y.data(), 0, 4);
             device.wait();
         }
     }
-    /// The bytes that a second recording adds. The first one also allocates staging memory, which is kept.
+    /// The bytes that a second recording adds. The first one also allocates buffers for parameters, which are kept.
     std::uint64_t taken(Pipeline pipeline) const {
         recorded(pipeline);
         collect();

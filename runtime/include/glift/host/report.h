@@ -8,7 +8,8 @@
 
 namespace glift::host {
 
-/// Reports an access out of bounds, at the source location in `record`. Only the first one of all threads is kept.
+/// Reports in call.status that the virtual `address`, of `rank` axes, lies outside a structure; line, file and binding
+/// are those of `record`. Only the pass's first report is kept.
 inline void report_outside(const HostCall& call, const StatusRecord& record, const uint* address, uint rank) {
     std::uint32_t fine = StatusRecord::fine;
     if (!std::atomic_ref(call.status->code).compare_exchange_strong(fine, StatusRecord::out_of_range)) return;
