@@ -104,7 +104,8 @@ Library library_of(Program& program, std::uint32_t structure, const Alias& alias
     k.value = k.local("value", s.element);
     add_translate(k);
     k.add_value("read", k.make(Op::read, s.element, k.use(k.address)));
-    if (s.kind == StructureKind::stored) add_write(k);
+    const bool is_written = s.kind == StructureKind::stored && root_memory(program, s).format != Format::d32;
+    if (is_written) add_write(k);
     return library;
 }
 

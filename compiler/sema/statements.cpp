@@ -243,7 +243,7 @@ void check_for(Body& body, const ast::Stmt& stmt) {
         return;
     }
     auto [low, high] = check_range(body, range);
-    ir::TypeId type = body.program().exprs[low].type;
+    ir::TypeId type = body.program().exprs[is_error(body, high) ? high : low].type;  // an error is reported once
     bool wrong =
         !is_error(body, low) && !is_error(body, high) && type != body.types().int_ && type != body.types().uint;
     if (wrong) c.error(Diag::index_type, range.span, {c.text(type)});

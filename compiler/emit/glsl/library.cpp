@@ -36,7 +36,6 @@ struct Interface {
                 return have.name;
             }
         all.bindings.push_back(wanted);
-        all.bindings.back().sampled = false;
         return all.bindings.back().name = names.declare(wanted.name);
     }
 
@@ -219,6 +218,7 @@ std::string library_of(const Program& program, const Sources& sources, const Lib
     std::string memories = memories_text(all, macro);
     replace_all(memories, ") buffer ", ") " + macro + "_ACCESS buffer ");
     replace_all(memories, ") uniform ", ") uniform " + macro + "_ACCESS ");
+    replace_all(memories, macro + "_ACCESS sampler", "sampler");
     const std::string state = state_text(all, name, macro), helpers = helpers_text(all), structs = structs_text(all);
     const std::string macros = state.empty() && memories.empty() ? "" : macros_text(macro, !memories.empty());
     return heading(program, sources, library.structure, macro) +

@@ -2,7 +2,7 @@
 // Define SHADOWS_BINDING before including. The structure's arguments are at that binding, memory k at SHADOWS_BINDING + 1 + k.
 // Optional: SHADOWS_SET (the descriptor set, else 0), SHADOWS_STATE (see below), SHADOWS_READONLY (nothing is written).
 #ifndef GLIFT_SHADOWS
-#define GLIFT_SHADOWS 997448171
+#define GLIFT_SHADOWS 958551079
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef SHADOWS_SET
@@ -24,7 +24,7 @@ layout(scalar, set = SHADOWS_SET, binding = SHADOWS_BINDING) readonly buffer Sha
 };
 #endif
 
-layout(set = SHADOWS_SET, binding = SHADOWS_BINDING + 1) uniform SHADOWS_ACCESS image2DArray Shadows_depths;
+layout(set = SHADOWS_SET, binding = SHADOWS_BINDING + 1) uniform sampler2DArray Shadows_depths;
 
 uvec3 Shadows_translate(uvec3 address) {
     return address;
@@ -32,17 +32,10 @@ uvec3 Shadows_translate(uvec3 address) {
 
 float Shadows_read(uvec3 address) {
     bool Shadows_value_inside = all(lessThan(address, uvec3(Shadows_extent, Shadows_layers)));
-    float Shadows_value = imageLoad(Shadows_depths, ivec3(Shadows_value_inside ? address : uvec3(0u))).x;
+    float Shadows_value = texelFetch(Shadows_depths, ivec3(Shadows_value_inside ? address : uvec3(0u)), 0).x;
     return Shadows_value_inside ? Shadows_value : 0.0;
 }
 
-#ifndef SHADOWS_READONLY
-void Shadows_write(uvec3 address, float value) {
-    if (all(lessThan(address, uvec3(Shadows_extent, Shadows_layers)))) {
-        imageStore(Shadows_depths, ivec3(address), vec4(value));
-    }
-}
-#endif
-#elif GLIFT_SHADOWS != 997448171
+#elif GLIFT_SHADOWS != 958551079
 #error the functions of another structure called Shadows are included already
 #endif

@@ -2,13 +2,13 @@
 // Define COLOUR_BINDING before including. The structure's arguments are at that binding, memory k at COLOUR_BINDING + 1 + k.
 // Optional: COLOUR_SET (the descriptor set, else 0), COLOUR_STATE (see below), COLOUR_READONLY (nothing is written).
 #ifndef GLIFT_COLOUR
-#define GLIFT_COLOUR 783947071
+#define GLIFT_COLOUR 1760192777
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef COLOUR_SET
 #define COLOUR_SET 0
 #endif
-#if !defined COLOUR_BINDING && !defined COLOUR_STATE
+#ifndef COLOUR_BINDING
 #error define COLOUR_BINDING before this file is included
 #endif
 #ifdef COLOUR_READONLY
@@ -22,6 +22,8 @@ layout(scalar, set = COLOUR_SET, binding = COLOUR_BINDING) readonly buffer Colou
     uvec2 Colour_extent;
 };
 #endif
+
+layout(set = COLOUR_SET, binding = COLOUR_BINDING + 1, rgba8) uniform COLOUR_ACCESS image2D Colour_data;
 
 uvec2 Colour_translate(uvec2 address) {
     return address;
@@ -40,6 +42,6 @@ void Colour_write(uvec2 address, vec4 value) {
     }
 }
 #endif
-#elif GLIFT_COLOUR != 783947071
+#elif GLIFT_COLOUR != 1760192777
 #error the functions of another structure called Colour are included already
 #endif

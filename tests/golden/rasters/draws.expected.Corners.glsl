@@ -2,13 +2,13 @@
 // Define CORNERS_BINDING before including. The structure's arguments are at that binding, memory k at CORNERS_BINDING + 1 + k.
 // Optional: CORNERS_SET (the descriptor set, else 0), CORNERS_STATE (see below), CORNERS_READONLY (nothing is written).
 #ifndef GLIFT_CORNERS
-#define GLIFT_CORNERS 1078005844
+#define GLIFT_CORNERS 667914925
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef CORNERS_SET
 #define CORNERS_SET 0
 #endif
-#if !defined CORNERS_BINDING && !defined CORNERS_STATE
+#ifndef CORNERS_BINDING
 #error define CORNERS_BINDING before this file is included
 #endif
 #ifdef CORNERS_READONLY
@@ -22,6 +22,8 @@ layout(scalar, set = CORNERS_SET, binding = CORNERS_BINDING) readonly buffer Cor
     uint Corners_extent;
 };
 #endif
+
+layout(scalar, set = CORNERS_SET, binding = CORNERS_BINDING + 1) CORNERS_ACCESS buffer Corners_data_memory { uint Corners_data[]; };
 
 uint Corners_translate(uint address) {
     return address;
@@ -40,6 +42,6 @@ void Corners_write(uint address, uint value) {
     }
 }
 #endif
-#elif GLIFT_CORNERS != 1078005844
+#elif GLIFT_CORNERS != 667914925
 #error the functions of another structure called Corners are included already
 #endif

@@ -2,13 +2,13 @@
 // Define COUNTS_BINDING before including. The structure's arguments are at that binding, memory k at COUNTS_BINDING + 1 + k.
 // Optional: COUNTS_SET (the descriptor set, else 0), COUNTS_STATE (see below), COUNTS_READONLY (nothing is written).
 #ifndef GLIFT_COUNTS
-#define GLIFT_COUNTS 1763712359
+#define GLIFT_COUNTS 1055829696
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef COUNTS_SET
 #define COUNTS_SET 0
 #endif
-#if !defined COUNTS_BINDING && !defined COUNTS_STATE
+#ifndef COUNTS_BINDING
 #error define COUNTS_BINDING before this file is included
 #endif
 #ifdef COUNTS_READONLY
@@ -22,6 +22,8 @@ layout(scalar, set = COUNTS_SET, binding = COUNTS_BINDING) readonly buffer Count
     uvec2 Counts_extent;
 };
 #endif
+
+layout(scalar, set = COUNTS_SET, binding = COUNTS_BINDING + 1) COUNTS_ACCESS buffer Counts_data_memory { uint Counts_data[]; };
 
 uint Counts_translate(uvec2 address) {
     return address.y * Counts_extent.x + address.x;
@@ -41,6 +43,6 @@ void Counts_write(uvec2 address, uint value) {
     }
 }
 #endif
-#elif GLIFT_COUNTS != 1763712359
+#elif GLIFT_COUNTS != 1055829696
 #error the functions of another structure called Counts are included already
 #endif

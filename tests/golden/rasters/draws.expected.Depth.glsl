@@ -2,13 +2,13 @@
 // Define DEPTH_BINDING before including. The structure's arguments are at that binding, memory k at DEPTH_BINDING + 1 + k.
 // Optional: DEPTH_SET (the descriptor set, else 0), DEPTH_STATE (see below), DEPTH_READONLY (nothing is written).
 #ifndef GLIFT_DEPTH
-#define GLIFT_DEPTH 2055772795
+#define GLIFT_DEPTH 1196969447
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef DEPTH_SET
 #define DEPTH_SET 0
 #endif
-#if !defined DEPTH_BINDING && !defined DEPTH_STATE
+#ifndef DEPTH_BINDING
 #error define DEPTH_BINDING before this file is included
 #endif
 #ifdef DEPTH_READONLY
@@ -23,23 +23,18 @@ layout(scalar, set = DEPTH_SET, binding = DEPTH_BINDING) readonly buffer Depth_s
 };
 #endif
 
+layout(set = DEPTH_SET, binding = DEPTH_BINDING + 1) uniform sampler2D Depth_data;
+
 uvec2 Depth_translate(uvec2 address) {
     return address;
 }
 
 float Depth_read(uvec2 address) {
     bool Depth_value_inside = all(lessThan(address, Depth_extent));
-    float Depth_value = imageLoad(Depth_data, ivec2(Depth_value_inside ? address : uvec2(0u))).x;
+    float Depth_value = texelFetch(Depth_data, ivec2(Depth_value_inside ? address : uvec2(0u)), 0).x;
     return Depth_value_inside ? Depth_value : 0.0;
 }
 
-#ifndef DEPTH_READONLY
-void Depth_write(uvec2 address, float value) {
-    if (all(lessThan(address, Depth_extent))) {
-        imageStore(Depth_data, ivec2(address), vec4(value));
-    }
-}
-#endif
-#elif GLIFT_DEPTH != 2055772795
+#elif GLIFT_DEPTH != 1196969447
 #error the functions of another structure called Depth are included already
 #endif

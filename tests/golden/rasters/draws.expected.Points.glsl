@@ -2,13 +2,13 @@
 // Define POINTS_BINDING before including. The structure's arguments are at that binding, memory k at POINTS_BINDING + 1 + k.
 // Optional: POINTS_SET (the descriptor set, else 0), POINTS_STATE (see below), POINTS_READONLY (nothing is written).
 #ifndef GLIFT_POINTS
-#define GLIFT_POINTS 731611318
+#define GLIFT_POINTS 646964856
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef POINTS_SET
 #define POINTS_SET 0
 #endif
-#if !defined POINTS_BINDING && !defined POINTS_STATE
+#ifndef POINTS_BINDING
 #error define POINTS_BINDING before this file is included
 #endif
 #ifdef POINTS_READONLY
@@ -22,6 +22,8 @@ layout(scalar, set = POINTS_SET, binding = POINTS_BINDING) readonly buffer Point
     uint Points_extent;
 };
 #endif
+
+layout(scalar, set = POINTS_SET, binding = POINTS_BINDING + 1) POINTS_ACCESS buffer Points_data_memory { vec3 Points_data[]; };
 
 uint Points_translate(uint address) {
     return address;
@@ -40,6 +42,6 @@ void Points_write(uint address, vec3 value) {
     }
 }
 #endif
-#elif GLIFT_POINTS != 731611318
+#elif GLIFT_POINTS != 646964856
 #error the functions of another structure called Points are included already
 #endif

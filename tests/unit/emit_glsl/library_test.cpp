@@ -87,6 +87,14 @@ TEST(Library, OfMortonOrder) {
     prove(text, "#define CLOUD_BINDING 0\n", "Cloud_write(id, Cloud_read(id.zyx));\n");
 }
 
+// Depths are read through a sampler, and only draws write them.
+TEST(Library, OfDepths) {
+    std::string text = library("module own;\nuse std.image;\npub structure Depth = Image<d32>;\n");
+    EXPECT_THAT(text, Not(HasSubstr("Depth_write")));
+    prove(text, "#define DEPTH_BINDING 0\nlayout(binding = 7) buffer Out { float result; };\n",
+          "result = Depth_read(id.xy);\n");
+}
+
 // The program's first kernel is a draw, whose parts declare only what they use.
 TEST(Library, BesideADraw) {
     std::string text = library("module own;\nuse std.array;\nuse std.image;\npub structure Line = Array<1, float3>;\n"

@@ -20,8 +20,8 @@ TEST(Docs, belong_to_what_follows) {
 
 TEST(Functions, have_generics_and_results) {
     EXPECT_EQ(
-        declarations("pub fn f<N: uint, T: type = float>(a: vec<N, T>, b: T = 1) -> T? { return none; }"),
-        "  (pub fn f <N:uint> <T:type = float> ((a (generic vec N T)) (b T = 1)) -> (optional T)\n    (return none))");
+        declarations("pub fn f<N: uint, T: type = float>(a: vec<N, T>, b: T) -> T? { return none; }"),
+        "  (pub fn f <N:uint> <T:type = float> ((a (generic vec N T)) (b T)) -> (optional T)\n    (return none))");
     EXPECT_EQ(declarations("extern fn f(x: float) -> float;"), "  (extern fn f ((x float)) -> float)");
 }
 

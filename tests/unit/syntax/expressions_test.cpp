@@ -84,8 +84,8 @@ TEST(Generics, close_two_at_once) {
     EXPECT_EQ(type("A<1, B<2, C<3, D<4>>>>"), "(generic A 1 (generic B 2 (generic C 3 (generic D 4))))");
     EXPECT_EQ(type("vec<2, vec<3, uint>>"), "(generic vec 2 (generic vec 3 uint))");
     EXPECT_EQ(expression("a >> b"), "(>> a b)");
-    EXPECT_EQ(declarations("struct S { x: A<B<2>>= 1; y: A<2>= 2; }"),
-              "  (struct S\n    (field x:(generic A (generic B 2)) = 1)\n    (field y:(generic A 2) = 2))");
+    EXPECT_EQ(declarations("fn f() { let x: A<B<2>>= 1; let y: A<2>= 2; }"),
+              "  (fn f ()\n    (let x:(generic A (generic B 2)) 1)\n    (let y:(generic A 2) 2))");
 }
 
 TEST(Types, have_suffixes) {
