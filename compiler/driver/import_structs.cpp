@@ -32,6 +32,49 @@ std::string last_part(const std::string& name) {
     return colon == std::string::npos ? name : name.substr(colon + 1);
 }
 
+/// Bytes in shaders.
+struct Size {
+    std::uint64_t bytes = 0, align = 1;
+};
+
+Size size_of(const ImportResult& imported, const ImportedType& type);
+
+/// Of C++, which the padding at the end fills up.
+Size size_of(const ImportResult& imported, const ImportedStruct& record) {
+    Size size{record.size, 1};
+    for (const ImportedField& field : record.fields)
+        size.align = std::max(size.align, size_of(imported, field.type).align);
+    return size;
+}
+
+Size size_of(const ImportResult& imported, const ImportedType& type) {
+    const bool is_long = type.scalar == ImportedScalar::Double || type.scalar == ImportedScalar::Int64 ||
+                         type.scalar == ImportedScalar::Uint64;
+    const std::uint64_t scalar = type.scalar == ImportedScalar::Half ? 2 : is_long ? 8 : 4;
+    Size size{scalar * type.components, scalar};
+    if (type.scalar == ImportedScalar::Struct) size = size_of(imported, imported.structs[type.record]);
+    for (std::uint64_t extent : type.array_extents) size.bytes *= extent;
+    return size;
+}
+
+/// Why shaders cannot read the struct where C++ lays its fields: theirs follow each other, each at a multiple of its
+/// largest scalar. Empty: they can.
+std::string misfit_of(const ImportResult& imported, const ImportedStruct& record) {
+    std::uint64_t end = 0;
+    for (const ImportedField& field : record.fields) {
+        const Size size = size_of(imported, field.type);
+        const std::uint64_t place = (end + size.align - 1) / size.align * size.align;
+        const std::string at = "line " + std::to_string(field.line) + ": '" + field.name + "' ";
+        if (field.type.scalar == ImportedScalar::Bool)
+            return at + "is a bool, of one byte in C++ and four in shaders: make it a uint";
+        if (place != field.offset)
+            return at + "lies at byte " + std::to_string(field.offset) + ", for shaders at byte " +
+                   std::to_string(place) + ": declare what lies between as fields";
+        end = place + size.bytes;
+    }
+    return {};
+}
+
 class Importer {
 public:
     Importer(const Options& options, const FileSystem& files, Compilation& c)
@@ -71,6 +114,9 @@ private:
             return fail(record, request.name, (place.empty() ? "" : place + ": ") + imported.error);
         }
         c_.read_files.insert(c_.read_files.end(), imported.read_files.begin(), imported.read_files.end());
+        for (const ImportedStruct& one : imported.structs)
+            if (const std::string misfit = misfit_of(imported, one); !misfit.empty())
+                return fail(record, request.name, misfit);
         for (std::size_t i = 0; i + 1 < imported.structs.size(); ++i) {
             nested_uses_.push_back({imported.structs[i].name, id});
             add_nested(module, decl, imported, i);

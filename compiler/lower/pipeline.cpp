@@ -391,8 +391,6 @@ Pass lower_function(Program& program, Diagnostics& diagnostics, const Kernel& ke
     std::vector<std::vector<StmtId>*> bodies{&pass.plain().body};
     simplify_functions(cx, bodies);
     name_state(cx, bodies);
-    // Devices have no storage images of depths.
-    for (PassBinding& binding : pass.bindings) binding.sampled = binding.format == Format::d32;
     summarize(cx);
     check_whole(cx);
     return pass;

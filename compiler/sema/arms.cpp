@@ -74,6 +74,10 @@ bool lies_on_device_later(const Body& body, Span name) {
     return std::ranges::find(body.device_variables, name) != body.device_variables.end();
 }
 
+ir::ExprId as_declared(Body& body, ir::ExprId value, Span name) {
+    return lies_on_device_later(body, name) && !is_on_device(body, value) ? on_device(body, value) : value;
+}
+
 void check_variable(Body& body, const ast::Stmt& stmt, ir::ExprId target) {
     ir::Program& p = body.program();
     const ir::LocalId local = p.exprs[target].local;
@@ -89,7 +93,10 @@ void check_variable(Body& body, const ast::Stmt& stmt, ir::ExprId target) {
     }
     const bool is_partial = body.arms.size() > depth;
     if (!was_on_device && (is_partial || is_open(body, value))) {
-        body.device_variables.push_back(p.locals[local].span);
+        Context& c = body.context;
+        if (!lies_on_device_later(body, p.locals[local].span)) body.device_variables.push_back(p.locals[local].span);
+        // Mostly the declaration has reported it.
+        else if (c.diagnostics.error_count() == 0) c.error(Diag::device_value_type, span, {c.text(type)});
         return;
     }
     if (is_partial) {

@@ -22,6 +22,8 @@ void check_variable(Body&, const ast::Stmt&, ir::ExprId target);
 void declare_variable(Body&, ir::LocalId);
 /// Whether an earlier check of this pipeline found that the variable declared at `name` lies on the device.
 bool lies_on_device_later(const Body&, Span name);
+/// The initial value of a variable, brought to the device where an assignment needs the variable there.
+ir::ExprId as_declared(Body&, ir::ExprId value, Span name);
 
 /// Whether the code being checked is in an arm, which must not contain `what`; reports it with the remedy.
 bool is_refused_in_arm(Body&, std::string_view what, Span, std::string remedy);

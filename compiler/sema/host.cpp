@@ -365,8 +365,11 @@ bool check_structure_declaration(Body& body, const ast::Stmt& stmt) {
     if (stmt.is_uninitialized &&
         body.program().structures[body.types()[node.type].index].kind == ir::StructureKind::view)
         c.error(Diag::uninitialized_view, c[stmt.value].span, {c.text(node.type)});
-    ir::LocalId local = declare_local(body, stmt.name, node.type, stmt.binding == ast::Binding::var);
-    if (!made && stmt.binding != ast::Binding::var) body.lets[local] = value;
+    const bool is_mutable = stmt.binding == ast::Binding::var;
+    if (!made) value = as_declared(body, value, stmt.name.span);
+    ir::LocalId local = declare_local(body, stmt.name, body.program().exprs[value].type, is_mutable);
+    if (is_mutable) declare_variable(body, local);
+    if (!made && !is_mutable) body.lets[local] = value;
     if (made) {
         emit_temp(body, local, node.operands, stmt.span);
         body.program().stmts[body.block->back()].uninitialized = stmt.is_uninitialized;

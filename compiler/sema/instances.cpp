@@ -7,6 +7,8 @@
 #include "sema/type_size.h"
 #include "sema/writing.h"
 
+#include <limits>
+
 namespace gliftc::sema {
 
 namespace {
@@ -69,15 +71,17 @@ ir::TypeId make_enum(Context& c, ast::DeclId id) {
     made.span = decl.name.span;
     Env env;
     env.module = made.module;
-    std::uint32_t next = 0;
+    std::uint64_t next = 0;
     for (const ast::Enumerator& enumerator : std::get<ast::Enum>(decl.body).enumerators) {
         if (enumerator.value)
             if (auto value = constant_of(c, env, enumerator.value, c.types().uint))
                 next = static_cast<std::uint32_t>(value->bits());
+        if (next > std::numeric_limits<std::uint32_t>::max())
+            c.error(Diag::number_too_large, enumerator.name.span, {std::to_string(next), "uint"});
         for (Name other : made.enumerators)
             if (other == enumerator.name.name) c.error(Diag::duplicate_name, enumerator.name.span, {c.text(other)});
         made.enumerators.push_back(enumerator.name.name);
-        made.values.push_back(next++);
+        made.values.push_back(static_cast<std::uint32_t>(next++));
     }
     c.program.enums.push_back(std::move(made));
     return c.types().of_enum(static_cast<std::uint32_t>(c.program.enums.size() - 1));
@@ -206,7 +210,6 @@ std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, c
     function.doc = decl.doc;
     function.structures = structures;
     function.result = written.result ? type_of(c, env, written.result) : c.types().void_;
-    if (decl.is_extern) function.extern_name = c.text(decl.name.name);
     function.group = group_of(c, env, written.group);
     Body body{.context = c,
               .env = env,
@@ -227,7 +230,7 @@ std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, c
     check_block(body, written.body);
     close_scope(body);
     if (function.grouped()) cut_after_return(c.program, function.body);
-    bool returns = function.result == c.types().void_ || function.result == c.types().error || decl.is_extern ||
+    bool returns = function.result == c.types().void_ || function.result == c.types().error ||
                    always_returns(c.program, function.body);
     if (!returns && c.diagnostics.error_count() == errors)
         c.error(Diag::missing_return, decl.name.span, {c.text(decl.name.name), c.text(function.result)});

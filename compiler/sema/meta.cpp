@@ -302,6 +302,7 @@ Meta meta_of(Context& c, const Env& env, ast::ExprId id) {
     case ast::ExprKind::index: return meta_of_array(c, env, expr);
     case ast::ExprKind::optional: {
         ir::TypeId element = type_of(c, env, expr.operands[0]);
+        if (is_refused_optional(c, element, "the value of an optional", expr.span)) return {};
         return element == c.types().error ? Meta{} : of_type(c.types().optional(element));
     }
     case ast::ExprKind::member: {

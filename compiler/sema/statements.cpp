@@ -21,8 +21,12 @@ void check_let(Body& body, const ast::Stmt& stmt) {
         value = to_value(body, operand);
         const bool is_device_type = is_on_device(body, value) && body.types()[operand.type].element == wanted;
         if (wanted && !is_device_type) value = coerce(body, value, wanted, c[stmt.value].span);
-        if (lies_on_device_later(body, stmt.name.span) && !is_on_device(body, value)) value = on_device(body, value);
+    } else if (lies_on_device_later(body, stmt.name.span)) {
+        ir::Value zero{wanted, {}};
+        for (std::size_t i = ir::lane_count(body.program(), wanted); i > 0; --i) zero.lanes.push_back({});
+        value = ir::materialize(body.program(), zero, stmt.name.span);
     }
+    if (value) value = as_declared(body, value, stmt.name.span);
     ir::TypeId type = value && (is_on_device(body, value) || !wanted) ? body.program().exprs[value].type
                       : wanted                                        ? wanted
                                                                       : body.types().error;

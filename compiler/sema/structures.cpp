@@ -485,6 +485,8 @@ ir::FunctionId make_at(Context& c, ast::DeclId id, const Env& env, std::uint32_t
 void add_constructor(Context& c, const Env& env, const std::vector<ast::Param>& params, ir::Structure& structure) {
     for (const ast::Param& param : params) {
         ir::TypeId type = type_of(c, env, param);
+        const Span span = param.type ? c[param.type].span : param.name.span;
+        if (is_refused_optional(c, type, "a constructor's argument", span)) type = c.types().error;
         if (c.types().kind(type) == ir::TypeKind::structure) {
             ir::MemberStructure member;
             member.name = param.name.name;
@@ -578,6 +580,8 @@ ir::TypeId make_view(Context& c, ast::DeclId id, const Env& env) {
     add_constructor(c, env, written.constructor, started);
     started.domain_type = type_of(c, env, written.virtual_type);
     started.element = type_of(c, env, written.element_type);
+    if (is_refused_optional(c, started.element, "an element of a view", c[written.element_type].span))
+        started.element = c.types().error;
     bool address = started.domain_type == c.types().error || is_address(c.types(), started.domain_type);
     if (!address) c.error(Diag::address_type, c[written.virtual_type].span, {c.text(started.domain_type)});
     c.program.structures[index] = std::move(started);
@@ -616,6 +620,7 @@ ir::TypeId make_adaptor(Context& c, ast::DeclId id, const Env& env) {
         case ast::ItemKind::member: add_member(body, index, item); break;
         case ast::ItemKind::host: {
             ir::TypeId type = type_of(c, env, item.type);
+            if (is_refused_optional(c, type, "host state", c[item.type].span)) type = c.types().error;
             ir::ExprId initial = item.value ? check_value(body, item.value, type) : ir::ExprId{};
             c.program.structures[index].host.push_back({item.name.name, type, initial});
             break;

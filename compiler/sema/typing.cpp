@@ -96,6 +96,14 @@ bool holds_optional(const ir::Program& program, ir::TypeId id) {
     return std::ranges::any_of(fields, [&](const auto& field) { return holds_optional(program, field.type); });
 }
 
+bool is_refused_optional(Context& c, ir::TypeId type, std::string_view what, Span span) {
+    ir::TypeId element = type;
+    while (c.types().kind(element) == ir::TypeKind::array) element = c.types()[element].element;
+    if (c.types().kind(element) != ir::TypeKind::optional) return false;
+    c.error(Diag::optional_here, span, {what, c.text(type)});
+    return true;
+}
+
 bool becomes(const ir::Types& types, ir::TypeId from, ir::TypeId to) {
     return from == to || (types.kind(to) == ir::TypeKind::optional && becomes(types, from, types[to].element));
 }

@@ -207,6 +207,12 @@ ir::ExprId on_device(Body& body, ir::ExprId id) {
     const Span span = body.program().exprs[id].span;
     body.leaves.clear();
     if (type == body.types().error || type == body.types().void_) return id;
+    const ir::TypeKind kind = body.types().kind(type);
+    if (kind == ir::TypeKind::slice || kind == ir::TypeKind::structure) {
+        note(body.context.error(Diag::device_value_type, span, {body.context.text(type)}), span,
+             "the host chooses structures and their parts: 'await' the condition");
+        return error_value(body, span);
+    }
     if (ir::holds_empty(body.program(), type) || holds_optional(body.program(), type)) {
         note(body.context.error(Diag::device_value_type, span, {body.context.text(type)}), span,
              "memory holds neither optionals nor structs without fields: keep a value and a bool instead");

@@ -183,7 +183,7 @@ struct Function {
     std::vector<MemberPattern> with;
     ExprId result;  ///< or absent
     std::vector<StmtId> body;
-    bool has_body = false;  ///< false: there is `;` instead, as in interfaces and after `extern fn`
+    bool has_body = false;  ///< false: there is `;` instead, as in interfaces
 };
 
 struct Field {

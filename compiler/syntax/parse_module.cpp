@@ -119,6 +119,7 @@ ast::DeclId Parser::parse_declaration() {
     decl.attributes = parse_attributes();
     decl.is_pub = accept(TokenKind::kw_pub);
     decl.is_extern = accept(TokenKind::kw_extern);
+    if (decl.is_extern && !at(TokenKind::kw_struct)) fail_expected("'struct'");
     if (lost_) return {};
     parse_declaration_body(decl);
     if (std::holds_alternative<std::monostate>(decl.body)) return {};

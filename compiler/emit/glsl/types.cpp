@@ -1,5 +1,6 @@
 // Types and literals.
 #include "emit/glsl/printer.h"
+#include "ir/evaluate.h"
 #include "layout/layout.h"
 
 #include <algorithm>
@@ -142,7 +143,8 @@ std::string padding_values(const Printer& p, TypeId type) {
 }
 
 std::string optional_name(Printer& p, TypeId type) {
-    std::string inside = type_text(p, p.program.types[type].element);
+    const ir::TypeId element = p.program.types[type].element;
+    const std::string inside = is_empty(p.program, element) ? ir::to_text(p.program, element) : type_text(p, element);
     return "optional_" + identifier(inside);
 }
 

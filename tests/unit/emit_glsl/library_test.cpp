@@ -95,6 +95,16 @@ TEST(Library, OfDepths) {
           "result = Depth_read(id.xy);\n");
 }
 
+TEST(Library, OfAViewThatFilters) {
+    const std::vector<std::string> texts =
+        libraries("module own;\nuse std.image;\nstructure Picture = Image<rgba8>;\n"
+                  "pub view Halved(of: Picture) : uint2 -> float4 {\n    domain() { return of.domain() / 2u; }\n"
+                  "    at(p) { return of.sample(2.0 * float2(p) + 1.0); }\n}\n");
+    ASSERT_EQ(texts.size(), 1u);
+    prove(texts[0], "#define HALVED_BINDING 0\nlayout(binding = 7) buffer Out { vec4 result; };\n",
+          "result = Halved_read(id.xy);\n");
+}
+
 // The program's first kernel is a draw, whose parts declare only what they use.
 TEST(Library, BesideADraw) {
     std::string text = library("module own;\nuse std.array;\nuse std.image;\npub structure Line = Array<1, float3>;\n"

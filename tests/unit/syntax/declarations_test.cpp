@@ -22,7 +22,6 @@ TEST(Functions, have_generics_and_results) {
     EXPECT_EQ(
         declarations("pub fn f<N: uint, T: type = float>(a: vec<N, T>, b: T) -> T? { return none; }"),
         "  (pub fn f <N:uint> <T:type = float> ((a (generic vec N T)) (b T)) -> (optional T)\n    (return none))");
-    EXPECT_EQ(declarations("extern fn f(x: float) -> float;"), "  (extern fn f ((x float)) -> float)");
 }
 
 TEST(Statements, are_read) {
