@@ -217,8 +217,8 @@ std::string library_of(const Program& program, const Sources& sources, const Lib
     }
     std::string memories = memories_text(all, macro);
     replace_all(memories, ") buffer ", ") " + macro + "_ACCESS buffer ");
-    replace_all(memories, ") uniform ", ") uniform " + macro + "_ACCESS ");
-    replace_all(memories, macro + "_ACCESS sampler", "sampler");
+    for (const std::string kind : {"image", "iimage", "uimage"})  // GLSL's samplers take no access
+        replace_all(memories, ") uniform " + kind, ") uniform " + macro + "_ACCESS " + kind);
     const std::string state = state_text(all, name, macro), helpers = helpers_text(all), structs = structs_text(all);
     const std::string macros = state.empty() && memories.empty() ? "" : macros_text(macro, !memories.empty());
     return heading(program, sources, library.structure, macro) +

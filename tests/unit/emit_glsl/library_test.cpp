@@ -105,6 +105,15 @@ TEST(Library, OfAViewThatFilters) {
           "result = Halved_read(id.xy);\n");
 }
 
+TEST(Library, OfAViewOfIntegers) {
+    const std::vector<std::string> texts =
+        libraries("module own;\nuse std.image;\nstructure Counts = Image<uint>;\n"
+                  "pub view Doubled(of: Counts) : uint2 -> uint {\n    domain() { return of.domain(); }\n"
+                  "    at(p) { return 2u * of[p]; }\n}\n");
+    ASSERT_EQ(texts.size(), 1u);
+    prove(texts[0], "#define DOUBLED_BINDING 0\n#define DOUBLED_READONLY\n", "if (Doubled_read(id.xy) > 1u) return;\n");
+}
+
 // The program's first kernel is a draw, whose parts declare only what they use.
 TEST(Library, BesideADraw) {
     std::string text = library("module own;\nuse std.array;\nuse std.image;\npub structure Line = Array<1, float3>;\n"
