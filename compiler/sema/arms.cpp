@@ -74,6 +74,8 @@ bool lies_on_device_later(const Body& body, Span name) {
     return std::ranges::find(body.device_variables, name) != body.device_variables.end();
 }
 
+bool is_of_innermost_arm(const Body& body, ir::LocalId local) { return depth_of(body, local) == body.arms.size(); }
+
 ir::ExprId as_declared(Body& body, ir::ExprId value, Span name) {
     return lies_on_device_later(body, name) && !is_on_device(body, value) ? on_device(body, value) : value;
 }

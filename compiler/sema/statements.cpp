@@ -115,6 +115,10 @@ void check_assign(Body& body, const ast::Stmt& stmt) {
     }
     if (body.kind == BodyKind::pipeline && body.program().exprs[target].op == ir::Op::local)
         return check_variable(body, stmt, target);
+    // The host goes through the arm in any case: only whole variables keep their values where it does not run.
+    if (body.kind == BodyKind::pipeline && !is_of_innermost_arm(body, root->local) &&
+        is_refused_in_arm(body, "a change of a part of a variable", stmt.span, "assign the whole variable"))
+        return;
     const ir::Expr& node = body.program().exprs[target];
     if (node.op == ir::Op::swizzle && repeats_lane(node, body.types().components(node.type))) {
         c.error(Diag::repeated_component, c[stmt.target].span);
