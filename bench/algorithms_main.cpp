@@ -43,13 +43,15 @@ void run(const Options& options) {
 int main(int count, char** arguments) {
     CLI::App app("stdlib/algorithms on one device, by its clock");
     Options options;
-    app.add_option("--device", options.device, "as Device::open takes it");
-    app.add_option("--log2", options.log2, "sizes")->delimiter(',')->check(CLI::Range(0u, 30u));
+    app.add_option("--device", options.device, "host, gpu, lavapipe or a part of a device's name");
+    app.add_option("--log2", options.log2, "base-2 logarithms of the numbers of elements")
+        ->delimiter(',')
+        ->check(CLI::Range(0u, 30u));
     app.add_option("--systems", options.systems, "so many tridiagonal systems of so many unknowns")->delimiter(',');
-    app.add_option("--only", options.only, "one algorithm");
-    app.add_option("--runs", options.runs, "of which the median is taken")->check(CLI::PositiveNumber);
-    app.add_option("--seconds", options.seconds, "of a run");
-    app.add_option("--json", options.json, "where the figures go");
+    app.add_option("--only", options.only, "the name of an algorithm; no others are timed");
+    app.add_option("--runs", options.runs, "number of timed runs; the median is reported")->check(CLI::PositiveNumber);
+    app.add_option("--seconds", options.seconds, "how long a run takes at least");
+    app.add_option("--json", options.json, "file to write the results to");
     CLI11_PARSE(app, count, arguments);
     try {
         run(options);

@@ -89,7 +89,8 @@ Expected expected_of(const Words& x) {
 
 void require(bool holds, const char* what, std::uint32_t count) {
     if (!holds)
-        throw std::runtime_error(std::string(what) + ": wrong result of " + std::to_string(count) + " elements");
+        throw std::runtime_error(std::string(what) + ": wrong result for " + std::to_string(count) +
+                                 " elements as input");
 }
 
 void check_device(const glift::Device& device, const OnDevice& on, const Words& x, const Expected& expected) {
@@ -146,7 +147,7 @@ void check_host(const Words& x, const Expected& expected) {
     check_sorts(x, expected);
 }
 
-/// Inputs: hashes; numbers that are all selected; numbers of which none is selected; keys many of which are equal.
+/// Inputs: hashes; multiples of 8 only, which compaction keeps; no multiples of 8; keys many of which are equal.
 std::vector<Words> inputs_of(std::uint32_t count) {
     Words all = bench::hashed(count), none = all, equal = all;
     for (std::uint32_t& value : all) value &= ~7u;
@@ -199,7 +200,7 @@ void check(const glift::Device& device) {
 /// What a row of results is about: names, as in bench_algorithms, and traffic.
 struct What {
     const char *by, *algorithm, *variant;
-    std::uint64_t bytes;  ///< least traffic per element
+    std::uint64_t bytes;  ///< traffic per element, counted as in algorithm_cases.h
 };
 
 constexpr double seconds_of_a_run = 0.005;
@@ -287,14 +288,16 @@ void run(const Options& options) {
 int main(int count, char** arguments) {
     CLI::App app("the hand-written rivals of stdlib/algorithms: checked, and timed");
     Options options;
-    app.add_option("--device", options.device, "as Device::open takes it: what runs the twins in GLSL");
-    app.add_option("--log2", options.log2, "sizes of the twins in GLSL")->delimiter(',')->check(CLI::Range(0u, 28u));
-    app.add_option("--host-log2", options.host_log2, "sizes of those in C++")
+    app.add_option("--device", options.device, "device of the GLSL versions: gpu, lavapipe or a part of its name");
+    app.add_option("--log2", options.log2, "base-2 logarithms of the numbers of elements, GLSL")
         ->delimiter(',')
         ->check(CLI::Range(0u, 28u));
-    app.add_option("--runs", options.runs, "of which the median is taken")->check(CLI::PositiveNumber);
-    app.add_flag("--unchecked", options.unchecked, "another run has checked the results");
-    app.add_option("--json", options.json, "where the figures go");
+    app.add_option("--host-log2", options.host_log2, "base-2 logarithms of the numbers of elements, C++")
+        ->delimiter(',')
+        ->check(CLI::Range(0u, 28u));
+    app.add_option("--runs", options.runs, "number of timed runs; the median is reported")->check(CLI::PositiveNumber);
+    app.add_flag("--unchecked", options.unchecked, "only time, do not check the results");
+    app.add_option("--json", options.json, "file to write the results to");
     CLI11_PARSE(app, count, arguments);
     try {
         run(options);

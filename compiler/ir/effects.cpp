@@ -78,4 +78,15 @@ const Translator* many_to_one_stage(const Program& program, std::uint32_t struct
     }
 }
 
+bool has_depth_format(const Structure& structure) {
+    return structure.kind == StructureKind::stored && !structure.memories.empty() &&
+           structure.memories[structure.via_memory].format == Format::d32;
+}
+
+bool is_written_in_boxes(const Program& program, std::uint32_t structure) {
+    const Structure& written = program.structures[structure];
+    return written.kind == StructureKind::stored && !many_to_one_stage(program, structure) &&
+           !has_depth_format(written);
+}
+
 }  // namespace gliftc::ir

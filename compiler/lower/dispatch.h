@@ -9,7 +9,7 @@ namespace gliftc::lower {
 /// its workgroup memory. Makes the locals `address` and `in_range`, except for draws. Called before the body is made.
 void choose_dispatch(Context& cx);
 
-/// The condition that in_range stands for.
+/// The condition that in_range stands for: address < size along every axis. Needs cx.size to be set.
 ExprId in_range_condition(Context& cx);
 
 /// Statements that declare `address` and `in_range` from the shader's built-in inputs. Needs cx.size to be set.

@@ -19,10 +19,15 @@ public:
         for (StmtId id : body) {
             const Stmt& stmt = cx.p.stmts[id];
             values_.has(stmt);
-            if (stmt.op == StmtOp::block && are_of_block(stmt.body)) statements_.insert(id);
+            if (stmt.op == StmtOp::block && are_of_block(stmt.body)) statements_.push_back(id);
         }
-        for (StmtId id : body)
-            if (!statements_.contains(id)) note_assigned(id);
+        for (StmtId id : body) {
+            const Stmt& stmt = cx.p.stmts[id];
+            // Its declaration, which gives a value, stays; so what assigns the array stays, too.
+            if (stmt.op == StmtOp::let && !stmt.uninitialized) others_.insert(stmt.local);
+            if (!fills(id)) note_assigned(id);
+        }
+        while (leave_out_others()) {}
     }
 
     /// Whether the statement declares such an array, or is a compound statement that fills only such arrays.
@@ -30,18 +35,33 @@ public:
         const Stmt& stmt = cx.p.stmts[id];
         if (stmt.op == StmtOp::let)
             return stmt.uninitialized && filled_.contains(stmt.local) && !others_.contains(stmt.local);
-        bool has = statements_.contains(id);
-        for_each_statement(cx.p, stmt.body, [&](const Stmt& inner) {
-            has = has && (inner.op != StmtOp::assign || !others_.contains(place_of(cx.p, inner.target).local));
-        });
-        return has;
+        return fills(id);
     }
 
 private:
+    bool fills(StmtId id) const { return std::ranges::find(statements_, id) != statements_.end(); }
+
     void note_assigned(StmtId id) {
         for_each_statement(cx.p, {id}, [&](const Stmt& stmt) {
             if (stmt.op == StmtOp::assign) others_.insert(place_of(cx.p, stmt.target).local);
         });
+    }
+
+    /// Leaves out a compound statement that assigns an array of others_, and with it all arrays that it assigns; false
+    /// if there is none.
+    bool leave_out_others() {
+        const auto found = std::ranges::find_if(statements_, [&](StmtId id) {
+            bool assigns_other = false;
+            for_each_statement(cx.p, {id}, [&](const Stmt& stmt) {
+                assigns_other =
+                    assigns_other || (stmt.op == StmtOp::assign && others_.contains(place_of(cx.p, stmt.target).local));
+            });
+            return assigns_other;
+        });
+        if (found == statements_.end()) return false;
+        note_assigned(*found);
+        statements_.erase(found);
+        return true;
     }
 
     bool are_of_block(const std::vector<StmtId>& body) {
@@ -65,8 +85,8 @@ private:
 
     Context& cx;
     BlockValues values_;
-    IdSet<Stmt> statements_;
-    IdSet<Local> filled_, others_;
+    std::vector<StmtId> statements_;  ///< compound statements that fill only such arrays
+    IdSet<Local> filled_, others_;    ///< arrays assigned in such a statement; arrays that stay
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ using namespace ir;
 
 namespace {
 
-/// What happens to a number beyond 2^64 - 1: it wraps around, or it stays at 2^64 - 1.
+/// What happens to a number beyond 2^64 - 1: in copies of translators it wraps around, in extents it stays at 2^64 - 1.
 enum class Overflow : std::uint8_t { wraps, saturates };
 
 /// An expression in the copy: either `narrow`, in its original type, or `wide`, in 64 bits, if a uint in it may exceed
@@ -20,11 +20,19 @@ struct Value {
     ExprId narrow, wide;
 };
 
-/// The 64-bit copy of a function; the function itself if nothing in it is in 64 bits. Its result stays in its original
-/// type if it is narrow at every return.
+/// How a copy holds a local or a function's result: as the original does; in 64 bits; or `exact`, in 64 bits of which
+/// all but sums and the like (Widener::exact) use the low 32.
+enum class Width : std::uint8_t { narrow, exact, wide };
+
+struct Copied {
+    LocalId id;
+    Width width = Width::narrow;
+};
+
+/// The 64-bit copy of a function; the function itself if nothing in it is in 64 bits.
 struct Copy {
     FunctionId id;
-    bool has_wide_result = false;
+    Width result = Width::narrow;
 };
 
 class Widener {
@@ -33,13 +41,12 @@ public:
 
     Value value(ExprId id) { return visit(p.exprs[id]); }
     ExprId widened(const Value& value);
-    /// The copy of a function; parameters marked in wide_params are 64-bit numbers.
-    Copy copied(FunctionId id, std::vector<bool> wide_params);
+    Copy copied(FunctionId id, const std::vector<Width>& params);
 
 private:
     /// The function that is being copied.
     struct Frame {
-        std::unordered_map<LocalId, LocalId> locals;
+        std::unordered_map<LocalId, Copied> locals;
         std::vector<std::pair<StmtId, Value>> returns;
         bool has_wide = false;
     };
@@ -60,6 +67,8 @@ private:
     Value joined(Expr node, const std::vector<Value>& values);
     Value grown(const Expr& node, ExprId a, ExprId b);
     ExprId narrowed(const Value& value);
+    ExprId exact(const Value& value);
+    bool wraps(const Expr& narrow) const;
     ExprId convert(TypeId type, ExprId id);
     ExprId made(Op op, TypeId type, Operands operands);
     ExprId remade(ExprId optional, TypeId type);
@@ -82,8 +91,8 @@ private:
     Program& p;
     Overflow overflow_;
     Frame* frame_ = nullptr;
-    std::map<std::pair<std::uint32_t, std::vector<bool>>, Copy> copies_;
-    std::map<std::pair<std::string, std::uint32_t>, FunctionId> externs_;
+    std::map<std::pair<std::uint32_t, std::vector<Width>>, Copy> copies_;
+    std::map<std::pair<std::string, std::vector<std::uint32_t>>, FunctionId> externs_;  ///< by name and types
 };
 
 /// uint64 for uint, also in vectors and optionals; other types as they are.
@@ -124,7 +133,9 @@ ExprId Widener::remade(ExprId optional, TypeId type) {
 
 /// A call of a C++ function of the runtime, glift::NAME.
 ExprId Widener::called(const char* name, TypeId result, Operands operands) {
-    FunctionId& function = externs_[{name, result.index}];
+    std::vector<std::uint32_t> types{result.index};
+    for (ExprId operand : operands) types.push_back(p.exprs[operand].type.index);
+    FunctionId& function = externs_[{name, std::move(types)}];
     if (!function) {
         Function made;
         made.name = p.names->intern(name);
@@ -156,10 +167,48 @@ ExprId Widener::widened(const Value& value) {
         return add(std::move(node));
     }
     if (p.types.kind(type) == TypeKind::optional) return remade(value.narrow, type);
-    // A converted signed number is sign-extended from its original value, so that adding a negative one is right.
     if (node.op == Op::convert && p.types.is_signed(p.types.scalar_of(p.exprs[node.operands[0]].type)))
         return convert(type, node.operands[0]);
     return convert(type, value.narrow);
+}
+
+/// Whether the 32-bit value has wrapped around at 2^32 where the exact number is negative or has more bits: a signed
+/// number, a complement, in translators also a difference, each also as a part of a vector, in a select, and in a
+/// local, parameter or result of Width::exact.
+bool Widener::wraps(const Expr& narrow) const {
+    const auto operand_wraps = [&](ExprId operand) { return wraps(p.exprs[operand]); };
+    switch (narrow.op) {
+    case Op::convert: {
+        const TypeId from = p.types.scalar_of(p.exprs[narrow.operands[0]].type);
+        return p.types.scalar_of(narrow.type) == p.types.uint && (p.types.is_signed(from) || from == p.types.uint64);
+    }
+    case Op::unary:
+        return p.types.scalar_of(narrow.type) == p.types.uint &&
+               (narrow.unary == UnaryOp::bit_not || overflow_ == Overflow::wraps);
+    case Op::binary:
+        return narrow.binary == BinaryOp::subtract && overflow_ == Overflow::wraps &&
+               p.types.scalar_of(narrow.type) == p.types.uint;
+    case Op::select: return operand_wraps(narrow.operands[1]) || operand_wraps(narrow.operands[2]);
+    case Op::construct: return p.types.is_vector(narrow.type) && std::ranges::any_of(narrow.operands, operand_wraps);
+    case Op::swizzle: return operand_wraps(narrow.operands[0]);
+    default: return false;
+    }
+}
+
+/// The value in 64 bits as an operand of a sum, product, difference, left shift or bitwise operation: x - 1 for x = 0
+/// is 2^64 - 1 there, so that adding it to a 64-bit number subtracts 1.
+ExprId Widener::exact(const Value& value) {
+    if (value.wide || !wraps(p.exprs[value.narrow])) return widened(value);
+    Expr node = p.exprs[value.narrow];
+    if (node.op == Op::convert) {
+        const ExprId from = node.operands[0];
+        const bool is_exact = p.types.scalar_of(p.exprs[from].type) == p.types.uint64;
+        return is_exact ? note(from).wide : widened(value);
+    }
+    node.type = wide_type(node.type);
+    for (ExprId& operand : node.operands)
+        if (is_widenable(p.exprs[operand].type)) operand = exact({operand, {}});
+    return add(std::move(node));
 }
 
 /// The value in its original type: the low 32 bits; for extents, unless it is an optional, a call that throws an error
@@ -203,11 +252,15 @@ Value Widener::local(const Expr& node) {
     const auto found = frame_ == nullptr ? decltype(frame_->locals)::iterator{} : frame_->locals.find(node.local);
     if (frame_ == nullptr || found == frame_->locals.end()) return {add(node), {}};
     Expr copy = node;
-    copy.local = found->second;
+    copy.local = found->second.id;
     copy.type = p.locals[copy.local].type;
-    const bool is_wide = copy.type != node.type;
     const ExprId id = add(std::move(copy));
-    return is_wide ? note(id) : Value{id, {}};
+    switch (found->second.width) {
+    case Width::narrow: return {id, {}};
+    case Width::exact: return {convert(node.type, id), {}};
+    case Width::wide: break;
+    }
+    return note(id);
 }
 
 /// The operation on narrow operands.
@@ -248,6 +301,20 @@ Value Widener::unary(Expr node) {
     return joined(std::move(node), {of});
 }
 
+/// Whether the low bits of the result depend on nothing but the low bits of the operands, so that they are right in 64
+/// bits as they are in 32.
+bool is_modular(BinaryOp op) {
+    switch (op) {
+    case BinaryOp::add:
+    case BinaryOp::subtract:
+    case BinaryOp::multiply:
+    case BinaryOp::bit_and:
+    case BinaryOp::bit_or:
+    case BinaryOp::bit_xor: return true;
+    default: return false;
+    }
+}
+
 /// A sum, product or left shift of uints, in 64 bits.
 Value Widener::grown(const Expr& node, ExprId a, ExprId b) {
     const TypeId type = wide_type(node.type);
@@ -269,7 +336,7 @@ Value Widener::binary(Expr node) {
     if (node.binary == BinaryOp::shift_left || node.binary == BinaryOp::shift_right) {
         node.operands[1] = narrowed(b);
         if (node.binary == BinaryOp::shift_left && is_widenable(node.type))
-            return grown(node, widened(a), node.operands[1]);
+            return grown(node, exact(a), node.operands[1]);
         if (!a.wide) {
             node.operands[0] = a.narrow;
             return {add(std::move(node)), {}};
@@ -279,7 +346,8 @@ Value Widener::binary(Expr node) {
         return note(add(std::move(node)));
     }
     const bool grows = node.binary == BinaryOp::add || node.binary == BinaryOp::multiply;
-    if (grows && of_uints && is_widenable(node.type)) return grown(node, widened(a), widened(b));
+    if (grows && of_uints && is_widenable(node.type)) return grown(node, exact(a), exact(b));
+    if (is_modular(node.binary) && (a.wide || b.wide)) return joined(std::move(node), {{{}, exact(a)}, {{}, exact(b)}});
     return joined(std::move(node), {a, b});
 }
 
@@ -295,23 +363,23 @@ Value Widener::part(Expr node) {
 
 Value Widener::call(Expr node) {
     if (!p.functions[node.function].extern_name.empty()) return rebuilt(std::move(node));
-    std::vector<Value> values;
-    std::vector<bool> wide;
-    for (ExprId operand : node.operands) {
-        values.push_back(value(operand));
-        wide.push_back(static_cast<bool>(values.back().wide));
+    std::vector<Width> widths;
+    for (ExprId& operand : node.operands) {
+        const Value argument = value(operand);
+        widths.push_back(argument.wide ? Width::wide : wraps(p.exprs[argument.narrow]) ? Width::exact : Width::narrow);
+        operand = widths.back() == Width::narrow ? argument.narrow : exact(argument);
     }
-    const Copy copy = copied(node.function, std::move(wide));
+    const Copy copy = copied(node.function, widths);
     node.function = copy.id;
-    for (std::size_t i = 0; i < values.size(); ++i)
-        node.operands[i] = values[i].wide ? values[i].wide : values[i].narrow;
-    if (copy.has_wide_result) node.type = wide_type(node.type);
+    const TypeId type = node.type;
+    if (copy.result != Width::narrow) node.type = wide_type(type);
     const ExprId id = add(std::move(node));
-    return copy.has_wide_result ? note(id) : Value{id, {}};
+    if (copy.result == Width::exact) return {convert(type, id), {}};
+    return copy.result == Width::wide ? note(id) : Value{id, {}};
 }
 
-/// Intrinsics: those that mean the same in any width may be on 64-bit operands, in extents findMSB, too; others get 32
-/// bits.
+/// Intrinsics that mean the same in any width take 64-bit operands, in extents findMSB does, too; the operands of
+/// others are narrowed to 32 bits.
 Value Widener::intrinsic(Expr node) {
     switch (node.intrinsic) {
     case Intrinsic::min:
@@ -367,12 +435,17 @@ void Widener::declare(const Stmt& stmt, Stmt& made) {
     Local copy = before;
     Value init;
     if (stmt.value) init = value(stmt.value);
-    // A mutable local may be assigned a wide value later.
-    const bool is_wide = stmt.op == StmtOp::let && is_widenable(before.type) && (before.is_mutable || init.wide);
-    if (is_wide) copy.type = wide_type(before.type);
+    Width width = Width::narrow;
+    if (stmt.op == StmtOp::let && is_widenable(before.type)) {
+        // A mutable local may be assigned a wide value later.
+        if (before.is_mutable || init.wide) width = Width::wide;
+        else if (stmt.value && wraps(p.exprs[init.narrow])) width = Width::exact;
+    }
+    if (width != Width::narrow) copy.type = wide_type(before.type);
     made.local = p.locals.add(std::move(copy));
-    frame_->locals[stmt.local] = made.local;
-    if (stmt.value) made.value = is_wide ? widened(init) : narrowed(init);
+    frame_->locals[stmt.local] = {made.local, width};
+    if (!stmt.value) return;
+    made.value = width == Width::narrow ? narrowed(init) : width == Width::exact ? exact(init) : widened(init);
 }
 
 void Widener::rewrite(const Stmt& stmt, Stmt& made) {
@@ -415,8 +488,9 @@ std::vector<StmtId> Widener::body(const std::vector<StmtId>& statements) {
     return result;
 }
 
-Copy Widener::copied(FunctionId id, std::vector<bool> wide_params) {
-    const auto key = std::pair(id.index, wide_params);
+/// The copy of a function whose parameters have these widths.
+Copy Widener::copied(FunctionId id, const std::vector<Width>& params) {
+    const auto key = std::pair(id.index, params);
     if (const auto found = copies_.find(key); found != copies_.end()) return found->second;
     const Function original = p.functions[id];
     Function made = original;
@@ -424,21 +498,31 @@ Copy Widener::copied(FunctionId id, std::vector<bool> wide_params) {
     Frame* const outer = std::exchange(frame_, &frame);
     for (std::size_t i = 0; i < made.params.size(); ++i) {
         Local param = p.locals[original.params[i]];
-        if (wide_params[i]) param.type = wide_type(param.type);
+        if (params[i] != Width::narrow) {
+            param.type = wide_type(param.type);
+            frame.has_wide = true;
+        }
         made.params[i] = p.locals.add(std::move(param));
-        frame.locals[original.params[i]] = made.params[i];
+        frame.locals[original.params[i]] = {made.params[i], params[i]};
     }
     made.body = body(original.body);
     Copy result;
-    for (const auto& [stmt, returned] : frame.returns) result.has_wide_result |= static_cast<bool>(returned.wide);
+    for (const auto& [stmt, returned] : frame.returns) {
+        if (returned.wide) result.result = Width::wide;
+        // What a translator as a whole gives is an address: nothing is added to it.
+        else if (outer != nullptr && result.result == Width::narrow && wraps(p.exprs[returned.narrow]))
+            result.result = Width::exact;
+    }
     for (const auto& [stmt, returned] : frame.returns)
-        p.stmts[stmt].value = result.has_wide_result ? widened(returned) : narrowed(returned);
+        p.stmts[stmt].value = result.result == Width::narrow  ? narrowed(returned)
+                              : result.result == Width::exact ? exact(returned)
+                                                              : widened(returned);
     frame_ = outer;
-    if (!frame.has_wide) {
+    if (!frame.has_wide && result.result == Width::narrow) {
         result.id = id;
         return copies_[key] = result;
     }
-    if (result.has_wide_result) made.result = wide_type(original.result);
+    if (result.result != Width::narrow) made.result = wide_type(original.result);
     made.name = p.names->intern((*p.names)[original.name] + "_64");
     made.display += " in 64 bits";
     result.id = p.functions.add(std::move(made));
@@ -467,9 +551,9 @@ void widen_translators(Program& program) {
     Widener widener(program, Overflow::wraps);
     for (Translator& translator : program.translators) {
         if (translator.physical_type != program.types.uint || !translator.translate) continue;
-        translator.wide = widener.copied(translator.translate, {false}).id;
+        translator.wide = widener.copied(translator.translate, {Width::narrow}).id;
         if (translator.virtual_type == program.types.uint)
-            translator.wide_of_wide = widener.copied(translator.translate, {true}).id;
+            translator.wide_of_wide = widener.copied(translator.translate, {Width::wide}).id;
     }
 }
 

@@ -135,7 +135,6 @@ struct Body {
     };
     std::vector<Replacement> replacements;  ///< pipelines: all such statements (sema/replace.h)
     unsigned values = 0;                    ///< pipelines: how many passes that compute values have been made
-    bool allow_await = false;
 
     bool grouped() const { return group[0] != 0; }
     bool is_coherent(const ir::Place& place) const { return std::ranges::find(coherent, place) != coherent.end(); }

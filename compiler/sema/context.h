@@ -65,7 +65,6 @@ struct ModuleScope {
 struct Instance {
     enum class State : std::uint8_t { in_progress, done, failed } state = State::in_progress;
     std::uint32_t index = 0;
-    std::vector<std::uint32_t> stages;  ///< not used
     ir::TypeId type;
 };
 
@@ -101,7 +100,6 @@ struct Context {
     std::unordered_map<std::uint32_t, std::vector<Meta>> struct_arguments;
     std::unordered_map<std::uint32_t, std::vector<Meta>> translator_arguments;
     std::unordered_map<std::uint32_t, ast::DeclId> struct_decl;
-    std::vector<ast::DeclId> used_imports;
 
     ir::Types& types() { return program.types; }
     const std::string& text(Name name) const { return names[name]; }

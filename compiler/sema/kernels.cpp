@@ -77,7 +77,7 @@ void check_exclusive(Context& c, const ast::Param& param, const ir::KernelParam&
 /// Reports a parameter other than a target that writes a structure of a depth format: devices cannot.
 void check_depth_written(Context& c, const ast::Param& param, const ir::KernelParam& made) {
     if (made.direction == ir::Direction::in || made.pattern == ir::Pattern::target) return;
-    if (!has_depth_format(c.program.structures[made.structure])) return;
+    if (!ir::has_depth_format(c.program.structures[made.structure])) return;
     note(c.error(Diag::depth_written, param.name.span, {c.text(param.name.name)}), param.name.span,
          "a raster writes depths, to an 'inout target<S, always>' for instance; clear_depth of std.image fills all");
 }

@@ -219,11 +219,6 @@ void check_part(Body& body, ir::Part part, const std::vector<ast::StmtId>& writt
 
 }  // namespace
 
-bool has_depth_format(const ir::Structure& structure) {
-    return structure.kind == ir::StructureKind::stored && !structure.memories.empty() &&
-           structure.memories[structure.via_memory].format == ir::Format::d32;
-}
-
 bool is_at_home(Context& c, const ast::Param& param, ir::Pattern pattern, bool in_raster) {
     const bool of_draws = pattern == ir::Pattern::target || pattern == ir::Pattern::instance;
     if (in_raster ? pattern != ir::Pattern::near : !of_draws) return true;
@@ -244,7 +239,7 @@ void add_target(Body& body, const ast::Param& param, const ir::KernelParam& made
     }
     if (param.extra.size() > 1) c.error(Diag::pattern_arguments, c[param.extra[1]].span);
     const ir::LocalId value = add_local(c.program, param.name.name, structure.element, param.name.span, true);
-    if (has_depth_format(structure)) add_depth(body, param, made, index, value);
+    if (ir::has_depth_format(structure)) add_depth(body, param, made, index, value);
     else add_colour(body, param, made, structure, index, value);
 }
 

@@ -18,9 +18,6 @@ bool is_at_home(Context&, const ast::Param&, ir::Pattern, bool in_raster);
 /// parameters are in scope.
 void check_raster(Body&, const ast::Kernel& written);
 
-/// Whether the structure's own memory has the format d32.
-bool has_depth_format(const ir::Structure&);
-
 /// Reports what some path through a part leaves unassigned (the corner's place, varyings, clip distances; colour
 /// targets, but for paths that discard), and a corner that is placed twice on a path, or in a loop.
 void check_assigned(Context&, const ir::Kernel&);

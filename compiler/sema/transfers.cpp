@@ -104,10 +104,7 @@ void require_transfers(Context& c, std::uint32_t index, Span use) {
     if (!read) return;
     constexpr std::uint32_t none = 0xffffffffu;
     std::uint32_t write = none, fill = none;
-    // With a many-to-one translator, several elements of a box may lie at one physical address: only kernels write
-    // there, by scatter or coherent access. Depths are written by draws alone.
-    const bool is_written = !ir::many_to_one_stage(c.program, index) && !has_depth_format(structure);
-    if (structure.kind == ir::StructureKind::stored && is_written) {
+    if (ir::is_written_in_boxes(c.program, index)) {
         Meta element;
         element.kind = MetaKind::type;
         element.type = structure.element;

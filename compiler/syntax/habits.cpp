@@ -155,11 +155,8 @@ std::string hint_for_directive(std::string_view word) {
 const Token& Parser::head() const {
     using enum TokenKind;
     std::uint32_t at = cursor_;
-    int closed = 0;
     while (at > 0) {
         const TokenKind before = tokens_[at - 1].kind;
-        if (before == close_paren || before == close_bracket) ++closed;
-        if (before == open_paren || before == open_bracket) --closed;
         if (before == semicolon || before == open_brace || before == close_brace) break;
         --at;
     }

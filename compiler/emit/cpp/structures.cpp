@@ -2,6 +2,7 @@
 #include "emit/cpp/translators.h"
 #include "emit/cpp/unit.h"
 #include "ir/chain.h"
+#include "ir/effects.h"
 
 #include <algorithm>
 
@@ -49,8 +50,8 @@ std::string base_of(const Unit& unit, std::uint32_t index) {
     return "";
 }
 
-/// Whether boxes of the structure can be copied to the host, and back if it is stored. Every definition of the class
-/// declares the functions for that; modules whose code may copy boxes define them (Reach::moved).
+/// Whether boxes of the structure can be copied to the host, and back if ir::is_written_in_boxes. Every definition of
+/// the class declares the functions for that; modules whose code may copy boxes define them (Reach::moved).
 bool has_transfers(const Structure& structure) {
     return structure.kind == StructureKind::stored || (structure.kind == StructureKind::view && structure.domain);
 }
@@ -66,7 +67,7 @@ std::string extent_type(const Unit& unit, const ir::Memory& memory, bool qualifi
 
 /// A number that is computed in 64 bits, as one of 32 bits; `what` names it in the error if it is too large.
 std::string fitted(Printer& p, ir::ExprId id, const std::string& what) {
-    return "glift::fitted(" + print_any(p, id) + ", \"" + what + "\")";
+    return "glift::fitted(" + print_any(p, id) + ", " + quoted(what) + ")";
 }
 
 bool is_exact(const Unit& unit, ir::ExprId id) {
@@ -79,12 +80,13 @@ std::string extent_value(Unit& unit, Printer& p, const std::string& owner, const
     return fitted(p, memory.extent, owner + "." + unit.name(memory.name));
 }
 
-/// Whether a member is the structure's memory, or shared with other structures: then programs write to it, too.
+/// Whether a member has an accessor that is not const, too: it is the structure's memory, or contains it, or other
+/// structures share it.
 bool is_written_as(const Structure& structure, std::size_t member) {
     return structure.members[member].by_reference || (!structure.base.empty() && structure.base[0] == member);
 }
 
-/// The accessors of the memory, if that is a structure with another name than the member's.
+/// The accessors of a memory that is a member with another name: `memory frames = pool;`.
 void print_base(const Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
     if (names.base.empty()) return;
     const Structure& structure = unit.program.structures[index];
@@ -254,13 +256,9 @@ std::string adopted_part(Unit& unit, Printer& p, std::uint32_t index, std::size_
     const ir::MemberStructure& member = unit.program.structures[index].members[i];
     const ClassNames& made = unit.globals.class_names[member.structure];
     std::string alike;
-    std::size_t value = 0;
-    for (std::size_t k = 0; k < member.arguments.size(); ++k) {
-        const ir::TypeId type = unit.program.exprs[member.arguments[k]].type;
-        if (unit.program.types.kind(type) == ir::TypeKind::structure) continue;
-        alike += (alike.empty() ? "" : " && ") + names.members[i] + "." + made.arguments[value++] + "() == " +
+    for (std::size_t k = 0; k < member.arguments.size(); ++k)
+        alike += (alike.empty() ? "" : " && ") + names.members[i] + "." + made.arguments[k] + "() == " +
                  argument_of_part(unit, p, member, k, unit.program.structures[index].display + "." + names.members[i]);
-    }
     return "glift::detail::part(std::move(" + names.members[i] + "), " + (alike.empty() ? "true" : alike) + ", " +
            quoted(unit.program.structures[index].display + "." + names.members[i]) + ")";
 }
@@ -279,12 +277,12 @@ void print_constructors(Unit& unit, Writer& out, std::uint32_t index, const Clas
             const ir::MemberStructure& member = structure.members[i];
             const std::string value = member.by_reference ? names.members[i]
                                       : adopts            ? adopted_part(unit, p, index, i, names)
-                                                          : member_value(unit, p, type, member);
+                                                          : member_value(unit, p, structure.display, member);
             initialisers.push_back(names.member_fields[i] + "(" + value + ")");
         }
         for (std::size_t i = 0; i < structure.memories.size(); ++i) {
-            initialisers.push_back(names.extent_fields[i] + "(" + extent_value(unit, p, type, structure.memories[i]) +
-                                   ")");
+            initialisers.push_back(names.extent_fields[i] + "(" +
+                                   extent_value(unit, p, structure.display, structure.memories[i]) + ")");
             initialisers.push_back(names.memory_fields[i] + "(" + memory_value(unit, p, index, i, names, adopts) + ")");
         }
         for (std::size_t i = 0; i < structure.host.size(); ++i) {
@@ -389,11 +387,11 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index) {
     out.line("/// Whether both were made with equal arguments; kernels may then use the sizes of one for both.");
     out.line("bool same_state(const " + type + "& other) const;");
     if (has_transfers(structure)) {
-        const bool is_written = structure.kind == StructureKind::stored;
+        const bool is_written = ir::is_written_in_boxes(unit.program, index);
         out.gap();
         if (is_written) {
             const std::string element = unit.type(structure.element, true);
-            out.line("/// Gives every element, or those of a box, one value.");
+            out.line("/// Gives every element, or those of a box, the same value.");
             out.line("void fill(" + element + " value);");
             out.line("void fill(" + element + " value, const glift::Range<" + type + ">& range);");
         }

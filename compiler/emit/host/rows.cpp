@@ -420,7 +420,7 @@ std::string row_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::s
     const ir::Kernel& kernel = globals.program.kernels[pass.kernel];
     cpp::Writer out;
     out.reserve(text.size() + text.size() / 4);
-    out.line("// " + cpp::place_text(globals.sources, kernel.span) + ": runs " + kernel.display +
+    out.line("// " + cpp::place_text(globals.sources, kernel.span) + ": runs kernel " + kernel.display +
              " for the given rows.");
     out.line("GLIFT_HOST_KERNEL");
     out.open("static void " + name + "_rows(const glift::HostCall& call, const glift::host::Rows& rows)");

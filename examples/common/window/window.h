@@ -2,9 +2,9 @@
 // it, and gives input events. Programs that open no window need no display.
 //
 //     window::Window window("title", {960, 640});
-//     const structures(window.device(), …);
+//     shown::Shown shown(window.device(), {960, 640});  // of module shown.glift
 //     while (window.next()) {
-//         … window.events(), ImGui::SliderFloat(…), passes on window.device() …
+//         … window.events(), ImGui::SliderFloat(…), passes that write `shown` …
 //         window.show(shown.data());
 //     }
 #pragma once
@@ -22,9 +22,9 @@ namespace window {
 
 class Window {
 public:
-    /// Opens a window of this size in pixels, and the device that the environment variable GLIFT_DEVICE names, with the
-    /// Vulkan extensions that a window needs. Throws glift::Error: no_device if there is no display, missing_feature if
-    /// the device cannot show pictures there.
+    /// Opens a window of this size in pixels, and the Vulkan device that GLIFT_DEVICE names (unset: the best one), with
+    /// the extensions that a window needs. Throws glift::Error: no_device if there is no display, wrong_argument if
+    /// GLIFT_DEVICE is `host`, missing_feature if the device cannot show pictures there.
     Window(const std::string& title, glift::uint2 size);
     ~Window();
     Window(const Window&) = delete;
@@ -35,7 +35,7 @@ public:
     /// Begins the next frame, after which ImGui functions may be called; false once the window is to be closed. `next`
     /// is for pictures that move: it does not wait for events. `next_event` waits for one, a tenth of a second at most,
     /// and not at all in the three frames after an event, in which ImGui still reacts to it. Both throw glift::Error if
-    /// the connection to the display is lost or the validation layer has reported an error.
+    /// the connection to the display is lost or the validation layer has reported an error or a warning.
     bool next();
     bool next_event();
     void close();  ///< makes the next `next` or `next_event` return false

@@ -1,7 +1,6 @@
-// Quadtrees with the policy evict_coarsen: random requests and dismissals, most of them of pages near to each other and
-// many more than fit from time to time, compared after each change with a model that has no frames or tables: which
-// pages are there and in which frames, the counts, all values, and samples where coarser pages stand for what was asked
-// for.
+// Quadtrees with the policy evict_coarsen. After random requests and dismissals, at times of many more pages than fit,
+// they are compared with a model on the host (maps and sets of pages: model.h, tree_model.h): which pages are resident
+// and in which frames, the counts, all values, and samples, also where a coarser page stands for the requested one.
 #include "model.h"
 #include "property.h"
 #include "tree_model.h"
@@ -22,8 +21,8 @@ GLIFT_PROPERTY_SUITE(EvictCoarsen);
 
 constexpr Number cells = 4, nodes = cells + 1;
 
-/// For values from -1 to 1. Points are chosen so that the weights of a linear filter are multiples of 1/256, which all
-/// devices have.
+/// For values from -1 to 1. Points are chosen so that the weights of a linear filter are multiples of 1/256: exact on
+/// devices with 8 bits of sub-texel precision, as the tested ones have.
 constexpr double bound = 1e-4;
 
 using Texels = std::array<double, nodes * nodes>;
@@ -36,7 +35,7 @@ public:
 
     std::map<Number, Texels> values;  ///< by the pages' numbers
 
-    /// The page of a level that contains a point, which is counted in nodes of level 0, from node 0 on.
+    /// The page of a level that contains a point. Coordinates are in cells of level 0; node 0 lies at 0.
     Page page_at(const Point& x, Number level) const {
         Page page{level, {}};
         for (int axis = 0; axis < 2; ++axis)
@@ -101,13 +100,14 @@ private:
         return made;
     }
 
-    /// Pages of all levels, most of the finest, of which those near to each other are asked for together.
+    /// Up to `most` random pages: two of three of the finest level, near to each other along x; the others of any
+    /// level.
     std::vector<Number> some_pages(Number most) {
         std::vector<Number> numbers(round_.below(most + 1));
         const Number around = round_.below(there_.count());
         for (Number& number : numbers) {
             const Number level = round_.chance(3) ? round_.below(levels_) : 0, along = there_.along(level);
-            const Number first = level == 0 && along > 1 ? around % along : 0, spread = std::max(1U, along / 2);
+            const Number first = level == 0 ? around % along : 0, spread = level == 0 ? std::max(1U, along / 2) : along;
             number = there_.number_of({level, {(first + round_.below(spread)) % along, round_.below(along)}});
         }
         return numbers;
@@ -165,8 +165,9 @@ private:
         const auto status = tree_.status(device_);
         const model::Status found{status.requested, status.granted, status.refused, status.resident, status.capacity};
         if (!(found == pages_.status())) return round_.wrong("status");
-        // What the policy says whatever the model does: what was asked for is there, or coarser pages are.
-        if (status.refused != 0 || status.resident > capacity_) return round_.wrong("what is there");
+        // Independent of the model: the policy refuses nothing, and no more pages are resident than there are frames.
+        if (status.refused != 0 || status.resident > capacity_)
+            return round_.wrong("a request was refused, or more pages are resident than fit");
         const auto missing = std::ranges::count_if(asked_, [&](Number page) { return !there_.values.contains(page); });
         if (tree_.coarsened(device_) != missing) return round_.wrong("coarsened");
         if (missing != 0 && asked_.size() <= capacity_) return round_.wrong("coarser though there was room");
