@@ -133,6 +133,7 @@ ir::ExprId index_value(Body& body, ast::ExprId id) {
 
 Operand index_part(Body& body, ir::ExprId value, const ast::Expr& expr) {
     Context& c = body.context;
+    if (is_error(body, value)) return error_operand(expr.span);
     const ir::Type type = body.types()[body.program().exprs[value].type];
     ir::TypeId part = type.kind == ir::TypeKind::matrix ? body.types().vector(type.element, type.rows) : type.element;
     std::uint32_t count = type.count;

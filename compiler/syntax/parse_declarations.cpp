@@ -13,7 +13,7 @@ std::vector<ast::MemberPattern> Parser::parse_with() {
         made.pattern = pattern_here();
         const bool writes = made.pattern == ast::Pattern::scatter || made.pattern == ast::Pattern::coherent ||
                             made.pattern == ast::Pattern::calls;
-        if (!writes) {
+        if (!writes || peek(1).kind != TokenKind::less) {
             fail_expected("'scatter<member>', 'coherent<member>' or 'calls<member>'");
             return patterns;
         }

@@ -1,6 +1,8 @@
 // Parameters of functions, kernels, pipelines and constructors, with directions and access patterns.
 #include "syntax/parser_state.h"
 
+#include "base/concat.h"
+
 #include <array>
 #include <utility>
 
@@ -70,7 +72,8 @@ ast::Pattern Parser::pattern_here() const {
         {Word::instance, Pattern::instance},
         {Word::range, Pattern::range},
     }};
-    if (peek(1).kind != TokenKind::less) return Pattern::none;
+    // A name may follow, too: parse_pattern reports that.
+    if (peek(1).kind != TokenKind::less && peek(1).kind != TokenKind::identifier) return Pattern::none;
     for (auto [word, pattern] : patterns)
         if (at_word(word)) return pattern;
     return Pattern::none;
@@ -79,7 +82,10 @@ ast::Pattern Parser::pattern_here() const {
 /// pattern = ( "each" | "near" | "any" | "at" | "scatter" | "coherent" | "calls" | "target" | "instance" | "range" )
 /// "<" generic-argument { "," generic-argument } ">" ;
 void Parser::parse_pattern(ast::Param& param) {
+    const std::string_view word = text_of(peek());
     param.pattern_span = span_of(advance());
+    if (!at(TokenKind::less))
+        return fail_expected("'<'", concat("the structure is written in angle brackets: '", word, "<…>'"));
     std::uint32_t open = cursor_;
     set_role(Role::open_generic);
     advance();
