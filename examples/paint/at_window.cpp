@@ -18,6 +18,8 @@ using window::PointerEvent;
 
 constexpr float radians_a_pixel = 0.008f, steepest = 1.5f;
 
+const ImVec4 red{1, 0.4f, 0.3f, 1};
+
 double now() {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -170,6 +172,7 @@ private:
         ImGui::SetNextWindowPos({10, 10}, ImGuiCond_FirstUseEver);
         ImGui::Begin("Paint", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
         ImGui::PushItemWidth(150);
+        if (!save_error_.empty()) ImGui::TextColored(red, "not saved: %s", save_error_.c_str());
         brush_panel();
         ImGui::Separator();
         bool levels = layers_.levels, borders = layers_.borders, pool = layers_.pool, table = layers_.table;
@@ -217,9 +220,7 @@ private:
         ImGui::Text("history: %zu strokes, %.1f + %.1f MB", history.undoable(), megabytes(history.device_bytes()),
                     megabytes(history.host_bytes()));
         ImGui::Text("%.1f ms a dab", dab_milliseconds_);
-        const ImVec4 red{1, 0.4f, 0.3f, 1};
         if (lost_ != 0) ImGui::TextColored(red, "pool full: %u requests for pages in vain, counted in each dab", lost_);
-        if (!save_error_.empty()) ImGui::TextColored(red, "not saved: %s", save_error_.c_str());
         ImGui::TextUnformatted("left: paint  right: turn  middle: move  wheel: closer");
         ImGui::TextUnformatted("Z undo  Y redo  L levels  B borders  P pool  T table  S save  Tab");
     }

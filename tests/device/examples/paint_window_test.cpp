@@ -128,10 +128,10 @@ TEST_F(PaintWindows, GoOnWhereSavingFails) {
     const Seen painted = display.seen();
     display.type("s");
     EXPECT_TRUE(waited_for([&] { return running->err().find("seen.png: cannot be written") != std::string::npos; }));
-    settled(painted);  // with the panel
-    keep(display.seen(), "paint_window_not_saved.png");
+    const Seen panel = settled(painted);
+    keep(panel, "paint_window_not_saved.png");
     display.type("Tab");  // it covers the model
-    ASSERT_TRUE(waited_for([&] { return display.seen().pixels == painted.pixels; })) << running->err();
+    EXPECT_NE(settled(panel).pixels, panel.pixels);
     std::filesystem::create_directory(file("it's"));
     drag(1, 230, 180, 150, 190);
     display.type("s");
