@@ -1,3 +1,4 @@
+// long: one walk, with a case for each kind of expression and statement
 #include "lower/widen.h"
 
 #include <algorithm>

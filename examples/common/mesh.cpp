@@ -8,6 +8,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -22,13 +23,15 @@ constexpr float grey = 0.7f;
 
 /// Reads a file, decompressing it if it is compressed by gzip.
 std::string unpacked(const std::string& path) {
-    const std::unique_ptr<gzFile_s, decltype(&gzclose)> file(gzopen(path.c_str(), "rb"), &gzclose);
+    std::unique_ptr<gzFile_s, decltype(&gzclose)> file(gzopen(path.c_str(), "rb"), &gzclose);
     if (!file) throw std::runtime_error(path + ": cannot be opened");
     std::string bytes, part(1 << 20, '\0');
     int count = 0;
     while ((count = gzread(file.get(), part.data(), static_cast<unsigned>(part.size()))) > 0)
         bytes.append(part, 0, static_cast<std::size_t>(count));
     if (count < 0) throw std::runtime_error(path + ": is damaged: gzip cannot unpack it");
+    // Only closing says that the file ended in the middle of what is packed.
+    if (gzclose(file.release()) != Z_OK) throw std::runtime_error(path + ": is truncated: gzip finds no end");
     return bytes;
 }
 
@@ -45,6 +48,19 @@ void add(Mesh& mesh, const aiMesh& part) {
         if (face.mNumIndices == 3)
             for (unsigned corner = 0; corner < 3; ++corner) mesh.corners.push_back(first + face.mIndices[corner]);
     }
+}
+
+void check(const std::string& path, const Mesh& mesh) {
+    if (mesh.corners.empty()) throw std::runtime_error(path + ": has no triangles");
+    for (const std::uint32_t corner : mesh.corners) {
+        const float3& p = mesh.points[corner];
+        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+            throw std::runtime_error(path +
+                                     ": has a triangle with a corner that is no place: a coordinate is not finite");
+    }
+    const Box box = bounds_of(mesh);
+    if (!std::isfinite(glift::length(box.high - box.low)))
+        throw std::runtime_error(path + ": is too large for 32-bit numbers");
 }
 
 }  // namespace
@@ -64,14 +80,15 @@ Mesh read(const std::string& path) {
     if (!scene) throw std::runtime_error(path + ": cannot be read as a mesh: " + importer.GetErrorString());
     Mesh mesh;
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) add(mesh, *scene->mMeshes[i]);
-    if (mesh.corners.empty()) throw std::runtime_error(path + ": has no triangles");
+    check(path, mesh);
     return mesh;
 }
 
 Box bounds_of(const Mesh& mesh) {
-    if (mesh.points.empty()) return {float3(0, 0, 0), float3(0, 0, 0)};
-    Box box{mesh.points.front(), mesh.points.front()};
-    for (const float3& p : mesh.points) box = {glift::min(box.low, p), glift::max(box.high, p)};
+    if (mesh.corners.empty()) return {float3(0, 0, 0), float3(0, 0, 0)};
+    Box box{mesh.points[mesh.corners[0]], mesh.points[mesh.corners[0]]};
+    for (const std::uint32_t corner : mesh.corners)
+        box = {glift::min(box.low, mesh.points[corner]), glift::max(box.high, mesh.points[corner])};
     return box;
 }
 

@@ -25,13 +25,13 @@ struct Box {
 /// Reads a file of any format that assimp knows (PLY, OBJ, glTF, FBX, …). The triangles of all meshes of the file
 /// become one mesh; points that are equal in all that the file says of them are joined; points without a colour are
 /// light grey. A file whose name ends in .gz (`dragon.ply.gz`) is unpacked first. Throws std::runtime_error, which
-/// names the file and what is wrong.
+/// names the file and what is wrong, also where a triangle has a corner that is not finite.
 Mesh read(const std::string& path);
 
-/// The bounding box; of an empty mesh it is from 0 to 0.
+/// The bounding box of the triangles: points that none has do not count. Of an empty mesh it is from 0 to 0.
 Box bounds_of(const Mesh& mesh);
 
-/// Moves and uniformly scales the mesh into the unit cube, so that its longest side has length 1.
+/// Moves and uniformly scales the triangles into the unit cube, so that its longest side has length 1.
 void normalise(Mesh& mesh);
 
 /// Adds the triangles of another mesh.

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
 
@@ -59,8 +60,14 @@ void write_png(const std::string& path, const Picture& picture) {
         bytes.insert(bytes.end(),
                      {byte_of(coded_of(p.x)), byte_of(coded_of(p.y)), byte_of(coded_of(p.z)), byte_of(p.w)});
     const int width = static_cast<int>(picture.width), height = static_cast<int>(picture.height);
-    if (!stbi_write_png(path.c_str(), width, height, 4, bytes.data(), 4 * width))
-        throw std::runtime_error(path + ": cannot be written");
+    // stb_image_write does not see where a file cannot be written to its end.
+    std::ofstream file(path, std::ios::binary);
+    const auto write = [](void* to, void* data, int size) {
+        static_cast<std::ofstream*>(to)->write(static_cast<const char*>(data), size);
+    };
+    const int made = stbi_write_png_to_func(write, &file, width, height, 4, bytes.data(), 4 * width);
+    file.close();
+    if (made == 0 || !file) throw std::runtime_error(path + ": cannot be written");
 }
 
 /// An OpenEXR slice for a channel whose values are `stride` floats apart in memory, from `first` on.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 
 namespace {
@@ -16,6 +17,8 @@ using glift::float3;
 using window::PointerEvent;
 
 constexpr float radians_a_pixel = 0.008f, steepest = 1.5f;
+
+const ImVec4 red{1, 0.4f, 0.3f, 1};
 
 double now() {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -36,7 +39,8 @@ public:
         for (const window::KeyEvent& event : window_.events().keys)
             if (event.is_down) react(event.key);
         if (window_.events().wheel != 0) {
-            orbit_.closer = std::clamp(orbit_.closer * std::pow(1.2f, window_.events().wheel), 0.2f, 200.0f);
+            orbit_.closer = std::clamp(orbit_.closer * std::pow(1.2f, window_.events().wheel), Orbit::least_closer,
+                                       Orbit::most_closer);
             is_old_ = true;
         }
         if (has_panel_) panel();
@@ -50,10 +54,21 @@ public:
         window_.show(shown_.data());
     }
 
-    std::vector<strokes::Stroke> end() {
-        end_stroke();
+    void end_stroke() {
+        if (!is_painting_) return;
         done_.resize(undoable_);
-        return done_;
+        done_.push_back(stroke_);  // before what may throw: an error does not lose it
+        ++undoable_;
+        is_painting_ = false;
+        lost_ = canvas_.end();
+        is_old_ = true;
+    }
+
+    /// The strokes that are on the model, also the one that is being painted.
+    std::vector<strokes::Stroke> strokes() const {
+        std::vector<strokes::Stroke> all(done_.begin(), done_.begin() + static_cast<std::ptrdiff_t>(undoable_));
+        if (is_painting_) all.push_back(stroke_);
+        return all;
     }
 
 private:
@@ -89,9 +104,10 @@ private:
 
     void begin_stroke(const PointerEvent& event) {
         end_stroke();
-        stroke_ = {orbit_.camera(), window_.size(), brush_, {}};
+        stroke_ = {orbit_.camera(), window_.size(), strokes::allowed(brush_), {}};
         canvas_.begin(stroke_);
         dabs_.emplace(stroke_.brush);
+        count_ = 0;
         is_painting_ = true;
         dab_to(event);
     }
@@ -109,16 +125,22 @@ private:
         canvas_.device().wait();
         dab_milliseconds_ = (now() - start) / n;
         is_old_ = true;
+        count_ += n;
+        // A file would refuse a longer stroke. Each touch adds few, so that half of it leaves room for the last one.
+        if (count_ > strokes::most_dabs / 2) begin_stroke(event);
     }
 
-    void end_stroke() {
-        if (!is_painting_) return;
-        is_painting_ = false;
-        lost_ = canvas_.end();
-        done_.resize(undoable_);
-        done_.push_back(stroke_);
-        ++undoable_;
-        is_old_ = true;
+    /// What goes wrong is shown, and nothing is lost: the file can be saved again.
+    void save() {
+        try {
+            end_stroke();
+            save_();
+            save_error_.clear();
+        } catch (const std::exception& error) {
+            save_error_ = error.what();
+            std::fprintf(stderr, "paint: %s\n", error.what());
+            has_panel_ = true;
+        }
     }
 
     void undo() {
@@ -136,7 +158,7 @@ private:
     void react(int key) {
         if (key == window::escape) window_.close();
         if (key == window::tab) has_panel_ = !has_panel_;
-        if (key == 'S') save_();
+        if (key == 'S') save();
         if (key == 'Z') undo();
         if (key == 'Y') redo();
         if (key == 'L') layers_.levels = !layers_.levels;
@@ -150,6 +172,7 @@ private:
         ImGui::SetNextWindowPos({10, 10}, ImGuiCond_FirstUseEver);
         ImGui::Begin("Paint", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
         ImGui::PushItemWidth(150);
+        if (!save_error_.empty()) ImGui::TextColored(red, "not saved: %s", save_error_.c_str());
         brush_panel();
         ImGui::Separator();
         bool levels = layers_.levels, borders = layers_.borders, pool = layers_.pool, table = layers_.table;
@@ -174,16 +197,19 @@ private:
     }
 
     void brush_panel() {
-        constexpr ImGuiSliderFlags even = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp;
+        // Numbers can also be typed.
+        constexpr ImGuiSliderFlags clamped = ImGuiSliderFlags_AlwaysClamp,
+                                   even = clamped | ImGuiSliderFlags_Logarithmic;
         ImGui::ColorEdit3("colour", &brush_.colour.x);
         ImGui::SliderFloat("radius", &brush_.radius, 1, 300, "%.0f pixels", even);
-        ImGui::SliderFloat("hardness", &brush_.hardness, 0, 1);
-        ImGui::SliderFloat("grain", &brush_.grain, 0, 1);
-        ImGui::SliderFloat("opacity", &brush_.opacity, 0, 1);
-        ImGui::SliderFloat("flow", &brush_.flow, 0, 1);
+        ImGui::SliderFloat("hardness", &brush_.hardness, 0, 1, "%.3f", clamped);
+        ImGui::SliderFloat("grain", &brush_.grain, 0, 1, "%.3f", clamped);
+        ImGui::SliderFloat("opacity", &brush_.opacity, 0, 1, "%.3f", clamped);
+        ImGui::SliderFloat("flow", &brush_.flow, 0, 1, "%.3f", clamped);
         ImGui::SliderFloat("cells", &brush_.cells, 4, 256, "%.0f", even);
         int blend = static_cast<int>(brush_.blend);
         if (ImGui::Combo("blend", &blend, "over\0multiply\0erase\0")) brush_.blend = static_cast<glift::uint>(blend);
+        brush_ = strokes::allowed(brush_);
     }
 
     void statistics() const {
@@ -194,7 +220,7 @@ private:
         ImGui::Text("history: %zu strokes, %.1f + %.1f MB", history.undoable(), megabytes(history.device_bytes()),
                     megabytes(history.host_bytes()));
         ImGui::Text("%.1f ms a dab", dab_milliseconds_);
-        if (lost_ != 0) ImGui::TextColored({1, 0.4f, 0.3f, 1}, "pool full: %u pages not painted", lost_);
+        if (lost_ != 0) ImGui::TextColored(red, "pool full: %u requests for pages in vain, counted in each dab", lost_);
         ImGui::TextUnformatted("left: paint  right: turn  middle: move  wheel: closer");
         ImGui::TextUnformatted("Z undo  Y redo  L levels  B borders  P pool  T table  S save  Tab");
     }
@@ -212,6 +238,8 @@ private:
     std::size_t undoable_;  ///< the first so many strokes of `done_` are on the model; the others were undone
     std::optional<window::Button> held_;
     float2 last_;
+    std::size_t count_ = 0;  ///< of the current stroke's dabs
+    std::string save_error_;
     double dab_milliseconds_ = 0;
     glift::uint lost_ = 0;
     bool is_painting_ = false, is_old_ = true, has_panel_ = true;
@@ -228,10 +256,15 @@ camera::Camera Orbit::camera() const {
     return camera::orbited(camera, turn, upwards, closer);
 }
 
-std::vector<strokes::Stroke> paint_at(window::Window& window, Canvas& canvas, Orbit& orbit, painted::Layers layers,
-                                      strokes::Brush brush, std::vector<strokes::Stroke> strokes,
-                                      const std::function<void()>& save) {
-    Painter painter(window, canvas, orbit, layers, std::move(brush), std::move(strokes), save);
-    while (window.next_event()) painter.frame();
-    return painter.end();
+void paint_at(window::Window& window, Canvas& canvas, Orbit& orbit, painted::Layers layers, strokes::Brush brush,
+              std::vector<strokes::Stroke>& strokes, const std::function<void()>& save) {
+    Painter painter(window, canvas, orbit, layers, std::move(brush), strokes, save);
+    try {
+        while (window.next_event()) painter.frame();
+        painter.end_stroke();
+    } catch (...) {
+        strokes = painter.strokes();
+        throw;
+    }
+    strokes = painter.strokes();
 }

@@ -42,25 +42,33 @@ void History::Texels::restore(const glift::Device& device, journal::Octree& octr
     journal::restore(device, octree, texels);
 }
 
+History::Texels History::room_for(const glift::Device& device, Pages pages) {
+    if (pages.empty()) return {};
+    Texels texels;
+    texels.on_device = journal::Texels(device, {texels_of_page, static_cast<glift::uint>(pages.size())});
+    texels.pages = std::move(pages);
+    texels.is_on_device = true;
+    return texels;
+}
+
 void History::add(const glift::Device& device, journal::Octree& octree, journal::Journal& journal) {
     journal::PageList list(device, octree.capacity());
     const auto read = [&](glift::uint n) { return n == 0 ? Pages() : list.read(0, n); };
     Step step;
-    step.after.pages = read(journal.changed_pages(device, list).await(device));
-    if (step.after.pages.empty()) return;
-    step.born = read(journal.born_pages(device, list).await(device));
-    std::ranges::set_difference(step.after.pages, step.born, std::back_inserter(step.before.pages));
-    const auto made = [&](Texels& texels) {
-        texels.on_device = journal::Texels(device, {texels_of_page, static_cast<glift::uint>(texels.pages.size())});
-        texels.is_on_device = true;
-        return list_of(device, texels.pages);
-    };
-    if (!step.before.pages.empty()) {
-        mark(device, octree, made(step.before));
+    const Pages changed = read(journal.changed_pages(device, list).await(device));
+    if (!changed.empty()) step.born = read(journal.born_pages(device, list).await(device));
+    Pages old;
+    std::ranges::set_difference(changed, step.born, std::back_inserter(old));
+    step.before = room_for(device, old);
+    step.after = room_for(device, changed);
+    if (!old.empty()) {
+        mark(device, octree, list_of(device, old));
         journal::store(device, octree, journal.before(), step.before.on_device);
     }
-    mark(device, octree, made(step.after));
-    journal::store(device, octree, octree.frames(), step.after.on_device);
+    if (!changed.empty()) {
+        mark(device, octree, list_of(device, changed));
+        journal::store(device, octree, octree.frames(), step.after.on_device);
+    }
     steps_.resize(done_);
     steps_.push_back(std::move(step));
     ++done_;

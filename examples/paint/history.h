@@ -24,7 +24,7 @@ public:
     explicit History(HistoryBudget budget = {}) : budget_(budget) {}
 
     /// Adds a step for a stroke that has ended, from the journal of what it changed. Steps that had been undone are
-    /// dropped. Does nothing if the stroke changed no page.
+    /// dropped. A stroke that changed no page has a step, too, an empty one: so steps are counted as strokes are.
     void add(const glift::Device& device, journal::Octree& octree, journal::Journal& journal);
 
     /// undo() restores the pages of the last step that is not undone to what they were before its stroke; redo(), those
@@ -58,6 +58,7 @@ private:
         std::uint64_t bytes() const { return before.bytes() + after.bytes(); }
     };
 
+    static Texels room_for(const glift::Device& device, Pages pages);
     void fit();
 
     HistoryBudget budget_;

@@ -1,6 +1,7 @@
 // Paint on any mesh, kept in an octree by its rest position: paint.glift from C++.
 #include "at_window.h"
 #include "canvas.h"
+#include "command_line.h"
 #include "model.h"
 #include "strokes.h"
 
@@ -11,8 +12,8 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 
 namespace {
@@ -35,20 +36,6 @@ Orbit orbit_of(const Arguments& a, const mesh::Mesh& mesh) {
     const float3 target =
         a.target.empty() ? (box.low + box.high) * 0.5f : float3(a.target[0], a.target[1], a.target[2]);
     return {target, a.turn, a.upwards, a.closer};
-}
-
-/// The mesh's points, bent around an upright axis behind its middle: by `angle` radians for each unit of length along x
-/// (models are at most one unit long).
-std::vector<float3> bent(const mesh::Mesh& mesh, float angle) {
-    const mesh::Box box = mesh::bounds_of(mesh);
-    const float3 middle = (box.low + box.high) * 0.5f;
-    const float radius = 1 / angle;
-    std::vector<float3> points;
-    for (const float3& p : mesh.points) {
-        const float at = (p.x - middle.x) * angle, from = radius + p.z - middle.z;
-        points.push_back({middle.x + std::sin(at) * from, p.y, middle.z + std::cos(at) * from - radius});
-    }
-    return points;
 }
 
 void say_lost(std::size_t stroke, glift::uint lost) {
@@ -105,6 +92,7 @@ void write_results(const Arguments& a, Canvas& canvas) {
 void run(const Arguments& a) {
     const mesh::Mesh mesh = model_of(a.model);
     Canvas canvas(glift::Device::open(), mesh, a.octree);
+    canvas.prepare(first_of(a).brush);
     paint_all(a, canvas);
     for (unsigned i = 0; i < a.undo && canvas.undo(); ++i) {}
     for (unsigned i = 0; i < a.redo && canvas.redo(); ++i) {}
@@ -115,34 +103,59 @@ void run(const Arguments& a) {
     std::printf("wrote %s\n", a.out.c_str());
 }
 
+bool are_one_file(const std::string& a, const std::string& b) {
+    std::error_code error;
+    return std::filesystem::equivalent(a, b, error);
+}
+
 /// The command line that makes the window's last picture again, without what was laid over the paint, from the recorded
-/// strokes.
+/// strokes; from the saved paint alone if that has replaced what the strokes were put on.
 std::string words_of(const Arguments& a, const Orbit& orbit, glift::uint2 size) {
     char view[200];
     std::snprintf(view, sizeof view, " --turn %.9g --upwards %.9g --closer %.9g --target %.9g %.9g %.9g",
                   static_cast<double>(orbit.turn), static_cast<double>(orbit.upwards),
                   static_cast<double>(orbit.closer), static_cast<double>(orbit.target.x),
                   static_cast<double>(orbit.target.y), static_cast<double>(orbit.target.z));
-    return "paint " + a.model + (a.load.empty() ? "" : " --load " + a.load) + " --strokes " + a.record +
-           " --resolution " + std::to_string(a.octree.resolution) + " --pages " + std::to_string(a.octree.pages) +
-           " --size " + std::to_string(size.x) + " " + std::to_string(size.y) + view + " --out " + a.out;
+    const bool is_replaced = !a.load.empty() && are_one_file(a.load, a.save);
+    return "paint " + command_line::quoted(a.model) +
+           (a.load.empty() ? "" : " --load " + command_line::quoted(a.load)) +
+           (is_replaced ? "" : " --strokes " + command_line::quoted(a.record)) + " --resolution " +
+           std::to_string(a.octree.resolution) + " --pages " + std::to_string(a.octree.pages) + " --size " +
+           std::to_string(size.x) + " " + std::to_string(size.y) + view + " --out " + command_line::quoted(a.out);
 }
 
-void run_window(const Arguments& a) {
+/// Says what goes wrong, instead of throwing it: other files are still to be written. Whether nothing did.
+template <class Work> bool tried(const Work& work) {
+    try {
+        work();
+        return true;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "paint: %s\n", error.what());
+        return false;
+    }
+}
+
+/// Whether all that was to be written is.
+bool run_window(const Arguments& a) {
+    const std::vector<strokes::Stroke> first = {first_of(a)};
+    if (!a.record.empty()) strokes::text_of(first);  // refuses what could not be recorded at the end
     window::Window window("Paint", {a.size[0], a.size[1]});
     const mesh::Mesh mesh = model_of(a.model);
     Canvas canvas(window.device(), mesh, a.octree);
+    canvas.prepare(first[0].brush);
     std::vector<strokes::Stroke> strokes = paint_all(a, canvas);
     Orbit orbit = orbit_of(a, mesh);
     const auto save = [&] {
         picture::write(a.out, canvas.render(orbit.camera(), window.size(), {}));
         write_results(a, canvas);
     };
-    strokes = paint_at(window, canvas, orbit, a.layers, first_of(a).brush, std::move(strokes), save);
-    write_results(a, canvas);
-    if (a.record.empty()) return;
-    strokes::write(a.record, strokes);
-    std::printf("the same picture: %s\n", words_of(a, orbit, window.size()).c_str());
+    const bool has_ended = tried([&] { paint_at(window, canvas, orbit, a.layers, first[0].brush, strokes, save); });
+    // The strokes first, which no picture and no error may cost.
+    const bool is_recorded = a.record.empty() || tried([&] { strokes::write(a.record, strokes); });
+    const bool is_saved = tried([&] { write_results(a, canvas); });
+    const bool is_whole = has_ended && is_recorded && is_saved;
+    if (is_whole && !a.record.empty()) std::printf("the same picture: %s\n", words_of(a, orbit, window.size()).c_str());
+    return is_whole;
 }
 
 void add_octree_options(CLI::App& app, Arguments& a) {
@@ -156,26 +169,58 @@ void add_octree_options(CLI::App& app, Arguments& a) {
     app.add_option("--pages", a.octree.pages, "of 17^3 texels that there may be")
         ->check(CLI::Range(1u, 1u << 18))
         ->capture_default_str();
-    app.add_option("--load", a.load, "Paint from a file, to begin with");
-    app.add_option("--save", a.save, "A file for the paint");
-    app.add_option("--npy", a.npy, "A file for samples of it, as a NumPy array of shape (side, side, side, 4)");
-    app.add_option("--npy-side", a.npy_side, "Its side")->check(CLI::Range(2u, 512u))->capture_default_str();
-    app.add_option("--undo", a.undo, "Undo so many strokes at the end");
-    app.add_option("--redo", a.redo, "and do so many of them again");
+    app.add_option("--load", a.load, "Paint from a file, to begin with")->check(CLI::ExistingFile);
+    app.add_option("--save", a.save, "A file for the paint")->check(command_line::can_be_made);
+    auto* npy =
+        app.add_option("--npy", a.npy, "A file for samples of it, as a NumPy array of shape (side, side, side, 4)")
+            ->check(command_line::can_be_made);
+    app.add_option("--npy-side", a.npy_side, "Its side")
+        ->needs(npy)
+        ->check(CLI::Range(2u, 512u))
+        ->capture_default_str();
+}
+
+/// Strokes from a file, or in a window.
+void add_stroke_options(CLI::App& app, Arguments& a) {
+    auto* strokes = app.add_option("--strokes", a.strokes, "A file of strokes to paint, a JSON object a line");
+    app.add_option("--brush", a.brush, "A PNG as the brush, where strokes name none: white paints, black does not")
+        ->check(CLI::ExistingFile);
+    auto* window = app.add_flag("--window", a.window, "Paint in a window");
+    app.add_option("--record", a.record, "A file for the strokes that there are at its end")
+        ->needs(window)
+        ->check(command_line::can_be_made);
+    auto* undo = app.add_option("--undo", a.undo, "Undo so many strokes at the end")->needs(strokes)->excludes(window);
+    app.add_option("--redo", a.redo, "and do so many of them again")->needs(undo);
+    app.add_option("--bend", a.bend, "Bend the painted model by so many radians")
+        ->excludes(window)
+        ->check(command_line::is_finite)
+        ->check(CLI::Range(-6.0f, 6.0f));
 }
 
 void add_view_options(CLI::App& app, Arguments& a) {
-    app.add_option("--size", a.size, "Width and height of the picture")->expected(2)->check(CLI::Range(1, 16384));
-    app.add_option("--turn", a.turn, "Where it is seen from, in radians around it")->capture_default_str();
-    app.add_option("--upwards", a.upwards, "and above it")->capture_default_str();
-    app.add_option("--closer", a.closer, "by a factor")->check(CLI::Range(0.1f, 1000.0f))->capture_default_str();
-    app.add_option("--target", a.target, "What is looked at, instead of the middle")->expected(3);
-    app.add_option("--bend", a.bend, "Bend the painted model by so many radians")->check(CLI::Range(-6.0f, 6.0f));
+    app.add_option("--size", a.size, "Width and height of the picture: 800 600, or 800x600")
+        ->expected(2)
+        ->delimiter('x')
+        ->check(CLI::Range(1, 16384));
+    app.add_option("--turn", a.turn, "Where it is seen from, in radians around it")
+        ->check(command_line::is_finite)
+        ->capture_default_str();
+    app.add_option("--upwards", a.upwards, "and above it")->check(command_line::is_finite)->capture_default_str();
+    app.add_option("--closer", a.closer, "by a factor")
+        ->check(command_line::is_finite)
+        ->check(CLI::Range(Orbit::least_closer, Orbit::most_closer))
+        ->capture_default_str();
+    app.add_option("--target", a.target, "What is looked at, instead of the middle")
+        ->expected(3)
+        ->check(command_line::is_finite);
     app.add_flag("--levels", a.layers.levels, "Show the levels of pages by colours");
     app.add_flag("--borders", a.layers.borders, "Show where pages meet");
     app.add_flag("--pool", a.layers.pool, "Show all frames of the pool");
     app.add_flag("--table", a.layers.table, "Show all levels of the table");
-    app.add_option("--out", a.out, "The picture to write, PNG or EXR")->capture_default_str();
+    app.add_option("--out", a.out, "The picture to write, PNG or EXR")
+        ->check(command_line::is_picture)
+        ->check(command_line::can_be_made)
+        ->capture_default_str();
 }
 
 }  // namespace
@@ -187,19 +232,14 @@ int main(int argc, char** argv) {
            "model", arguments.model,
            "A mesh: any file that assimp reads (PLY, OBJ, glTF, …), or the name of a generated one: knot, robot, …")
         ->required();
-    app.add_option("--strokes", arguments.strokes, "A file of strokes to paint, a JSON object a line");
-    app.add_option("--brush", arguments.brush,
-                   "A PNG as the brush, where strokes name none: white paints, black does not")
-        ->check(CLI::ExistingFile);
+    add_stroke_options(app, arguments);
     add_octree_options(app, arguments);
     add_view_options(app, arguments);
-    app.add_flag("--window", arguments.window, "Paint in a window");
-    app.add_option("--record", arguments.record, "A file for the strokes that there are at its end");
     app.footer("GLIFT_DEVICE=gpu|lavapipe|host|NAME chooses the device.");
     CLI11_PARSE(app, argc, argv);
     try {
-        if (arguments.window) run_window(arguments);
-        else run(arguments);
+        if (arguments.window) return run_window(arguments) ? 0 : 1;
+        run(arguments);
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "paint: %s\n", error.what());

@@ -45,3 +45,20 @@ mesh::Mesh model_of(const std::string& what) {
     mesh::normalise(mesh);
     return mesh;
 }
+
+std::vector<float3> bent(const mesh::Mesh& mesh, float angle) {
+    if (angle == 0) return mesh.points;
+    const mesh::Box box = mesh::bounds_of(mesh);
+    const float3 middle = (box.low + box.high) * 0.5f;
+    const double by = static_cast<double>(angle);
+    std::vector<float3> points;
+    for (const float3& p : mesh.points) {
+        const double across = static_cast<double>(p.x) - static_cast<double>(middle.x),
+                     from = static_cast<double>(p.z) - static_cast<double>(middle.z), at = across * by,
+                     half = std::sin(at / 2);
+        // The axis is 1 / angle behind the middle. Its distance stands in no sum, where it would leave no digits.
+        points.push_back({static_cast<float>(static_cast<double>(middle.x) + std::sin(at) / by + std::sin(at) * from),
+                          p.y, static_cast<float>(static_cast<double>(p.z) - 2 * half * half * (1 / by + from))});
+    }
+    return points;
+}

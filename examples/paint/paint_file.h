@@ -1,9 +1,10 @@
 // Paint in a file: a header, the numbers of the octree's resident pages, and their texels, all with checksums.
 //
-// Little-endian words of 32 bits. Header (64 bytes): "GLIFT3DP", version 1, levels, cells of a page, number of pages,
-// the ground's colour (three floats), reserved zeros, the checksum of the header's words before it. Then the numbers of
-// the pages, ascending, and their checksum; then for each page its texels (17^3, RGBA8, x fastest) and their checksum.
-// Checksums are CRC-32 (zlib's).
+// Little-endian words of 32 bits. Header (64 bytes): "GLIFT3DP", version 2, levels, cells of a page, number of pages,
+// the ground's colour (three floats, 0 to 1), reserved zeros, the checksum of the header's words before it. Then the
+// numbers of the pages, ascending, each page with the coarser ones that it lies in, and their checksum; then for each
+// page its texels (17^3, RGBA8, x fastest) and the checksum of its number and its texels. Checksums are CRC-32
+// (zlib's). In version 1 a page's checksum was of its texels alone, so that pages could change places; it is not read.
 #pragma once
 
 #include "journal.glift.hpp"
@@ -23,16 +24,13 @@ struct Header {
 /// happens, `path` is the old file or the new one. Throws std::runtime_error, which names the file and what is wrong.
 void save(const std::string& path, const glift::Device& device, journal::Octree& octree, const glift::float3& ground);
 
-/// Reads and checks the header alone. Throws std::runtime_error, as `load` does.
-Header read_header(const std::string& path);
-
 /// Makes the checks of `load` that need no octree on the words of a file that has so many bytes, and returns its
 /// header. Throws std::runtime_error, as `load` does for a file of the name `path`.
 Header check(const std::string& path, std::span<const glift::uint> words, std::size_t bytes);
 
 /// Loads the pages of a file into an octree, in place of those that it has. The file is read and checked whole before
-/// anything is changed: throws std::runtime_error if it cannot be read, is truncated, altered or of another version,
-/// has not as many levels as the octree, or more pages than it has room for.
+/// anything is changed, its header before the rest is read: throws std::runtime_error if it cannot be read, is
+/// truncated, altered or of another version, has not as many levels as the octree, or more pages than it has room for.
 Header load(const std::string& path, const glift::Device& device, journal::Octree& octree);
 
 }  // namespace paint_file

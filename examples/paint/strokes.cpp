@@ -1,5 +1,9 @@
 #include "strokes.h"
 
+#include "examples/common/new_file.h"
+
+#include <glift/host/math.h>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -19,8 +23,15 @@ using glift::float2;
 using glift::float3;
 
 constexpr float spacing = 0.25f;  ///< of dabs, as a part of the radius
-constexpr std::size_t most_dabs = 100000;
 constexpr std::array<const char*, 3> blends = {"over", "multiply", "erase"};
+
+/// What the numbers of a brush may be.
+struct Limits {
+    float low, high;
+    /// The nearest number that is allowed; the smallest one for NaN.
+    float nearest(float value) const { return value >= low ? std::min(value, high) : low; }
+};
+constexpr Limits radii{0.5f, 8192}, parts{0, 1}, counts_of_cells{1, 4096};
 
 [[noreturn]] void refuse(const std::string& what) { throw std::runtime_error(what); }
 
@@ -35,6 +46,10 @@ float number(const Json& json, const std::string& name, float low, float high) {
         refuse(text);
     }
     return value;
+}
+
+float number(const Json& json, const std::string& name, Limits limits) {
+    return number(json, name, limits.low, limits.high);
 }
 
 std::vector<float> numbers(const Json& json, const std::string& name, std::size_t count, float low, float high) {
@@ -56,6 +71,16 @@ void check_names(const Json& json, const std::string& what, const std::set<std::
         if (!names.contains(name)) refuse("'" + what + "' has no member '" + name + "'");
 }
 
+/// A camera whose `up` is no direction, or that of its view, has no picture.
+void check_up(const camera::Camera& camera) {
+    constexpr float shortest = 1e-6f, least_sine = 1e-4f;
+    const float length = glift::length(camera.up);
+    if (!(length > shortest)) refuse("'up' has to be a direction");
+    const float3 arm = camera.eye - camera.target;
+    const float3 right = glift::cross(camera.up * (1 / length), arm * (1 / glift::length(arm)));
+    if (!(glift::length(right) > least_sine)) refuse("'up' has to be another direction than that of the view");
+}
+
 void read_camera(const Json& json, camera::Camera& camera) {
     check_names(json, "camera", {"eye", "target", "up", "angle", "near", "far"});
     constexpr float far = 1e6f;
@@ -67,6 +92,7 @@ void read_camera(const Json& json, camera::Camera& camera) {
     if (json.contains("far")) camera.far = number(json["far"], "far", 1e-6f, far);
     if (camera.near >= camera.far) refuse("'near' has to be smaller than 'far'");
     if (camera.eye == camera.target) refuse("'eye' and 'target' have to be two places");
+    check_up(camera);
 }
 
 glift::uint blend_of(const Json& json) {
@@ -84,15 +110,22 @@ std::string picture_of(const Json& json, const std::filesystem::path& folder) {
 void read_brush(const Json& json, const std::filesystem::path& folder, Brush& brush) {
     check_names(json, "brush",
                 {"radius", "hardness", "grain", "opacity", "flow", "cells", "colour", "blend", "picture"});
-    if (json.contains("radius")) brush.radius = number(json["radius"], "radius", 0.5f, 8192);
-    if (json.contains("hardness")) brush.hardness = number(json["hardness"], "hardness", 0, 1);
-    if (json.contains("grain")) brush.grain = number(json["grain"], "grain", 0, 1);
-    if (json.contains("opacity")) brush.opacity = number(json["opacity"], "opacity", 0, 1);
-    if (json.contains("flow")) brush.flow = number(json["flow"], "flow", 0, 1);
-    if (json.contains("cells")) brush.cells = number(json["cells"], "cells", 1, 4096);
+    if (json.contains("radius")) brush.radius = number(json["radius"], "radius", radii);
+    if (json.contains("hardness")) brush.hardness = number(json["hardness"], "hardness", parts);
+    if (json.contains("grain")) brush.grain = number(json["grain"], "grain", parts);
+    if (json.contains("opacity")) brush.opacity = number(json["opacity"], "opacity", parts);
+    if (json.contains("flow")) brush.flow = number(json["flow"], "flow", parts);
+    if (json.contains("cells")) brush.cells = number(json["cells"], "cells", counts_of_cells);
     if (json.contains("colour")) brush.colour = triple(json["colour"], "colour", 0, 1);
     if (json.contains("blend")) brush.blend = blend_of(json["blend"]);
     if (json.contains("picture")) brush.picture = picture_of(json["picture"], folder);
+}
+
+glift::uint2 size_of(const Json& json) {
+    const std::vector<float> size = numbers(json, "size", 2, 1, 16384);
+    for (const float side : size)
+        if (side != std::floor(side)) refuse("'size' has to be whole numbers of pixels");
+    return {static_cast<glift::uint>(size[0]), static_cast<glift::uint>(size[1])};
 }
 
 std::vector<Touch> path_of(const Json& json) {
@@ -110,10 +143,7 @@ std::vector<Touch> path_of(const Json& json) {
 Stroke stroke_of(const Json& json, const std::filesystem::path& folder, Stroke stroke) {
     check_names(json, "stroke", {"camera", "size", "brush", "path"});
     if (json.contains("camera")) read_camera(json["camera"], stroke.camera);
-    if (json.contains("size")) {
-        const std::vector<float> size = numbers(json["size"], "size", 2, 1, 16384);
-        stroke.size = glift::uint2(static_cast<glift::uint>(size[0]), static_cast<glift::uint>(size[1]));
-    }
+    if (json.contains("size")) stroke.size = size_of(json["size"]);
     if (json.contains("brush")) read_brush(json["brush"], folder, stroke.brush);
     if (!json.contains("path")) refuse("a stroke has to have a 'path'");
     stroke.path = path_of(json["path"]);
@@ -155,6 +185,15 @@ Json json_of(const Stroke& s) {
 }
 
 }  // namespace
+
+Brush allowed(Brush brush) {
+    brush.radius = radii.nearest(brush.radius);
+    brush.cells = counts_of_cells.nearest(brush.cells);
+    for (float* part : {&brush.hardness, &brush.grain, &brush.opacity, &brush.flow, &brush.colour.x, &brush.colour.y,
+                        &brush.colour.z})
+        *part = parts.nearest(*part);
+    return brush;
+}
 
 std::vector<paint::Brush> Dabs::to(const Touch& touch) {
     const double apart = std::max(1.0, static_cast<double>(spacing * brush_.radius));
@@ -214,11 +253,21 @@ std::vector<Stroke> read(const std::string& path, Stroke before) {
     return strokes;
 }
 
+std::string text_of(const std::vector<Stroke>& strokes) {
+    std::string text;
+    try {
+        for (const Stroke& stroke : strokes) text += json_of(stroke).dump() + '\n';
+    } catch (const Json::exception&) {  // all else in a stroke is numbers
+        refuse("a brush's picture has a name that is not in UTF-8, and no file of strokes can hold it");
+    }
+    return text;
+}
+
 void write(const std::string& path, const std::vector<Stroke>& strokes) {
-    std::ofstream file(path);
-    for (const Stroke& stroke : strokes) file << json_of(stroke).dump() << '\n';
-    file.flush();
-    if (!file) throw std::runtime_error(path + ": cannot be written");
+    const std::string text = text_of(strokes);
+    NewFile file(path);
+    file.write(text);
+    file.take_name();
 }
 
 }  // namespace strokes

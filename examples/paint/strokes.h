@@ -25,6 +25,9 @@ struct Brush {
     std::string picture;  ///< a PNG: white leaves all of the colour, black none; empty: the brush is round
 };
 
+/// The brush with each number moved into what files of strokes allow.
+Brush allowed(Brush brush);
+
 struct Touch {
     glift::float2 place;  ///< in pixels
     float pressure = 1;   ///< 0 to 1: multiplies the flow; the dab's radius is half the brush's at 0, all of it at 1
@@ -36,6 +39,9 @@ struct Stroke {
     Brush brush;
     std::vector<Touch> path;
 };
+
+/// A stroke with more dabs than this is refused by `read`.
+constexpr std::size_t most_dabs = 100000;
 
 /// Makes the dabs of a path as the path grows: the first one at its beginning, the others a quarter of the radius
 /// apart, a pixel at least.
@@ -62,8 +68,12 @@ surface::Viewpoint viewpoint_of(const camera::Camera& camera, glift::uint2 size)
 /// which names the file, the line and what is wrong.
 std::vector<Stroke> read(const std::string& path, Stroke before = {});
 
-/// Writes a file, with every member in each line, and floats with so many digits that reading gives the same bits.
-/// Throws std::runtime_error if it cannot be written.
+/// The lines of a file: every member in each line, and floats with so many digits that reading gives the same bits.
+/// Throws std::runtime_error if the name of a brush's picture is not in UTF-8.
+std::string text_of(const std::vector<Stroke>& strokes);
+
+/// Writes a file of these lines, in place of an old one once it is whole (NewFile). Throws std::runtime_error if it
+/// cannot be written.
 void write(const std::string& path, const std::vector<Stroke>& strokes);
 
 }  // namespace strokes

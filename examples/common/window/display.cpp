@@ -47,6 +47,12 @@ std::optional<Button> button_of(int button) {
     }
 }
 
+glift::uint2 window_pixels(GLFWwindow* window) {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window, &width, &height);
+    return {static_cast<glift::uint>(std::max(width, 1)), static_cast<glift::uint>(std::max(height, 1))};
+}
+
 }  // namespace
 
 /// The callbacks set with GLFW. ImGui's own callbacks, installed later, call these first.
@@ -133,16 +139,17 @@ void Display::wait(double seconds) {
 }
 
 glift::uint2 Display::size() const {
-    int width = 0, height = 0;
-    glfwGetFramebufferSize(window_, &width, &height);
-    return {static_cast<glift::uint>(std::max(width, 1)), static_cast<glift::uint>(std::max(height, 1))};
+    const glift::uint2 size = window_pixels(window_);
+    require();  // afterwards: where the connection broke, GLFW's size is any
+    return size;
 }
 
 /// Converts from GLFW's screen coordinates, which on high-resolution screens are not pixels.
 glift::float2 Display::pixels_of(double x, double y) const {
     int width = 1, height = 1;
     glfwGetWindowSize(window_, &width, &height);
-    const glift::uint2 pixels = size();
+    const glift::uint2 pixels =
+        window_pixels(window_);  // not size(): GLFW calls this, and nothing may be thrown through it
     return {static_cast<float>(x * pixels.x / std::max(width, 1)),
             static_cast<float>(y * pixels.y / std::max(height, 1))};
 }

@@ -1,4 +1,4 @@
-// Octree 3-D paint: what a stroke leaves, pictures as brushes, views of the octree's memory, exported samples.
+// Octree 3-D paint: what a stroke leaves, pictures as brushes, views of the octree's memory.
 #include "paint_model.h"
 #include "support/process.h"
 #include "tests/device/guards/on_every_device.h"
@@ -250,38 +250,6 @@ TEST_P(PaintBrush, ShowsAllFramesAndTheTable) {
                 const glift::float4 c = pixel((first + x) * 17 / 2 + 4, 218 - 68 + y * 17 / 2 + 4);
                 EXPECT_EQ(std::max({c.x, c.y, c.z}) > 0.5f, is_there) << level << ": " << x << ", " << y;
             }
-}
-
-TEST(PaintProgram, ExportsSamples) {
-    const glift::test::TemporaryFolder folder;
-    const auto file = [&](const char* name) { return (folder.path() / name).string(); };
-    glift::test::write_file(file("sheet.obj"), "v 0 0 0.2\nv 1 0 0.2\nv 1 1 0.2\nv 0 1 0.3\nf 1 2 3 4\n");
-    Stroke stroke = before_square();
-    strokes::write(file("one.strokes"), {stroke});
-    const auto done =
-        glift::test::run_process({"env", "GLIFT_DEVICE=host", GLIFT_PAINT, file("sheet.obj"), "--resolution", "128",
-                                  "--pages", "300", "--strokes", file("one.strokes"), "--npy", file("out.npy"),
-                                  "--npy-side", "9", "--size", "32", "24", "--out", file("out.png")});
-    ASSERT_EQ(done.exit_code, 0) << done.err;
-    // The header is that of NumPy's format, version 1.
-    const std::string bytes = glift::test::read_file(file("out.npy"));
-    EXPECT_EQ(bytes.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
-    EXPECT_THAT(bytes.substr(0, 128), HasSubstr("'descr': '<f4'"));
-    EXPECT_THAT(bytes.substr(0, 128), HasSubstr("'shape': (9, 9, 9, 4)"));
-    const npy::Array array = npy::read(file("out.npy"));
-    EXPECT_EQ(array.extent, (std::vector<std::uint32_t>{4, 9, 9, 9}));
-    Canvas canvas(glift::Device::open("host"), model_of(file("sheet.obj")), small(300));
-    canvas.paint(stroke);
-    EXPECT_EQ(array.values, canvas.samples(9).values);
-    EXPECT_GT(*std::ranges::max_element(array.values), 0.85f) << "painted red, of 0.75";
-}
-
-/// Models that are made by name; an unknown name is refused.
-TEST(PaintProgram, PaintsOnAGeneratedModel) {
-    const mesh::Box box = mesh::bounds_of(model_of("knot"));
-    EXPECT_NEAR(box.high.x - box.low.x, 1, 0.2);
-    EXPECT_GT(model_of("robot").triangles(), 1000u);
-    EXPECT_THROW(model_of("no such model"), std::runtime_error);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Files of paint and of strokes: what is written is read again, what is damaged is refused, and a crash loses nothing.
+// Files of paint: what is written is read again, what is damaged or altered is refused, and a crash loses nothing.
 #include "paint_model.h"
 #include "support/process.h"
 
@@ -7,13 +7,19 @@
 #include <gmock/gmock.h>
 
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <zlib.h>
 
+#include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <limits>
+#include <set>
 #include <thread>
 
 namespace {
@@ -58,7 +64,7 @@ TEST_F(PaintFile, IsTheSameWhenItIsSavedAgain) {
         loaded.save(file("second.paint"));
         EXPECT_TRUE(read_file(file("second.paint")) == read_file(file("first.paint")));
     }
-    EXPECT_FALSE(std::filesystem::exists(file("first.paint.new")));
+    EXPECT_EQ(glift::test::files_under(folder.path(), "").size(), 2u) << "none is left beside them";
 }
 
 /// A file in memory, to be altered and checked without a device.
@@ -152,83 +158,205 @@ TEST_F(PaintFile, SaysWhatDoesNotFit) {
     EXPECT_THROW(canvas.save("/dev/null/no.paint"), std::runtime_error);
 }
 
-/// Runs a program that saves, and kills it when the new file is there. Whether it was killed and the new file is left.
-bool killed_while_saving(const std::vector<std::string>& words, const std::string& new_file) {
-    const pid_t process = fork();
-    if (process == 0) {
+constexpr std::size_t header_words = 16, texels_of_page = 17 * 17 * 17, page_words = texels_of_page + 1;
+
+/// Words of a file with which they go on fitting: as an altering program would make them, not a failing disk.
+struct Forged : Held {
+    using Held::Held;
+
+    Word pages() const { return words[5]; }
+    Word* page(std::size_t i) { return words.data() + header_words + pages() + 1 + i * page_words; }
+    std::string refused_header(std::size_t word, Word value) {
+        Forged other = *this;
+        other.words[word] = value;
+        other.sign(other.words.data(), header_words - 1);
+        return other.refused(other.bytes());
+    }
+    /// Writes the checksum behind so many words.
+    void sign(Word* first, std::size_t count) const {
+        first[count] = static_cast<Word>(crc32_z(0, reinterpret_cast<const Bytef*>(first), 4 * count));
+    }
+};
+
+TEST_F(PaintFile, IsRefusedWhereItIsAlteredWithItsChecksums) {
+    Canvas canvas(device, model(), small());
+    canvas.paint(random_strokes(1, 13)[0]);
+    canvas.save(file("whole.paint"));
+    Forged whole(read_file(file("whole.paint")));
+    ASSERT_EQ(whole.refused(whole.bytes()), "");
+    ASSERT_GT(whole.pages(), 9u);
+    Forged swapped = whole;
+    std::swap_ranges(swapped.page(7), swapped.page(8), swapped.page(8));
+    EXPECT_THAT(swapped.refused(swapped.bytes()), HasSubstr("is damaged: the checksum of page"));
+    for (const float bad :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -0.1f, 1.5f})
+        for (const std::size_t word : {6u, 7u, 8u})
+            EXPECT_THAT(whole.refused_header(word, std::bit_cast<Word>(bad)),
+                        HasSubstr("has a ground that is no colour"));
+    EXPECT_EQ(whole.refused_header(6, std::bit_cast<Word>(1.0f)), "");
+    for (std::size_t word = 9; word < 15; ++word)
+        EXPECT_THAT(whole.refused_header(word, 77),
+                    HasSubstr("has words in its header that this program does not know"));
+    for (const Word other : {1u, 3u})
+        EXPECT_THAT(whole.refused_header(2, other),
+                    HasSubstr("is of version " + std::to_string(other) + ", and this program reads version 2"));
+}
+
+/// The page of the next coarser level that a page lies in.
+Word parent_of(Word page) {
+    Word along = 1, first = 0;
+    for (; page >= along * along * along; along *= 2) {
+        page -= along * along * along;
+        first += along * along * along;
+    }
+    const Word half = along / 2;
+    return first - half * half * half + page % along / 2 +
+           half * (page / along % along / 2 + half * (page / along / along / 2));
+}
+
+/// A page can be left out, with all checksums right, if no finer one lies in it.
+TEST_F(PaintFile, IsRefusedWhereAParentIsMissing) {
+    Canvas canvas(device, model(), small());
+    canvas.paint(random_strokes(1, 13)[0]);
+    canvas.save(file("whole.paint"));
+    const Forged whole(read_file(file("whole.paint")));
+    std::set<Word> parents{0};
+    for (Word i = 1; i < whole.pages(); ++i) parents.insert(parent_of(whole.words[header_words + i]));
+    EXPECT_GT(parents.size(), 5u);
+    for (Word gone = 0; gone < whole.pages(); gone += gone < 20 ? 1 : 9) {
+        Forged less = whole;
+        const auto page = less.words.begin() + (less.page(gone) - less.words.data());
+        less.words.erase(page, page + page_words);
+        less.words.erase(less.words.begin() + header_words + gone);
+        --less.words[5];
+        less.sign(less.words.data(), header_words - 1);
+        less.sign(less.words.data() + header_words, less.pages());
+        const bool has_finer = parents.contains(whole.words[header_words + gone]);
+        EXPECT_EQ(less.refused(less.bytes()), has_finer ? "held.paint: has a page table that no octree has" : "")
+            << gone;
+    }
+}
+
+/// Where pages found no room, those that did have all that they lie in.
+TEST_F(PaintFile, OfAFullPoolIsLoaded) {
+    Canvas canvas(device, model(), small(40));
+    Word lost = 0;
+    for (const strokes::Stroke& stroke : random_strokes(3, 10)) lost += canvas.paint(stroke);
+    ASSERT_GT(lost, 0u);
+    canvas.save(file("full.paint"));
+    const State state = state_of(canvas);
+    canvas.load(file("full.paint"));
+    EXPECT_TRUE(state_of(canvas).texels == state.texels);
+}
+
+TEST_F(PaintFile, IsNoFolder) {
+    Canvas canvas(device, model(), small());
+    try {
+        canvas.load(folder.path());
+        FAIL();
+    } catch (const std::runtime_error& error) {
+        EXPECT_EQ(error.what(), folder.path().string() + ": is a folder");
+    }
+}
+
+/// A program that loads one file of paint and saves it over another.
+struct Saving : PaintFile {
+    std::string old_bytes, new_bytes;
+
+    Saving() {
+        Canvas canvas(device, model(), small());
+        const std::vector<strokes::Stroke> all = random_strokes(4, 16);
+        canvas.paint(all[0]);
+        canvas.save(file("old.paint"));
+        for (const strokes::Stroke& stroke : all) canvas.paint(stroke);
+        canvas.save(file("new.paint"));
+        old_bytes = read_file(file("old.paint"));
+        new_bytes = read_file(file("new.paint"));
+        write_file(file("model.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        std::filesystem::create_directory(file("saved"));
+    }
+
+    /// Puts the old contents there, and starts the program. `most_bytes`: at that size of a file a signal ends it.
+    pid_t started(rlim_t most_bytes = RLIM_INFINITY) const {
+        write_file(file("saved/a.paint"), old_bytes);
+        const pid_t process = fork();
+        if (process != 0) return process;
         prctl(PR_SET_PDEATHSIG, SIGKILL);
+        const rlimit no_core{0, 0}, size{most_bytes, most_bytes};
+        setrlimit(RLIMIT_CORE, &no_core);
+        setrlimit(RLIMIT_FSIZE, &size);
+        setenv("GLIFT_DEVICE", "host", 1);
+        const std::vector<std::string> words = {
+            GLIFT_PAINT,        file("model.obj"), "--resolution",        "128",    "--pages", "1500", "--load",
+            file("new.paint"),  "--save",          file("saved/a.paint"), "--size", "8",       "8",    "--out",
+            file("picture.png")};
         std::vector<char*> arguments;
         for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
         arguments.push_back(nullptr);
         if (!std::freopen("/dev/null", "w", stdout)) _exit(126);
-        execvp(arguments[0], arguments.data());
+        execv(arguments[0], arguments.data());
         _exit(127);
     }
+    /// Bytes of the file that is being written beside the old one; none if there is no such file.
+    std::optional<std::uintmax_t> bytes_of_new() const {
+        std::error_code error;
+        for (const auto& entry : std::filesystem::directory_iterator(file("saved"), error))
+            if (entry.path().filename() != "a.paint") {
+                const std::uintmax_t bytes = std::filesystem::file_size(entry.path(), error);
+                if (!error) return bytes;
+            }
+        return std::nullopt;
+    }
+    std::string saved() const { return read_file(file("saved/a.paint")); }
+    void tidy() const {
+        std::filesystem::remove_all(file("saved"));
+        std::filesystem::create_directory(file("saved"));
+    }
+};
+
+/// A signal ends the program when the new file has a size: before it has bytes, in its header, its page table and its
+/// pages, and at the last byte but one.
+TEST_F(Saving, LeavesTheOldFileWhereItEndsInTheMiddle) {
+    const std::size_t whole = new_bytes.size();
+    ASSERT_NE(old_bytes, new_bytes);
+    for (const std::size_t at : {std::size_t{0}, std::size_t{10}, std::size_t{64}, std::size_t{100}, whole / 3,
+                                 whole / 2, whole - 1000, whole - 1}) {
+        int status = 0;
+        waitpid(started(at), &status, 0);
+        EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGXFSZ) << at;
+        EXPECT_EQ(bytes_of_new(), at) << "it was met while it was writing";
+        EXPECT_TRUE(saved() == old_bytes) << at;
+        tidy();
+    }
     int status = 0;
-    while (waitpid(process, &status, WNOHANG) == 0)
-        if (access(new_file.c_str(), F_OK) == 0) {
+    waitpid(started(), &status, 0);
+    EXPECT_EQ(status, 0);
+    EXPECT_TRUE(saved() == new_bytes);
+}
+
+/// kill -9 at moments from when the new file is there until after it has its name.
+TEST_F(Saving, LeavesTheOldOrTheNewFileWhereItIsKilled) {
+    unsigned with_old = 0;
+    for (const int microseconds : {20000, 12000, 8000, 5000, 3000, 2000, 1000, 300, 100, 0, 0}) {
+        tidy();
+        const pid_t process = started();
+        int status = 0;
+        bool has_ended = false;
+        while (!has_ended && !bytes_of_new()) has_ended = waitpid(process, &status, WNOHANG) == process;
+        std::this_thread::sleep_for(std::chrono::microseconds(microseconds));
+        if (!has_ended) {
             kill(process, SIGKILL);
             waitpid(process, &status, 0);
-            break;
         }
-    return WIFSIGNALED(status) && access(new_file.c_str(), F_OK) == 0;
-}
-
-TEST_F(PaintFile, IsTheOldOneWhereSavingIsKilled) {
-    Canvas canvas(device, model(), small());
-    for (const strokes::Stroke& stroke : random_strokes(4, 16)) canvas.paint(stroke);
-    canvas.save(file("old.paint"));
-    const std::string old = read_file(file("old.paint"));
-    write_file(file("model.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    bool was_killed = false;
-    for (unsigned attempt = 0; attempt < 20 && !was_killed; ++attempt) {
-        was_killed = killed_while_saving({"env", "GLIFT_DEVICE=host", GLIFT_PAINT, file("model.obj"), "--resolution",
-                                          "128", "--pages", "1500", "--load", file("old.paint"), "--save",
-                                          file("old.paint"), "--size", "8", "8", "--out", file("picture.png")},
-                                         file("old.paint.new"));
-        EXPECT_TRUE(read_file(file("old.paint")) == old);
+        const std::string found = saved();
+        EXPECT_TRUE(found == old_bytes || found == new_bytes) << microseconds << ": " << found.size() << " bytes";
+        with_old += WIFSIGNALED(status) && found == old_bytes;
     }
-    EXPECT_TRUE(was_killed) << "no attempt met the moment";
-    canvas.load(file("old.paint"));
-    canvas.save(file("old.paint"));  // over old.paint.new, which was left behind
-    EXPECT_TRUE(read_file(file("old.paint")) == old);
-    EXPECT_FALSE(std::filesystem::exists(file("old.paint.new")));
-}
-
-TEST_F(PaintFile, OfStrokesIsReadAsItWasWritten) {
-    const std::vector<strokes::Stroke> all = random_strokes(5, 17);
-    strokes::write(file("made.strokes"), all);
-    const std::vector<strokes::Stroke> found = strokes::read(file("made.strokes"));
-    ASSERT_EQ(found.size(), all.size());
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        EXPECT_TRUE(strokes::dabs_of(found[i]) == strokes::dabs_of(all[i]));
-        EXPECT_TRUE(strokes::viewpoint_of(found[i].camera, found[i].size) ==
-                    strokes::viewpoint_of(all[i].camera, all[i].size));
-    }
-}
-
-TEST_F(PaintFile, OfStrokesSaysWhatIsWrong) {
-    const auto said = [&](const std::string& line) -> std::string {
-        write_file(file("bad.strokes"), "{\"path\": [[1, 2]]}\n\n" + line + "\n");
-        try {
-            strokes::read(file("bad.strokes"));
-            return {};
-        } catch (const std::runtime_error& error) {
-            return error.what();
-        }
-    };
-    EXPECT_EQ(said("{\"path\": [[1, 2, 0.5], [3, 4]]}"), "");
-    EXPECT_THAT(said("{\"path\": [[1, 2]"), HasSubstr("bad.strokes, line 3: "));
-    EXPECT_THAT(said("{}"), HasSubstr("a stroke has to have a 'path'"));
-    EXPECT_THAT(said("[1]"), HasSubstr("'stroke' has to be an object"));
-    EXPECT_THAT(said("{\"path\": [[1]]}"), HasSubstr("'path' has to be a list of 2 numbers"));
-    EXPECT_THAT(said("{\"path\": [[1, 2, 7]]}"), HasSubstr("'pressure' is 7, and has to be from"));
-    EXPECT_THAT(said("{\"path\": [[1, 2]], \"brush\": {\"radius\": -1}}"), HasSubstr("'radius' is -1"));
-    EXPECT_THAT(said("{\"path\": [[1, 2]], \"brush\": {\"size\": 1}}"), HasSubstr("'brush' has no member 'size'"));
-    EXPECT_THAT(said("{\"path\": [[1, 2]], \"brush\": {\"blend\": \"mix\"}}"), HasSubstr("'blend' has to be"));
-    EXPECT_THAT(said("{\"path\": [[0, 0], [1e6, 0]], \"brush\": {\"radius\": 1}}"), HasSubstr("is too long"));
-    EXPECT_THAT(said("{\"path\": [[1, 2]], \"camera\": {\"eye\": [1, 2, \"3\"]}}"),
-                HasSubstr("'eye' has to be a number"));
+    EXPECT_GT(with_old, 0u) << "no attempt met the moment";
+    int status = 0;
+    waitpid(started(), &status, 0);  // beside the files that were left behind
+    EXPECT_EQ(status, 0);
+    EXPECT_TRUE(saved() == new_bytes);
 }
 
 }  // namespace

@@ -199,4 +199,59 @@ TEST_P(Paint, StopsWhereThePoolIsFull) {
     }
 }
 
+/// A dab, and the end of a stroke, are one submission each, also where pages come and go.
+TEST(PaintOnVulkan, SubmitsOnceADab) {
+    const char* name = std::getenv("GLIFT_TEST_DEVICE");
+    const glift::Device device = glift::Device::open(name ? name : "lavapipe");
+    Canvas canvas(device, model(), small());  // for its model
+    const Model& m = canvas.model();
+    const Stroke stroke = random_strokes(1, 20)[0];
+    journal::Octree octree(device, levels, 1500);
+    journal::Journal journal(device, levels, 1500);
+    const surface::Surface surface(device, stroke.size);
+    const surface::Normals normals(device, stroke.size);
+    const surface::Viewpoint view = strokes::viewpoint_of(stroke.camera, stroke.size);
+    paint::Tip tip(device, {1, 1});
+    tip.write(std::vector<float>{1});
+    paint::clear(device, octree, canvas.ground());
+    surface::look(device, m.corners(), m.rest(), m.rest(), view, surface, normals);
+    journal.clear(device);
+    const auto submissions = [&](const auto& work) {
+        device.wait();
+        const std::uint64_t before = device.statistics().submissions;
+        work();
+        device.wait();
+        return device.statistics().submissions - before;
+    };
+    EXPECT_EQ(submissions([] {}), 0u);
+    for (const paint::Brush& dab : strokes::dabs_of(stroke))
+        EXPECT_EQ(submissions([&] {
+                      paint::paint(device, octree, journal, surface, normals, view, dab, tip, canvas.ground());
+                  }),
+                  1u);
+    EXPECT_GT(octree.status(device).resident, 20u);
+    EXPECT_EQ(submissions([&] { paint::finish(device, octree, journal); }), 1u);
+}
+
+/// Where hardly anything is bent, hardly anything moves.
+TEST(PaintedModel, IsBentAsDoublesSay) {
+    const mesh::Mesh mesh = model();
+    const mesh::Box box = mesh::bounds_of(mesh);
+    const glift::float3 middle = (box.low + box.high) * 0.5f;
+    for (const float angle : {1e-30f, 1e-6f, -1e-3f, 0.7f, -6.0f}) {
+        const std::vector<glift::float3> points = bent(mesh, angle);
+        const long double by = static_cast<long double>(angle);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const long double x = mesh.points[i].x - middle.x, z = mesh.points[i].z - middle.z;
+            // The series is exact enough for small angles, and not used for others.
+            const bool is_small = std::abs(angle) < 1e-2f;
+            const long double across = is_small ? x - by * by * x * x * x / 6 : std::sin(x * by) / by;
+            const long double back = is_small ? by * x * x / 2 : (1 - std::cos(x * by)) / by;
+            EXPECT_NEAR(points[i].x, static_cast<double>(middle.x + across + std::sin(x * by) * z), 1.5e-7);
+            EXPECT_NEAR(points[i].z, static_cast<double>(middle.z - back + std::cos(x * by) * z), 1.5e-7);
+            EXPECT_EQ(points[i].y, mesh.points[i].y);
+        }
+    }
+}
+
 }  // namespace

@@ -67,6 +67,52 @@ TEST(Mesh, SaysWhatIsWrong) {
     }
 }
 
+/// What mesh::read says against a file of these bytes; nothing if it reads it.
+std::string refused(const std::string& name, const std::string& bytes) {
+    const glift::test::TemporaryFolder folder;
+    glift::test::write_file(folder.path() / name, bytes);
+    try {
+        mesh::read(folder.path() / name);
+        return {};
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+}
+
+TEST(Mesh, IsRefusedWhereItIsTruncated) {
+    const glift::test::TemporaryFolder folder;
+    const std::string packed = folder.path() / "a.obj.gz";
+    std::string text;
+    for (unsigned i = 0; i < 3000; ++i)  // such that lines that are left out leave a mesh
+        text +=
+            "v " + std::to_string(i * 7919 % 1009) + " " + std::to_string(i) + " 0\n" +
+            (i < 2 ? "" : "f " + std::to_string(i - 1) + " " + std::to_string(i) + " " + std::to_string(i + 1) + "\n");
+    gzFile file = gzopen(packed.c_str(), "wb");
+    gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
+    gzclose(file);
+    const std::string whole = glift::test::read_file(packed);
+    EXPECT_EQ(refused("a.obj.gz", whole), "");
+    for (const std::size_t less : {std::size_t{1}, std::size_t{8}, whole.size() / 3, whole.size() / 2})
+        EXPECT_THAT(refused("a.obj.gz", whole.substr(0, whole.size() - less)), testing::HasSubstr("is truncated"))
+            << less;
+}
+
+TEST(Mesh, IsRefusedWhereACornerIsNoPlace) {
+    EXPECT_THAT(refused("a.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n"), testing::HasSubstr("is not finite"));
+    EXPECT_THAT(refused("a.obj", "v 0 0 0\nv 1 0 1e60\nv 0 1 0\nf 1 2 3\n"), testing::HasSubstr("is not finite"));
+    EXPECT_THAT(refused("a.obj", "v -3e38 0 0\nv 3e38 0 0\nv 0 1 0\nf 1 2 3\n"), testing::HasSubstr("is too large"));
+}
+
+TEST(Mesh, HasTheBoundsOfItsTriangles) {
+    Mesh made;
+    made.points = {{1000, -1000, 3}, {0, 0, 1}, {2, 0, 1}, {2, 4, 1}, {500, 0, 0}};
+    made.corners = {1, 2, 3};
+    EXPECT_EQ(mesh::bounds_of(made).low, float3(0, 0, 1));
+    EXPECT_EQ(mesh::bounds_of(made).high, float3(2, 4, 1));
+    mesh::normalise(made);
+    EXPECT_EQ(made.points[3], float3(0.5f, 1, 0));
+}
+
 TEST(Mesh, IsNormalisedAlongItsLongestSide) {
     Mesh box;
     mesh::add_box(box, float3(-3, 10, 2), float3(1, 12, 3), float3(1, 1, 1));

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <filesystem>
 
 namespace {
 
@@ -34,6 +35,18 @@ TEST(Picture, OpenExrKeepsEveryBit) {
     written.depth.clear();
     picture::write(path, written);
     EXPECT_TRUE(picture::read(path).depth.empty());
+}
+
+TEST(Picture, SaysThatTheDiskIsFull) {
+    const glift::test::TemporaryFolder folder;
+    const std::string path = folder.path() / "a.png";
+    std::filesystem::create_symlink("/dev/full", path);
+    try {
+        picture::write(path, gradient(7, 5));
+        FAIL();
+    } catch (const std::runtime_error& error) {
+        EXPECT_EQ(error.what(), path + ": cannot be written");
+    }
 }
 
 TEST(Picture, PngIsCodedAsScreensShowIt) {
