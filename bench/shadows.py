@@ -52,31 +52,52 @@ def markdown(head, rows):
     return "\n".join([f"| {' | '.join(head)} |", "| --- |" + " ---: |" * (len(head) - 1)] + [f"| {' | '.join(row)} |" for row in rows])
 
 
-def times(scenes, end):
+def short_frames(row):
+    """How many frames of a row did not get the pages that they asked for, since the pool was too small."""
+    return sum(coarser > 0 or refused > 0 for coarser, refused in zip(row.get("coarsened", row["refused"]), row["refused"]))
+
+
+def mark(row):
+    return f" (POOL TOO SMALL in {short_frames(row)} of {len(row['seconds'])})" if short_frames(row) else ""
+
+
+def sample(rows, runs):
+    """What the figures of some rows are of, in words."""
+    numbers = sorted({len(row["seconds"]) for row in rows})
+    return f"Of {' or '.join(map(str, numbers))} frames each, of which each is the median of {runs} runs."
+
+
+def times(scenes, end, runs):
     """Median and 95th percentile by method, and the ratios that the thesis states; `end` is "" or " static"."""
     rows = []
     for scene, cases in scenes.items():
         if not all(name + end in cases for name in METHODS):
             continue
         own = {name: cases[name + end] for name in METHODS}
-        rows.append([scene] + [f"{ms(row['median'])}, {ms(row['percentile_95'])}" for row in own.values()]
+        rows.append([scene] + [f"{ms(row['median'])}, {ms(row['percentile_95'])}{mark(row)}" for row in own.values()]
                     + [f"{own['asm']['median'] / own['rmsm']['median']:.2f}", f"{own['rmsm']['median'] / own['standard']['median']:.2f}"])
     head = ["scene"] + [f"{name}: median, 95 %, ms" for name in METHODS.values()]
-    return markdown(head + [f"ASM / RMSM (thesis: {THESIS['asm / rmsm' + end]})", f"RMSM / standard (thesis: {THESIS['rmsm / standard' + end]})"], rows)
+    table = markdown(head + [f"ASM / RMSM (thesis: {THESIS['asm / rmsm' + end]})", f"RMSM / standard (thesis: {THESIS['rmsm / standard' + end]})"], rows)
+    counted = [cases[name + end] for cases in scenes.values() for name in METHODS if name + end in cases]
+    return f"{table}\n\n{sample(counted, runs)}" if counted else table
 
 
 def pages(scenes):
+    """Medians and the most over frames; of ASM, "asked" is what is there after the last round."""
+    def spread(values):
+        return f"{statistics.median(values):.0f}, {max(values)}" if values else ""
     rows = []
     for scene, cases in scenes.items():
         for name in ("rmsm", "rmsm static", "asm", "asm static"):
             row = cases.get(name)
             if row is None:
                 continue
-            number = statistics.median(row["pages"])
             touched = f"{100 * row['touched']:.1f} %" if "touched" in row else ""
-            rows.append([scene, name, f"{number:.0f}", f"{statistics.median(row['granted']):.0f}", f"{max(row['refused'])}",
-                         f"{number * row['page_bytes'] / 1e6:.1f} of {row['capacity'] * row['page_bytes'] / 1e6:.1f}", touched])
-    return markdown(["scene", "case", "pages there", "new a frame", "refused, most", "MB of depths, of the pool", "texels looked up"], rows)
+            rows.append([scene, name, str(len(row["pages"])), spread(row.get("asked")), spread(row["pages"]), spread(row["granted"]), spread(row.get("rounds")),
+                         spread(row.get("coarsened")), str(max(row["refused"])), str(short_frames(row)),
+                         f"{statistics.median(row['pages']) * row['page_bytes'] / 1e6:.1f} of {row['capacity'] * row['page_bytes'] / 1e6:.1f}", touched])
+    return markdown(["scene", "case", "frames", "asked: median, most", "pages there", "new a frame", "rounds", "coarser in place of", "refused, most",
+                     "frames with too small a pool", "MB of depths, of the pool", "texels looked up"], rows)
 
 
 def parts(scenes):
@@ -95,7 +116,7 @@ def knobs(scenes):
     """What each knob does to a frame of RMSM."""
     names = list(dict.fromkeys(name for cases in scenes.values() for name in cases
                                if name.startswith("rmsm") and not name.endswith("static")))
-    rows = [[scene] + [f"{ms(cases[name]['median'])}, {statistics.median(cases[name]['pages']):.0f}" if name in cases else ""
+    rows = [[scene] + [f"{ms(cases[name]['median'])}, {statistics.median(cases[name]['pages']):.0f}{mark(cases[name])}" if name in cases else ""
                        for name in names] for scene, cases in scenes.items()]
     return markdown(["scene"] + [f"{name}: ms, pages" for name in names], rows)
 
@@ -136,7 +157,8 @@ def longest(scenes, number=8):
 
 def tables(data):
     scenes = by_scene(data)
-    several = [("Scenes that move", times(scenes, "")), ("Scenes that stand still, pages kept", times(scenes, " static")),
+    several = [("Scenes that move", times(scenes, "", data["runs"])),
+               ("Scenes that stand still, pages kept", times(scenes, " static", data["runs"])),
                ("Pages", pages(scenes)), ("Knobs of RMSM", knobs(scenes))]
     if any(row["passes"] for row in data["rows"]):
         several += [("Parts of a frame, each pass by itself", parts(scenes)), ("Where RMSM's time goes", longest(scenes)),
