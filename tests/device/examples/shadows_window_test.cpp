@@ -41,12 +41,15 @@ struct ShadowsWindows : windows::Windows {
         wait();
         display.release(button);
     }
+    /// With time for frames in between, also on a busy machine: the panel sees where the pointer is once a frame.
     void click(int x, int y) const {
+        const auto some_frames = [] { std::this_thread::sleep_for(std::chrono::milliseconds(800)); };
         display.move_to(x, y);
-        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        some_frames();
         display.press();
-        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        some_frames();
         display.release();
+        some_frames();
     }
 };
 
