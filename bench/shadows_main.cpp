@@ -5,6 +5,7 @@
 // each pass.
 #include "median.h"
 #include "shadow_cases.h"
+#include "shadow_lookups.h"
 
 #include "examples/shadows/walk.h"
 
@@ -30,6 +31,17 @@ double percentile(std::vector<double> values, double share) {
     return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
 }
 
+/// In how many frames there were coarser pages or none in place of those asked for. ASM asks round by round, and may
+/// give up pages of one round in the next: there, a full pool is one that is too small.
+std::size_t frames_short_of_pages(const bench::ShadowCase& one, const bench::ShadowFrames& found) {
+    std::size_t frames = 0;
+    for (std::size_t i = 0; i < found.pages.size(); ++i) {
+        const bool is_full = one.method == Method::adaptive && found.pages[i] == found.capacity;
+        frames += is_full || found.coarsened[i] > 0 || found.refused[i] > 0 ? 1 : 0;
+    }
+    return frames;
+}
+
 nlohmann::ordered_json row_of(const std::string& scene, const bench::ShadowCase& one,
                               const bench::ShadowFrames& found) {
     nlohmann::ordered_json passes = nlohmann::ordered_json::array();
@@ -49,6 +61,7 @@ nlohmann::ordered_json row_of(const std::string& scene, const bench::ShadowCase&
                                   {"asked", found.asked},
                                   {"coarsened", found.coarsened},
                                   {"rounds", found.rounds},
+                                  {"pool_too_small", frames_short_of_pages(one, found)},
                                   {"page_bytes", 4 * found.texels_a_page},
                                   {"capacity", found.capacity},
                                   {"pool_bytes", 4 * found.texels_a_page * found.capacity},
@@ -59,15 +72,11 @@ nlohmann::ordered_json row_of(const std::string& scene, const bench::ShadowCase&
     return row;
 }
 
-/// Says which frames did not get the pages they asked for, since their times are not those of what was asked.
+/// Marks a row whose frames did not get the pages they asked for, since its times are not those of what was asked.
 std::string note_on(const nlohmann::ordered_json& row) {
-    const auto coarsened = row["coarsened"].get<std::vector<std::uint32_t>>();
-    const auto refused = row["refused"].get<std::vector<std::uint32_t>>();
-    std::size_t frames = 0;
-    for (std::size_t i = 0; i < coarsened.size(); ++i) frames += coarsened[i] > 0 || refused[i] > 0 ? 1 : 0;
+    const auto frames = row["pool_too_small"].get<std::size_t>();
     if (frames == 0) return "";
-    return "POOL TOO SMALL in " + std::to_string(frames) + " of " + std::to_string(coarsened.size()) +
-           " frames: coarser pages";
+    return "POOL TOO SMALL in " + std::to_string(frames) + " of " + std::to_string(row["pages"].size()) + " frames";
 }
 
 void print_head(const Options& options, const std::string& device) {
@@ -119,6 +128,29 @@ std::vector<bench::ShadowCase> chosen(const Options& options) {
     return some;
 }
 
+nlohmann::ordered_json lookups_of(const std::string& scene, const bench::LookupTimes& found) {
+    return {{"scene", scene},
+            {"nearest_seconds", found.nearest},
+            {"gather_seconds", found.gather},
+            {"compare_seconds", found.compare},
+            {"lit_by_gather", found.lit_by_gather},
+            {"lit_by_compare", found.lit_by_compare}};
+}
+
+/// Lookups of a plain map, for scenes of which it is timed; the host device has no passes to time.
+void add_lookups(const glift::Device& device, const Options& options, const std::string& scene,
+                 const std::vector<scenes::Scene>& moving, nlohmann::ordered_json& all) {
+    if (device.is_host()) return;
+    const bench::LookupTimes found =
+        bench::lookup_times(device, options.walk.settings, moving, {options.side, options.side});
+    std::printf("| %s | lookups of a plain map alone | %zu | | | | | | | | nearest %.4f ms, gathered %.4f ms, by the "
+                "hardware's comparison %.4f ms; lit %.3f and %.3f |\n",
+                scene.c_str(), moving.size(), 1e3 * found.nearest, 1e3 * found.gather, 1e3 * found.compare,
+                found.lit_by_gather, found.lit_by_compare);
+    all["lookups"].push_back(lookups_of(scene, found));
+    write(options, all);
+}
+
 void run(const Options& options) {
     const std::vector<bench::ShadowCase> cases = chosen(options);
     const glift::Device device = glift::Device::open();
@@ -127,7 +159,8 @@ void run(const Options& options) {
                                   {"standard_side", options.walk.settings.standard},
                                   {"runs", options.runs},
                                   {"pages", options.walk.settings.pages},
-                                  {"rows", nlohmann::ordered_json::array()}};
+                                  {"rows", nlohmann::ordered_json::array()},
+                                  {"lookups", nlohmann::ordered_json::array()}};
     print_head(options, device.properties().name);
     for (const std::string& scene : options.walk.scenes) {
         const std::vector<scenes::Scene> moving = bench::scenes_along(scene, options.walk.steps_of(scene));
@@ -141,6 +174,8 @@ void run(const Options& options) {
             print(all["rows"].back());
             write(options, all);  // what there is, should time run out
         }
+        if (std::ranges::find(cases, "standard", &bench::ShadowCase::name) != cases.end())
+            add_lookups(device, options, scene, moving, all);
     }
     for (const std::string& message : device.validation_messages()) throw std::runtime_error(message);
 }
