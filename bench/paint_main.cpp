@@ -1,9 +1,12 @@
 // bench_paint: a painted model (examples/paint) drawn beside the same model of one colour, and with a dense 3-D image
 // of its paint. All clear a picture and its depths and draw all triangles with the same light: they differ in where a
 // fragment's colour comes from. The example draws what is seen, and a kernel then colours pixels ("paint"); so does
-// "dense after". "plain", "dense" and "paint at once" colour fragments in the draw.
+// "dense after". "plain", "dense" and "paint at once" colour fragments in the draw. Before that, it times a dab and the
+// end of its stroke (paint_dab.h).
 //
 //     bench_paint [MODEL] [--strokes FILE | --load FILE] [--sizes 512x512,1920x1080] [--runs N] [--json FILE]
+//     bench_paint [MODEL] --only-dabs [--dab-sizes 512,1024] [--dab-radius 64]
+#include "paint_dab.h"
 #include "picture_size.h"
 #include "timing.h"
 
@@ -38,6 +41,9 @@ constexpr std::array<const char*, 5> ways = {"plain", "dense", "paint", "dense_a
 struct Options {
     std::string model = "knot", strokes, load, json, pictures;
     std::vector<std::string> sizes = {"512x512", "1024x1024", "1920x1080", "3840x2160"};
+    std::vector<glift::uint> dab_sizes = {512, 1024};
+    float dab_radius = 64;
+    bool only_dabs = false;
     OctreeSize octree;
     std::uint32_t dense = 256;
     int runs = 11;
@@ -185,29 +191,68 @@ Json rows_of(const Options& o, Canvas& canvas, const std::vector<View>& views) {
     return rows;
 }
 
+/// Dabs in the far view.
+Json dabs_of(const Options& o, const glift::Device& device, const mesh::Mesh& mesh, const View& far) {
+    std::printf(
+        "A dab of radius %.0f on %s without paint; medians of %d runs. Device: by timestamps. Wall: of the host, "
+        "a submission and the wait for it.\n\n"
+        "| picture | part | device | wall | submissions | waits | new pages |\n"
+        "| --- | --- | ---: | ---: | ---: | ---: | ---: |\n",
+        static_cast<double>(o.dab_radius), o.model.c_str(), o.runs);
+    Json rows = Json::array();
+    for (const glift::uint side : o.dab_sizes)
+        for (const bench::DabTime& one :
+             bench::dab_times(device, mesh, o.octree, {far.camera, side, o.dab_radius, o.runs})) {
+            std::printf("| %u x %u | %s | %.3f ms | %.3f ms | %llu | %llu | %u |\n", side, side, one.name,
+                        1e3 * one.device, 1e3 * one.wall, static_cast<unsigned long long>(one.submissions),
+                        static_cast<unsigned long long>(one.waits), one.new_pages);
+            rows.push_back({{"side", side},
+                            {"radius", o.dab_radius},
+                            {"part", one.name},
+                            {"device_seconds", one.device},
+                            {"wall_seconds", one.wall},
+                            {"submissions", one.submissions},
+                            {"waits", one.waits},
+                            {"new_pages", one.new_pages}});
+            if (one.submissions != 1)
+                throw std::runtime_error(std::string(one.name) + " takes more than one submission");
+        }
+    std::printf("\n");
+    std::fflush(stdout);
+    return rows;
+}
+
+/// Adds the draws of the painted model.
+void add_draws(const Options& o, const glift::Device& device, const mesh::Mesh& mesh, const std::vector<View>& views,
+               Json& all) {
+    Canvas canvas(device, mesh, o.octree);
+    paint(o, mesh, views, canvas);
+    if (!o.pictures.empty()) std::filesystem::create_directories(o.pictures);
+    const Canvas::Bytes bytes = canvas.bytes();
+    std::printf("%u pages of %u^3, pool %.1f MB, table %.1f MB; dense %u^3, %.1f MB\n\n", canvas.pages(),
+                o.octree.resolution, 1e-6 * static_cast<double>(bytes.pool), 1e-6 * static_cast<double>(bytes.table),
+                o.dense, 4e-6 * o.dense * o.dense * o.dense);
+    all.update({{"pages", canvas.pages()},
+                {"pool_bytes", bytes.pool},
+                {"table_bytes", bytes.table},
+                {"dense", o.dense},
+                {"rows", rows_of(o, canvas, views)}});
+}
+
 void run(const Options& o) {
     for (const std::string& size : o.sizes) bench::picture_size(size);
     const mesh::Mesh mesh = model_of(o.model);
     const std::vector<View> views = views_of(mesh, o);
-    Canvas canvas(glift::Device::open(), mesh, o.octree);
-    paint(o, mesh, views, canvas);
-    if (!o.pictures.empty()) std::filesystem::create_directories(o.pictures);
-    const std::string device = canvas.device().properties().name;
-    const Canvas::Bytes bytes = canvas.bytes();
-    std::printf("%s: %s, %zu triangles; %u pages of %u^3, pool %.1f MB, table %.1f MB; dense %u^3, %.1f MB\n\n",
-                device.c_str(), o.model.c_str(), mesh.triangles(), canvas.pages(), o.octree.resolution,
-                1e-6 * static_cast<double>(bytes.pool), 1e-6 * static_cast<double>(bytes.table), o.dense,
-                4e-6 * o.dense * o.dense * o.dense);
-    const Json all{{"device", device},
-                   {"model", o.model},
-                   {"triangles", mesh.triangles()},
-                   {"resolution", o.octree.resolution},
-                   {"pages", canvas.pages()},
-                   {"pool_bytes", bytes.pool},
-                   {"table_bytes", bytes.table},
-                   {"dense", o.dense},
-                   {"runs", o.runs},
-                   {"rows", rows_of(o, canvas, views)}};
+    const glift::Device device = glift::Device::open();
+    const std::string name = device.properties().name;
+    std::printf("%s: %s, %zu triangles\n\n", name.c_str(), o.model.c_str(), mesh.triangles());
+    Json all{{"device", name},
+             {"model", o.model},
+             {"triangles", mesh.triangles()},
+             {"resolution", o.octree.resolution},
+             {"runs", o.runs},
+             {"dabs", dabs_of(o, device, mesh, views[0])}};
+    if (!o.only_dabs) add_draws(o, device, mesh, views, all);
     if (o.json.empty()) return;
     std::ofstream file(o.json);
     file << all.dump(2) << "\n";
@@ -226,6 +271,13 @@ void add_options(CLI::App& app, Options& o) {
         ->check(is_power)
         ->capture_default_str();
     app.add_option("--pages", o.octree.pages, "that there may be")->check(CLI::Range(1u, 1u << 18));
+    app.add_option("--dab-sizes", o.dab_sizes, "of the pictures in which dabs are painted, pixels a side")
+        ->delimiter(',')
+        ->check(CLI::Range(16u, 8192u));
+    app.add_option("--dab-radius", o.dab_radius, "of such a dab, pixels")
+        ->check(CLI::Range(1.0, 2048.0))
+        ->capture_default_str();
+    app.add_flag("--only-dabs", o.only_dabs, "Draws nothing");
     app.add_option("--dense", o.dense, "the side of the dense image")->check(CLI::Range(2u, 1024u));
     app.add_option("--sizes", o.sizes, "WIDTHxHEIGHT")->delimiter(',');
     app.add_option("--turn", o.turn, "where it is seen from, in radians around it");

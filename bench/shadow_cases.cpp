@@ -101,9 +101,11 @@ private:
 
 void note_pages(Along& along, const ShadowCase& one, ShadowFrames& found) {
     std::ignore = along.frame().status();  // throws if depths are missing
-    const auto pool = along.frame().pool();
-    found.pages.push_back(pool.resident), found.granted.push_back(pool.granted), found.refused.push_back(pool.refused);
-    found.capacity = pool.capacity,
+    const shadows::Status counts = along.frame().counts();
+    found.pages.push_back(counts.pool.resident), found.granted.push_back(counts.pool.granted);
+    found.refused.push_back(counts.pool.refused), found.asked.push_back(counts.asked);
+    found.coarsened.push_back(counts.coarsened), found.rounds.push_back(counts.rounds);
+    found.capacity = counts.pool.capacity;
     found.texels_a_page = std::uint64_t{one.settings.cells + 1} * (one.settings.cells + 1);
 }
 
@@ -159,7 +161,6 @@ std::vector<ShadowCase> shadow_cases(const Settings& settings) {
     const auto nearest = [](Settings& s) { s.filter = Filter::nearest; };
     add("rmsm nearest", Method::matched, nearest);
     add("standard nearest", Method::standard, nearest);
-    add("rmsm by kernel", Method::matched, [](Settings& s) { s.by_kernel = true; });
     add("rmsm by draws", Method::matched, [](Settings& s) { s.by_kernel = false; });
     for (const unsigned cells : {16u, 64u}) {
         const std::string name = "rmsm pages of " + std::to_string(cells);

@@ -26,6 +26,9 @@ std::vector<ShadowCase> shadow_cases(const Settings& settings);
 struct ShadowFrames {
     std::vector<double> seconds;  ///< of each frame, by device timestamps; of a static case without the first one
     std::vector<std::uint32_t> pages, granted, refused;  ///< of each of these frames: resident; new; found no room
+    /// Of each of them, as shadows::Status has it: pages asked for; those of them that have a coarser page in their
+    /// place, the pool being too small; how often pages were filled.
+    std::vector<std::uint32_t> asked, coarsened, rounds;
     std::optional<double> touched;  ///< share of the texels of resident pages that pixels look up, median of every
                                     ///< fifth frame; absent for standard maps and static cases
     std::uint64_t texels_a_page = 0, capacity = 0;

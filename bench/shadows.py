@@ -16,12 +16,11 @@ METHODS = {"standard": "standard map", "asm": "ASM", "rmsm": "RMSM"}
 THESIS = {"asm / rmsm": "2 to 10", "rmsm / standard": "2 to 4", "asm / rmsm static": "1 to 3", "rmsm / standard static": "1 to 2"}
 # Kernels of examples/shadows with which a part of a frame ends, each with the part that follows, and those with which a part begins,
 # each with this part. What lies between belongs to the part that has begun, so that library kernels, which several parts call, are told
-# apart. WITHIN gives kernels inside "fill" parts of their own.
+# apart. WITHIN gives kernels inside "fill" parts of their own: those of std.draw_pages.
 ENDS = {"project": "look", "find_surface": "standard map", "draw_light": "ask", "ask_all": "allocate", "ask_at_edges": "allocate",
         "put_all": "allocate", "find_lit": "ask"}
 BEGINS = {"mark": "fill", "find_lit": "find_lit", "shade": "shade"}
-WITHIN = {("fill", name): part for part, names in {"fill: walk": ("visit", "begin", "go_down"),
-                                                   "fill: draw": ("draw_pages", "draw_pairs", "draw_rows")}.items() for name in names}
+WITHIN = {("fill", name): part for part, names in {"fill: walk": ("begin", "go_down"), "fill: draw": ("draw_pairs", "draw_rows")}.items() for name in names}
 PARTS = ["project", "look", "standard map", "ask", "allocate", "fill: walk", "fill: draw", "fill", "find_lit", "shade"]
 
 
@@ -52,31 +51,64 @@ def markdown(head, rows):
     return "\n".join([f"| {' | '.join(head)} |", "| --- |" + " ---: |" * (len(head) - 1)] + [f"| {' | '.join(row)} |" for row in rows])
 
 
-def times(scenes, end):
+def short_frames(row):
+    """How many frames of a row did not get the pages that they asked for, since the pool was too small."""
+    return row.get("pool_too_small", 0)
+
+
+def mark(row):
+    return f" (POOL TOO SMALL in {short_frames(row)} of {len(row['seconds'])})" if short_frames(row) else ""
+
+
+def sample(rows, runs):
+    """What the figures of some rows are of, in words."""
+    numbers = sorted({len(row["seconds"]) for row in rows})
+    return f"Of {' or '.join(map(str, numbers))} frames each, of which each is the median of {runs} run{'s' if runs > 1 else ''}."
+
+
+def times(scenes, end, runs):
     """Median and 95th percentile by method, and the ratios that the thesis states; `end` is "" or " static"."""
     rows = []
     for scene, cases in scenes.items():
         if not all(name + end in cases for name in METHODS):
             continue
         own = {name: cases[name + end] for name in METHODS}
-        rows.append([scene] + [f"{ms(row['median'])}, {ms(row['percentile_95'])}" for row in own.values()]
+        rows.append([scene] + [f"{ms(row['median'])}, {ms(row['percentile_95'])}{mark(row)}" for row in own.values()]
                     + [f"{own['asm']['median'] / own['rmsm']['median']:.2f}", f"{own['rmsm']['median'] / own['standard']['median']:.2f}"])
     head = ["scene"] + [f"{name}: median, 95 %, ms" for name in METHODS.values()]
-    return markdown(head + [f"ASM / RMSM (thesis: {THESIS['asm / rmsm' + end]})", f"RMSM / standard (thesis: {THESIS['rmsm / standard' + end]})"], rows)
+    table = markdown(head + [f"ASM / RMSM (thesis: {THESIS['asm / rmsm' + end]})", f"RMSM / standard (thesis: {THESIS['rmsm / standard' + end]})"], rows)
+    counted = [cases[name + end] for cases in scenes.values() for name in METHODS if name + end in cases]
+    return f"{table}\n\n{sample(counted, runs)}" if rows else table
 
 
 def pages(scenes):
+    """Medians and the most over frames; of ASM, "asked" is what is there after the last round."""
+    def spread(values):
+        return f"{statistics.median(values):.0f}, {max(values)}" if values else ""
     rows = []
     for scene, cases in scenes.items():
         for name in ("rmsm", "rmsm static", "asm", "asm static"):
             row = cases.get(name)
             if row is None:
                 continue
-            number = statistics.median(row["pages"])
             touched = f"{100 * row['touched']:.1f} %" if "touched" in row else ""
-            rows.append([scene, name, f"{number:.0f}", f"{statistics.median(row['granted']):.0f}", f"{max(row['refused'])}",
-                         f"{number * row['page_bytes'] / 1e6:.1f} of {row['capacity'] * row['page_bytes'] / 1e6:.1f}", touched])
-    return markdown(["scene", "case", "pages there", "new a frame", "refused, most", "MB of depths, of the pool", "texels looked up"], rows)
+            rows.append([scene, name, str(len(row["pages"])), spread(row.get("asked")), spread(row["pages"]), spread(row["granted"]), spread(row.get("rounds")),
+                         spread(row.get("coarsened")), str(max(row["refused"])), str(short_frames(row)),
+                         f"{statistics.median(row['pages']) * row['page_bytes'] / 1e6:.1f} of {row['capacity'] * row['page_bytes'] / 1e6:.1f}", touched])
+    return markdown(["scene", "case", "frames", "asked: median, most", "pages there", "new a frame", "rounds", "coarser in place of", "refused, most",
+                     "frames with too small a pool", "MB of depths, of the pool", "texels looked up"], rows)
+
+
+def sized(cases):
+    """The rows of RMSM with other sizes of pages and with the usual one, by size."""
+    return sorted((cases[name] for name in ("rmsm", "rmsm pages of 16", "rmsm pages of 64") if name in cases), key=lambda row: row["cells"])
+
+
+def page_sizes(scenes):
+    rows = [[scene, f"{row['cells']} x {row['cells']}", f"{ms(row['median'])}{mark(row)}", f"{statistics.median(row['pages']):.0f}",
+             f"{statistics.median(row['pages']) * row['page_bytes'] / 1e6:.1f}", f"{100 * row['touched']:.1f} %" if "touched" in row else ""]
+            for scene, cases in scenes.items() for row in sized(cases)]
+    return markdown(["scene", "cells of a page", "RMSM, ms", "pages", "MB of depths", "texels looked up"], rows)
 
 
 def parts(scenes):
@@ -95,7 +127,7 @@ def knobs(scenes):
     """What each knob does to a frame of RMSM."""
     names = list(dict.fromkeys(name for cases in scenes.values() for name in cases
                                if name.startswith("rmsm") and not name.endswith("static")))
-    rows = [[scene] + [f"{ms(cases[name]['median'])}, {statistics.median(cases[name]['pages']):.0f}" if name in cases else ""
+    rows = [[scene] + [f"{ms(cases[name]['median'])}, {statistics.median(cases[name]['pages']):.0f}{mark(cases[name])}" if name in cases else ""
                        for name in names] for scene, cases in scenes.items()]
     return markdown(["scene"] + [f"{name}: ms, pages" for name in names], rows)
 
@@ -107,15 +139,40 @@ def lookup_speeds(cases):
         return parts_of(row["passes"])["find_lit"] if row and row["passes"] else 0
     names = [name for name in cases if name.startswith("rmsm") and seconds(name) > 0]
     beside = {"rmsm nearest": "standard nearest"}
-    return {name: seconds(beside.get(name, "standard")) / seconds(name) for name in names}
+    speeds = {name: seconds(beside.get(name, "standard")) / seconds(name) for name in names}
+    return {name: speed for name, speed in speeds.items() if speed > 0}
 
 
-def lookups(scenes):
+def hardware(data):
+    """{scene: the time of lookups of a plain map by the hardware's comparison, divided by that with a gather}, 2 x 2 texels each, alone in a
+    submission."""
+    return {row["scene"]: row["compare_seconds"] / row["gather_seconds"] for row in data.get("lookups", [])}
+
+
+def lookups(data, scenes):
+    """Against a plain map that the same kernel reads (nearest: one texel, else by gathers) and, 2 x 2, against the hardware's comparison."""
     names = [name for name in ("rmsm nearest", "rmsm", "rmsm trilinear") if any(name in cases for cases in scenes.values())]
-    rows = [[scene] + [f"{100 * lookup_speeds(cases).get(name, 0):.0f} %" for name in names] for scene, cases in scenes.items()
-            if lookup_speeds(cases)]
-    thesis = {"rmsm nearest": "the level's page, nearest texel", "rmsm": "the level's page, 2 x 2 (thesis: 77 %)", "rmsm trilinear": "between levels (thesis: 74 %)"}
-    return markdown(["scene"] + [thesis[name] for name in names], rows)
+    by_hardware, rows = hardware(data), []
+    for scene, cases in scenes.items():
+        speeds = lookup_speeds(cases)
+        if not speeds:
+            continue
+        row = [scene]
+        for name in names:
+            row.append(f"{100 * speeds[name]:.0f} %" if name in speeds else "")
+            if name != "rmsm nearest":
+                row.append(f"{100 * speeds[name] * by_hardware[scene]:.0f} %" if name in speeds and scene in by_hardware else "")
+        rows.append(row)
+    against = ["of a map that is gathered", "of one that the hardware compares"]
+    heads = {"rmsm nearest": ["the level's page, nearest texel, of a map's nearest"], "rmsm": [f"the level's page, 2 x 2 (thesis: 77 %), {one}" for one in against],
+             "rmsm trilinear": [f"between levels (thesis: 74 %), {one}" for one in against]}
+    return markdown(["scene"] + [head for name in names for head in heads[name]], rows)
+
+
+def plain_lookups(data):
+    return markdown(["scene", "nearest texel, ms", "2 x 2, gathered, ms", "2 x 2, compared by the hardware, ms", "pixels lit: gathered, compared"],
+                    [[row["scene"]] + [f"{1e3 * row[key + '_seconds']:.4f}" for key in ("nearest", "gather", "compare")]
+                     + [f"{row['lit_by_gather']:.3f}, {row['lit_by_compare']:.3f}"] for row in data["lookups"]])
 
 
 def longest(scenes, number=8):
@@ -136,11 +193,16 @@ def longest(scenes, number=8):
 
 def tables(data):
     scenes = by_scene(data)
-    several = [("Scenes that move", times(scenes, "")), ("Scenes that stand still, pages kept", times(scenes, " static")),
+    several = [("Scenes that move", times(scenes, "", data["runs"])),
+               ("Scenes that stand still, pages kept", times(scenes, " static", data["runs"])),
                ("Pages", pages(scenes)), ("Knobs of RMSM", knobs(scenes))]
+    if any(row["cells"] != 32 for row in data["rows"]):
+        several.append(("Sizes of pages", page_sizes(scenes)))
     if any(row["passes"] for row in data["rows"]):
         several += [("Parts of a frame, each pass by itself", parts(scenes)), ("Where RMSM's time goes", longest(scenes)),
-                    ("Speed of lookups, of a standard map's with the same kernel", lookups(scenes))]
+                    ("Speed of lookups, of a standard map's", lookups(data, scenes))]
+    if data.get("lookups"):
+        several.append(("Lookups of a standard map alone", plain_lookups(data)))
     return "\n\n".join(f"**{title}**\n\n{table}" for title, table in several)
 
 
@@ -201,7 +263,8 @@ def draw_parts(data, scenes):
         axes[0].bar(range(len(names)), values, bottom=below, label=part, color=plot.pyplot().get_cmap("tab10")(k))
         below = [a + b for a, b in zip(below, values)]
     axes[0].set_xticks(range(len(names)), [f"{scene}, {name}" for scene, name in names], rotation=60, ha="right", fontsize=8)
-    axes[0].legend(fontsize=8)
+    handles, labels = axes[0].get_legend_handles_labels()
+    axes[0].legend(handles[::-1], labels[::-1], fontsize=8, loc="center left", bbox_to_anchor=(1.01, 0.5))   # beside the bars, in their order
     return figure
 
 
@@ -209,8 +272,7 @@ def draw_pages(data, scenes):
     figure, axes = new_figure(data, "RMSM by cells along a page", 2, "milliseconds")
     axes[1].set_ylabel("MB of depths")
     for k, (scene, cases) in enumerate(scenes.items()):
-        rows = sorted((cases[name] for name in ("rmsm", "rmsm pages of 16", "rmsm pages of 64") if name in cases),
-                      key=lambda row: row["cells"])
+        rows = sized(cases)
         style = {"label": scene, "color": plot.COLOURS[k % len(plot.COLOURS)], "marker": plot.MARKERS[k % len(plot.MARKERS)]}
         sizes = [row["cells"] for row in rows]
         axes[0].plot(sizes, [1e3 * row["median"] for row in rows], **style)

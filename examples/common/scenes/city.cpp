@@ -17,8 +17,9 @@ constexpr float block = 4.0f, house = 3.0f;
 /// A tower of up to three steps, each with rows of windows.
 void add_house(mesh::Mesh& mesh, const float3& corner, float high, Random& random) {
     const float shade = random.between(0.35f, 0.75f);
-    const float3 wall(shade, shade * random.between(0.85f, 1), shade * random.between(0.75f, 1)),
-        glass(0.1f, 0.16f, 0.22f);
+    const float blue = shade * random.between(0.75f, 1);
+    const float green = shade * random.between(0.85f, 1);
+    const float3 wall(shade, green, blue), glass(0.1f, 0.16f, 0.22f);
     const int steps = high > 6 ? 3 : high > 3 ? 2 : 1;
     float from = 0;
     for (int step = 0; step < steps; ++step) {
@@ -53,8 +54,8 @@ Scene city(float time) {
             const float3 corner(block * static_cast<float>(x) - half + 0.5f, 0,
                                 block * static_cast<float>(z) - half + 0.5f);
             const float middle = std::hypot(corner.x, corner.z) / half;
-            const float high =
-                random.between(1.2f, 3) + 9 * std::pow(random.between(0, 1), 3.0f) * std::max(0.15f, 1 - middle);
+            const float least = random.between(1.2f, 3);
+            const float high = least + 9 * std::pow(random.between(0, 1), 3.0f) * std::max(0.15f, 1 - middle);
             mesh::add_box(scene.mesh, corner - float3(0.15f, 0, 0.15f),
                           corner + float3(house + 0.15f, 0.05f, house + 0.15f), float3(0.45f, 0.45f, 0.44f));
             add_house(scene.mesh, corner, high, random);
@@ -64,7 +65,7 @@ Scene city(float time) {
         const float lane = block * std::floor(random.between(1, blocks)) - half + (i % 2 ? -0.17f : 0.17f);
         const float speed = random.between(1, 3) * (i % 2 ? 1.0f : -1.0f), start = random.between(0, 2 * half);
         const float along = std::fmod(std::fmod(start + speed * time, 2 * half) + 2 * half, 2 * half) - half;
-        const float3 colour(random.between(0.1f, 0.9f), random.between(0.1f, 0.6f), random.between(0.1f, 0.6f));
+        const float3 colour = random.inside(float3(0.1f), float3(0.9f, 0.6f, 0.6f));
         const bool along_x = i % 4 < 2;
         add_car(scene.mesh, along_x ? float3(along, 0, lane) : float3(lane, 0, along), along_x, colour);
     }

@@ -98,7 +98,9 @@ Scene fence(float time) {
     }
     for (int i = 0; i < 1500; ++i) {
         const float z = random.between(-14, 4), x = random.between(-9, 9), high = random.between(0.1f, 0.4f);
-        const float3 foot(x, 0, z), tip(x + random.between(-0.1f, 0.1f), high, z + random.between(-0.1f, 0.1f));
+        const float tip_z = z + random.between(-0.1f, 0.1f);
+        const float tip_x = x + random.between(-0.1f, 0.1f);
+        const float3 foot(x, 0, z), tip(tip_x, high, tip_z);
         mesh::add_rod(scene.mesh, foot, tip, 0.012f, 0.001f, 3, float3(0.2f, random.between(0.3f, 0.45f), 0.08f));
     }
     scene.view = {float3(-5.6f, 1.75f, 4.6f), float3(0.5f, 1.6f, -6), float3(0, 1, 0), 0.62f, 0.3f, 260};

@@ -17,7 +17,7 @@ constexpr unsigned hairs = 4000, segments = 12;
 
 float3 direction(Random& random) {
     for (;;) {
-        const float3 d(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+        const float3 d = random.inside(float3(-1), float3(1));
         const float squared = glift::dot(d, d);
         if (squared > 0.01f && squared < 1) return d / std::sqrt(squared);
     }
@@ -25,7 +25,9 @@ float3 direction(Random& random) {
 
 /// A ribbon that curls outwards from the ball and hangs down.
 void add_hair(mesh::Mesh& mesh, const float3& centre, Random& random, float time) {
-    const float3 out = direction(random), curl = direction(random) * random.between(0.1f, 0.5f);
+    const float3 out = direction(random);
+    const float curled = random.between(0.1f, 0.5f);
+    const float3 curl = direction(random) * curled;
     const float3 side = glift::normalize(glift::cross(out, direction(random)));
     const float length = random.between(0.45f, 0.75f), phase = random.between(0, 6),
                 shade = random.between(0.25f, 0.6f);

@@ -1,5 +1,8 @@
-// Random numbers that are the same on every machine: PCG, M. E. O'Neill, 2014.
+// Random numbers that are the same on every machine: PCG, M. E. O'Neill, 2014. An expression, or the arguments of a
+// call, may draw one number at most: which of two is drawn first would be the compiler's choice.
 #pragma once
+
+#include <glift/vector.h>
 
 #include <cstdint>
 
@@ -17,6 +20,14 @@ public:
     }
     /// A random number in [low, high).
     float between(float low, float high) { return low + (high - low) * (static_cast<float>(bits() >> 8) * 0x1p-24f); }
+    /// A random point of a box. Its numbers are drawn in a fixed order, as compilers are free to evaluate arguments in
+    /// any: z first, as g++ did when the scenes were made.
+    glift::float3 inside(const glift::float3& low, const glift::float3& high) {
+        const float z = between(low.z, high.z);
+        const float y = between(low.y, high.y);
+        const float x = between(low.x, high.x);
+        return {x, y, z};
+    }
 
 private:
     std::uint64_t state_;

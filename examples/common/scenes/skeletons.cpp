@@ -64,9 +64,10 @@ Scene skeletons(float time) {
     Random random(13);
     mesh::add_box(scene.mesh, float3(-7, -0.1f, -7), float3(7, 0, 7), float3(0.32f, 0.3f, 0.28f));
     for (int i = 0; i < 9; ++i) {
-        const float3 place(1.5f * static_cast<float>(i % 3 - 1) + random.between(-0.2f, 0.2f), 0,
-                           1.5f * static_cast<float>(i / 3 - 1) + random.between(-0.2f, 0.2f));
-        add_skeleton(scene.mesh, facing(place, random.between(-0.5f, 0.9f)), 3 * time + random.between(0, 6));
+        const float z = 1.5f * static_cast<float>(i / 3 - 1) + random.between(-0.2f, 0.2f);
+        const float x = 1.5f * static_cast<float>(i % 3 - 1) + random.between(-0.2f, 0.2f);
+        const float start = random.between(0, 6);
+        add_skeleton(scene.mesh, facing(float3(x, 0, z), random.between(-0.5f, 0.9f)), 3 * time + start);
     }
     scene.view = {float3(2.6f, 2.3f, 5.2f), float3(0, 0.9f, 0), float3(0, 1, 0), 0.7f, 0.1f, 40};
     scene.light = {float3(3, 6, 4), float3(0, 0.5f, 0), float3(0, 1, 0), 0.8f, 0.5f, 18};

@@ -20,9 +20,11 @@ float3 in_wind(const float3& place, float time) {
 }
 
 void add_leaf(mesh::Mesh& mesh, const float3& at, Random& random, float time) {
-    const float3 u(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
-    const float3 v(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
-    const float3 colour(random.between(0.08f, 0.22f), random.between(0.3f, 0.5f), 0.06f);
+    const float3 u = random.inside(float3(-1), float3(1));
+    const float3 v = random.inside(float3(-1), float3(1));
+    const float green = random.between(0.3f, 0.5f);
+    const float red = random.between(0.08f, 0.22f);
+    const float3 colour(red, green, 0.06f);
     const auto first = static_cast<std::uint32_t>(mesh.points.size());
     for (const float3& corner : {u * -0.06f, u * 0.06f, v * 0.09f}) {
         mesh.points.push_back(in_wind(at + corner, time));
@@ -39,18 +41,17 @@ void add_branch(mesh::Mesh& mesh, const float3& from, const float3& direction, f
     mesh::add_rod(mesh, in_wind(from, time), in_wind(to, time), radius, radius * 0.7f, depth > 2 ? 8 : 5,
                   float3(0.24f, 0.16f, 0.1f));
     if (depth == 0) {
-        for (int i = 0; i < 12; ++i)
-            add_leaf(
-                mesh,
-                from + direction * (length * random.between(0, 1.4f)) +
-                    float3(random.between(-0.15f, 0.15f), random.between(-0.15f, 0.15f), random.between(-0.15f, 0.15f)),
-                random, time);
+        for (int i = 0; i < 12; ++i) {
+            const float3 beside = random.inside(float3(-0.15f), float3(0.15f));
+            const float along = length * random.between(0, 1.4f);
+            add_leaf(mesh, from + direction * along + beside, random, time);
+        }
         return;
     }
     for (int i = 0; i < 3; ++i) {
-        const float3 aside(random.between(-0.8f, 0.8f), random.between(-0.1f, 0.5f), random.between(-0.8f, 0.8f));
-        add_branch(mesh, to, glift::normalize(direction + aside), length * random.between(0.65f, 0.8f), radius * 0.62f,
-                   depth - 1, random, time);
+        const float3 aside = random.inside(float3(-0.8f, -0.1f, -0.8f), float3(0.8f, 0.5f, 0.8f));
+        const float next_length = length * random.between(0.65f, 0.8f);
+        add_branch(mesh, to, glift::normalize(direction + aside), next_length, radius * 0.62f, depth - 1, random, time);
     }
 }
 
@@ -70,9 +71,11 @@ Scene trees(float time) {
     for (int i = 0; i < 7; ++i) {
         const float angle = 0.9f * static_cast<float>(i) + 0.4f, far = i == 0 ? 0 : random.between(2.5f, 5.5f);
         const float3 foot(far * std::sin(angle), -0.15f, far * std::cos(angle));
-        add_branch(scene.mesh, foot,
-                   glift::normalize(float3(random.between(-0.1f, 0.1f), 1, random.between(-0.1f, 0.1f))),
-                   random.between(1.0f, 1.4f), random.between(0.12f, 0.17f), 5, random, time);
+        const float radius = random.between(0.12f, 0.17f);
+        const float length = random.between(1.0f, 1.4f);
+        const float aside_z = random.between(-0.1f, 0.1f);
+        const float aside_x = random.between(-0.1f, 0.1f);
+        add_branch(scene.mesh, foot, glift::normalize(float3(aside_x, 1, aside_z)), length, radius, 5, random, time);
     }
     scene.view = {float3(4.5f, 3.2f, 9.5f), float3(0, 1.9f, 0), float3(0, 1, 0), 0.75f, 0.1f, 60};
     scene.light = {float3(6, 11, 5), float3(0, 1, 0), float3(0, 1, 0), 0.8f, 1, 30};

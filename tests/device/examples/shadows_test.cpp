@@ -1,11 +1,15 @@
-// Runs the shadows example as a user does: camera paths that are written and read again, measurements along such paths,
-// and what is said where something is wrong.
+// Runs the shadows example as a user does: a mesh from a file by all methods, views and lights on two devices, camera
+// paths that are written and read again, measurements along such paths, and what is said where something is wrong.
 #include "run_example.h"
+
+#include "examples/common/picture.h"
 
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <vector>
@@ -82,6 +86,82 @@ TEST_F(ShadowsExample, MeasuresWhatPops) {
     EXPECT_TRUE(std::filesystem::exists(file("pictures/city_rmsm_popping.png")));
     EXPECT_THAT(run({"--popping", file("lines"), "--paths", GLIFT_SHADOW_PATHS, "--frames", "1"}).err,
                 HasSubstr("at least two frames"));
+}
+
+/// A tent from a file, over a floor, in small pictures.
+struct ShadowsOfAFile : ShadowsExample {
+    ShadowsOfAFile() {
+        glift::test::write_file(file("tent.obj"), "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0.5 0.8 0.5\n"
+                                                  "f 1 5 2\nf 2 5 3\nf 3 5 4\nf 4 5 1\n");
+    }
+    glift::test::ProcessResult run_on(const std::string& device, std::vector<std::string> options) {
+        const std::vector<std::string> all = {"--scene", file("tent.obj"), "--size", "60",      "40",    "--levels",
+                                              "8",       "--pages",        "512",    "--pairs", "20000", "--standard",
+                                              "128"};
+        options.insert(options.end(), all.begin(), all.end());
+        return run_example(GLIFT_SHADOWS, options, {"GLIFT_DEVICE=" + device});
+    }
+    picture::Picture picture_on(const std::string& device, std::vector<std::string> options) {
+        options.insert(options.end(), {"--out", file("out.exr")});
+        const auto result = run_on(device, options);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_THAT(result.out, HasSubstr(device == "host" ? "submissions: 0" : "submissions: 1,"));
+        return picture::read(file("out.exr"));
+    }
+    /// The host's picture, after a look that lavapipe's is the same.
+    picture::Picture on_both(const std::vector<std::string>& options) {
+        picture::Picture host = picture_on("host", options);
+        EXPECT_LE(different(host, picture_on("lavapipe", options)), 0.005) << testing::PrintToString(options);
+        return host;
+    }
+    /// The share of pixels that differ by more than rounding.
+    static double different(const picture::Picture& a, const picture::Picture& b) {
+        EXPECT_EQ(a.pixels.size(), b.pixels.size());
+        std::size_t number = 0;
+        for (std::size_t i = 0; i < std::min(a.pixels.size(), b.pixels.size()); ++i) {
+            const glift::float4 &p = a.pixels[i], &q = b.pixels[i];
+            const float most = std::max({std::abs(p.x - q.x), std::abs(p.y - q.y), std::abs(p.z - q.z)});
+            number += most > 0.02f ? 1 : 0;
+        }
+        return static_cast<double>(number) / static_cast<double>(a.pixels.size());
+    }
+};
+
+TEST_F(ShadowsOfAFile, EachViewShowsSomethingElse) {
+    std::vector<picture::Picture> all;
+    for (const char* view : {"picture", "levels", "borders", "map", "pool"}) {
+        all.push_back(on_both({"--show", view}));
+        for (std::size_t other = 0; other + 1 < all.size(); ++other)
+            EXPECT_GT(different(all.back(), all[other]), 0.01) << view << ' ' << other;
+    }
+}
+
+TEST_F(ShadowsOfAFile, AdaptiveMapsAgreeWithMatchedOnes) {
+    const picture::Picture adaptive = on_both({"--method", "asm", "--seed-level", "4"});
+    EXPECT_LE(different(adaptive, picture_on("host", {"--method", "rmsm"})), 0.01);
+    EXPECT_GT(different(adaptive, picture_on("host", {"--method", "standard"})), 0.0) << "a map of few texels";
+}
+
+TEST_F(ShadowsOfAFile, LightsOfAllKindsCastShadows) {
+    const picture::Picture directional = picture_on("host", {});
+    for (const char* light : {"spot", "point"}) {
+        const picture::Picture lit = on_both({"--light", light});
+        EXPECT_GT(different(lit, directional), 0.01) << light;
+    }
+}
+
+TEST_F(ShadowsOfAFile, ComparesAllMethodsWithRays) {
+    for (const char* device : {"host", "lavapipe"}) {
+        const auto result = run_on(device, {"--compare", "--out", file("compared.png")});
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        const std::string words = "RMSM ";
+        const std::size_t at = result.out.find(words);
+        ASSERT_NE(at, std::string::npos) << result.out;
+        EXPECT_GE(std::stod(result.out.substr(at + words.size())), 99.0) << result.out;
+        EXPECT_THAT(result.out, HasSubstr("pixels agree with rays"));
+        const picture::Picture compared = picture::read(file("compared.png"));
+        EXPECT_GT(compared.width * compared.height, 60u * 40u) << "several pictures side by side";
+    }
 }
 
 TEST_F(ShadowsExample, SaysWhatIsWrong) {
