@@ -22,7 +22,7 @@ struct Frame {
 };
 
 Frame frame_of(const Camera& camera) {
-    const float3 back = normalize(camera.eye - camera.target), right = normalize(cross(camera.up, back));
+    const float3 back = normalize(camera.eye - camera.target), right = normalize(cross(up_of(camera), back));
     return {right, cross(back, right), back};
 }
 
@@ -36,6 +36,12 @@ float4x4 from_rows(const float4& x, const float4& y, const float4& z, const floa
 float4 row(const float3& direction, float offset) { return float4(direction.x, direction.y, direction.z, offset); }
 
 }  // namespace
+
+float3 up_of(const Camera& camera) {
+    const float3 across = cross(normalize(camera.up), normalize(camera.eye - camera.target));
+    if (dot(across, across) > 1e-8f) return camera.up;
+    return std::abs(camera.up.z) < std::abs(camera.up.y) ? float3(0, 0, -1) : float3(0, 1, 0);
+}
 
 float4x4 projection_of(const Camera& camera, float aspect) {
     const auto [right, up, back] = frame_of(camera);

@@ -10,7 +10,12 @@ struct Camera {
     glift::float3 eye{0, 0, 1}, target{0, 0, 0}, up{0, 1, 0};
     float height_angle = 0.8f;  ///< vertical field of view in radians
     float near = 0.1f, far = 100.0f;
+
+    bool operator==(const Camera&) const = default;
 };
+
+/// The camera's `up`; another axis if the camera looks along it, so that it would say nothing.
+glift::float3 up_of(const Camera& camera);
 
 /// The matrix from world to clip coordinates, for a picture `aspect` times as wide as high.
 glift::float4x4 projection_of(const Camera& camera, float aspect);

@@ -16,6 +16,7 @@ struct Mesh {
     std::vector<std::uint32_t> corners;
 
     std::size_t triangles() const { return corners.size() / 3; }
+    bool operator==(const Mesh&) const = default;
 };
 
 struct Box {

@@ -6,6 +6,7 @@
 #include <imgui/imgui.h>
 
 #include <cmath>
+#include <cstring>
 #include <optional>
 
 namespace {
@@ -31,12 +32,14 @@ public:
         frame_->set_knobs(choice_.settings);
         frame_->set_scene(scene_);
         frame_->draw(choice_.method);
+        look_at_counts();
         show::to_screen(window_.device(), frame_->image(choice_.view), *shown_);
         window_.show(shown_->data());
     }
 
 private:
     void fit() {
+        counts_ = {};
         frame_.emplace(window_.device(), choice_.settings, window_.size());
         shown_.emplace(window_.device(), window_.size());
         scene_ = scene_at_(choice_.time);
@@ -60,6 +63,19 @@ private:
             if (event.key == 'S') save_(frame_->picture(choice_.view));
         }
     }
+    /// Says what became of a frame some frames ago, whose counts have come meanwhile: nothing waits for the device.
+    void look_at_counts() {
+        if (counts_ && counts_.ready()) {
+            shadows::Status status;
+            std::memcpy(&status, counts_.get().data(), sizeof status);
+            told_ = text_of(status, counted_);
+            lost_ = status.lost > 0 ? text_of_lost(status) : "";
+            counts_ = {};
+        }
+        if (counts_) return;
+        counts_ = frame_->download_counts();
+        counted_ = choice_.method;
+    }
     void panel() {
         Settings& s = choice_.settings;
         int method = static_cast<int>(choice_.method), view = static_cast<int>(choice_.view),
@@ -77,6 +93,10 @@ private:
         ImGui::Checkbox("cached", &s.cached);
         ImGui::Checkbox("moves", &choice_.moves);
         ImGui::PopItemWidth();
+        ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
+        ImGui::TextUnformatted(told_.c_str());
+        if (!lost_.empty()) ImGui::TextColored({1, 0.3f, 0.2f, 1}, "%s", lost_.c_str());
+        ImGui::PopTextWrapPos();
         ImGui::TextUnformatted("Left: camera.  Right: light.  Wheel: closer.\nTab: hide this.  S: save.  Esc: close.");
         ImGui::End();
         choice_.method = static_cast<Method>(method), choice_.view = static_cast<View>(view);
@@ -92,6 +112,9 @@ private:
     std::optional<Frame> frame_;
     std::optional<shown::Shown> shown_;
     scenes::Scene scene_;
+    glift::Download counts_;
+    Method counted_ = Method::matched;  ///< whose frame `counts_` are of
+    std::string told_, lost_;           ///< of a frame some frames ago
     window::Button button_ = window::Button::left;
     glift::float2 place_{};
     bool has_panel_ = true;

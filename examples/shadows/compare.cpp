@@ -75,7 +75,7 @@ Compared compare(Frame& frame, float bias) {
         frame.draw(Compared::methods[k]);
         std::ignore = frame.status();  // throws if depths are missing
         compared.lighting[k] = frame.lighting();
-        compared.pages[k] = frame.pool();
+        compared.counts[k] = frame.counts();
     }
     compared.reference = rays::trace(frame, compared.lighting[0], bias, [&](std::size_t pixel, rays::Light light) {
         return std::ranges::any_of(compared.lighting,

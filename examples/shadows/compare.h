@@ -4,6 +4,7 @@
 #include "rays.h"
 
 #include <array>
+#include <optional>
 #include <string>
 
 struct Agreement {
@@ -11,7 +12,11 @@ struct Agreement {
     std::size_t different = 0;  ///< those of `pixels` that are lit where rays say shadowed, or the reverse
     std::size_t in_band = 0;    ///< pixels that the light may reach in that band
 
-    double share() const { return pixels == 0 ? 1 : 1 - static_cast<double>(different) / static_cast<double>(pixels); }
+    /// The share of `pixels` that agree; absent where there are none.
+    std::optional<double> share() const {
+        if (pixels == 0) return {};
+        return 1 - static_cast<double>(different) / static_cast<double>(pixels);
+    }
     Agreement& operator+=(const Agreement& other);
 };
 
@@ -26,7 +31,7 @@ struct Compared {
     std::array<Lighting, 3> lighting;
     rays::Reference reference;
     std::array<Agreement, 3> agreement;
-    std::array<std_page_allocator::PoolStatus, 3> pages;  ///< of the quadtree, which the standard map does not use
+    std::array<shadows::Status, 3> counts;  ///< of the quadtree, which the standard map does not use
 
     const Agreement& rmsm() const { return agreement[0]; }
     const Agreement& adaptive() const { return agreement[1]; }

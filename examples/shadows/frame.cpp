@@ -3,6 +3,8 @@
 #include <glift/host/math.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <tuple>
 
@@ -16,6 +18,33 @@ Choice choice_of(const std::string& name, std::initializer_list<std::pair<const 
         known += (known.empty() ? "" : ", ") + std::string(word);
     }
     throw std::runtime_error("there is no '" + name + "'; there are " + known);
+}
+
+/// The least and the largest distance of a scene's points from its light, along the axis of the face that sees each.
+std::pair<float, float> distances_of(const scenes::Scene& scene, LightKind kind) {
+    const camera::Camera& light = scene.light;
+    const glift::float3 forward = glift::normalize(light.target - light.eye);
+    std::pair range(std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest());
+    for (const glift::float3& point : scene.mesh.points) {
+        const glift::float3 way = point - light.eye;
+        const float away = kind == LightKind::point ? std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z)})
+                                                    : glift::dot(forward, way);
+        range = {std::min(range.first, away), std::max(range.second, away)};
+    }
+    return range;
+}
+
+/// The scene's light with the range that Frame::light() says, a little more for rounding.
+camera::Camera fitted(const scenes::Scene& scene, LightKind kind) {
+    camera::Camera light = scene.light;
+    const auto [least, most] = distances_of(scene, kind);
+    if (kind == LightKind::directional) {
+        const float more = 0.001f * (most - least + scene.light_half_size);
+        light.near = least - more, light.far = most + more;
+    } else {
+        light.far = std::max(light.far, 1.001f * most);
+    }
+    return light;
 }
 
 }  // namespace
@@ -43,6 +72,22 @@ LightKind light_of(const std::string& name) {
         name, {{"directional", LightKind::directional}, {"spot", LightKind::spot}, {"point", LightKind::point}});
 }
 
+std::string text_of(const shadows::Status& status, Method method) {
+    if (method == Method::standard) return "";
+    std::string text = std::to_string(status.asked) + " pages asked for, " + std::to_string(status.pool.resident) +
+                       " of " + std::to_string(status.pool.capacity) + " there";
+    if (method == Method::matched) text += ", " + std::to_string(status.pool.granted) + " new";
+    else text += ", " + std::to_string(status.rounds) + " rounds";
+    if (status.coarsened > 0) text += ", coarser ones in place of " + std::to_string(status.coarsened);
+    if (status.pool.refused > 0) text += ", " + std::to_string(status.pool.refused) + " refused";
+    return text;
+}
+
+std::string text_of_lost(const shadows::Status& status) {
+    return std::to_string(status.lost) + " pairs of a triangle and a page found no room, so that shadows are missing: "
+                                         "give more of them by --pairs";
+}
+
 Frame::Frame(glift::Device device, const Settings& settings, glift::uint2 size)
     : device_(std::move(device)), settings_(settings), size_(size) {
     if (settings.light == LightKind::point && (settings.levels < 3 || settings.pages < 6))
@@ -52,27 +97,30 @@ Frame::Frame(glift::Device device, const Settings& settings, glift::uint2 size)
 }
 
 void Frame::set_scene(const scenes::Scene& scene) {
-    const auto corners = static_cast<std::uint32_t>(scene.mesh.corners.size());
-    const auto points = static_cast<std::uint32_t>(scene.mesh.points.size());
-    if (corners == 0) throw std::runtime_error("the scene has no triangles");
+    if (scene.mesh.corners.empty()) throw std::runtime_error("the scene has no triangles");
+    const bool has_moved = scene.mesh != scene_.mesh;
+    const bool is_lit_anew = scene.light != scene_.light || scene.light_half_size != scene_.light_half_size;
+    if (has_moved) write_mesh(scene.mesh);
+    scene_.view = scene.view, scene_.light = scene.light;
+    scene_.light_half_size = scene.light_half_size, scene_.sky = scene.sky;
+    if (!has_moved && !is_lit_anew) return;
+    light_ = fitted(scene_, settings_.light);
+    for (Made& made : made_) made.is_stale = true;
+}
+
+void Frame::write_mesh(const mesh::Mesh& mesh) {
+    const auto corners = static_cast<std::uint32_t>(mesh.corners.size());
+    const auto points = static_cast<std::uint32_t>(mesh.points.size());
     if (!corners_ || corners_->extent() != corners || points_->extent() != points) {
         corners_.emplace(device_, corners);
         points_.emplace(device_, points);
         colours_.emplace(device_, points);
-        const auto make = [&]<class Shadows>() {
-            shadows_.emplace<Shadows>(device_, size_, corners / 3, settings_.light == LightKind::point ? 6u : 1u,
-                                      settings_.light == LightKind::directional ? 1u : 2u, settings_.levels,
-                                      settings_.pages, standard_side(), settings_.pairs);
-        };
-        if (settings_.cells == 16) make.operator()<shadows::Shadows16>();
-        else if (settings_.cells == 64) make.operator()<shadows::Shadows64>();
-        else make.operator()<shadows::Shadows32>();
-        recorded_ = {};
+        made_ = {};
     }
-    corners_->write(scene.mesh.corners);
-    points_->write(scene.mesh.points);
-    colours_->write(scene.mesh.colours);
-    scene_ = scene;
+    corners_->write(mesh.corners);
+    points_->write(mesh.points);
+    colours_->write(mesh.colours);
+    scene_.mesh = mesh;
 }
 
 void Frame::set_knobs(const Settings& settings) {
@@ -82,17 +130,16 @@ void Frame::set_knobs(const Settings& settings) {
     if (knobs(settings) == knobs(settings_)) return;
     settings_.bias = settings.bias, settings_.step = settings.step, settings_.finest = settings.finest;
     settings_.filter = settings.filter, settings_.cached = settings.cached, settings_.rounds = settings.rounds;
-    recorded_ = {};
+    for (Made& made : made_) made.recorded = {};
 }
 
 std::vector<glift::float4x4> Frame::lights() const {
-    const camera::Camera& light = scene_.light;
     if (settings_.light == LightKind::directional)
-        return {camera::parallel_projection_of(light, scene_.light_half_size)};
-    if (settings_.light == LightKind::spot) return {camera::projection_of(light, 1)};
+        return {camera::parallel_projection_of(light_, scene_.light_half_size)};
+    if (settings_.light == LightKind::spot) return {camera::projection_of(light_, 1)};
     std::vector<glift::float4x4> faces;
     for (unsigned face = 0; face < 6; ++face)
-        faces.push_back(camera::cube_projection_of(light.eye, face, opening(), light.near, light.far));
+        faces.push_back(camera::cube_projection_of(light_.eye, face, opening(), light_.near, light_.far));
     return faces;
 }
 
@@ -104,26 +151,50 @@ eye::Viewpoint Frame::viewpoint() const {
             scene_.view.eye, scene_.sky, 0.3f};
 }
 
+Frame::Structures Frame::make_structures() const {
+    const auto make = [&]<class Shadows>() -> Structures {
+        return Shadows(device_, size_, corners_->extent() / 3, settings_.light == LightKind::point ? 6u : 1u,
+                       settings_.light == LightKind::directional ? 1u : 2u, settings_.levels, settings_.pages,
+                       standard_side(), settings_.pairs);
+    };
+    if (settings_.cells == 16) return make.operator()<shadows::Shadows16>();
+    if (settings_.cells == 64) return make.operator()<shadows::Shadows64>();
+    return make.operator()<shadows::Shadows32>();
+}
+
 void Frame::prepare(Method method) {
+    last_ = method;
+    Made& made = made_.at(static_cast<std::size_t>(method));
+    if (std::holds_alternative<std::monostate>(made.structures)) made = {make_structures(), {}, false, false};
     const std::vector<eye::Viewpoint> view = {viewpoint()};
     with_shadows([&](auto& s) { s.views().write(view), s.lights().write(lights()); });
-    glift::Recording& recorded = recorded_.at(static_cast<std::size_t>(method));
-    if (recorded) return;
-    const std::uint32_t coarsest = settings_.levels - (settings_.light == LightKind::point ? 3 : 1);
+    const bool keeps = settings_.cached && !made.is_stale;
+    if (made.recorded && made.keeps == keeps) return;
+    made.keeps = keeps;
+    made.recorded = record(method, keeps);
+}
+
+glift::Recording Frame::record(Method method, bool keeps) const {
     const shadows::Settings settings{.bias = settings_.bias,
                                      .step = settings_.step,
-                                     .finest = std::min(settings_.finest, coarsest),
+                                     .finest = std::min(settings_.finest, coarsest()),
                                      .filter = static_cast<glift::uint>(settings_.filter),
-                                     .is_cached = settings_.cached,
+                                     .is_cached = keeps,
                                      .fills_by_kernel = settings_.by_kernel,
-                                     .seed = std::min(settings_.seed, coarsest),
+                                     .seed = std::min(settings_.seed, coarsest()),
                                      .most_rounds = settings_.rounds};
     const glift::uint chosen = method == Method::standard   ? shadows::Method::standard
                                : method == Method::adaptive ? shadows::Method::adaptive
                                                             : shadows::Method::matched;
-    recorded = device_.record([&](const glift::Commands& commands) {
+    return device_.record([&](const glift::Commands& commands) {
         with_shadows([&](auto& s) { s.draw(commands, *corners_, *points_, *colours_, chosen, settings); });
     });
+}
+
+void Frame::submit(Method method) {
+    Made& made = made_.at(static_cast<std::size_t>(method));
+    made.recorded.submit();
+    made.is_stale = false;
 }
 
 void Frame::draw(Method method) {
@@ -135,7 +206,7 @@ eye::Picture Frame::image(View view) const {
     return with_shadows([&](auto& s) -> eye::Picture {
         if (view == View::picture) return s.picture();
         eye::Picture shown(device_, size_);
-        s.show(device_, static_cast<glift::uint>(view), settings_.finest, shown);
+        s.show(device_, static_cast<glift::uint>(view), std::min(settings_.finest, coarsest()), shown);
         return shown;
     });
 }
@@ -149,7 +220,13 @@ Lighting Frame::lighting() const {
 }
 
 shadows::Status Frame::counts() const {
-    return with_shadows([&](auto& s) { return s.status(device_); });
+    return with_shadows([](auto& s) { return s.status().read().front(); });
+}
+
+glift::Download Frame::download_counts() const {
+    return with_shadows([&](auto& s) {
+        return glift::Commands(device_).download(s.status().row_memory(), 0, sizeof(shadows::Status));
+    });
 }
 
 std::vector<std::uint32_t> Frame::owners() const {
@@ -174,15 +251,6 @@ std::vector<float> Frame::depths_of_pages() const {
 
 std::string Frame::status() const {
     const shadows::Status status = counts();
-    if (status.lost > 0)
-        throw std::runtime_error(std::to_string(status.lost) +
-                                 " pairs of a triangle and a page found no room, so that shadows "
-                                 "are missing: give more of them by --pairs");
-    std::string text = std::to_string(status.asked) + " pages asked for, " + std::to_string(status.pool.resident) +
-                       " of " + std::to_string(status.pool.capacity) + " there, " +
-                       std::to_string(status.pool.granted) + " new";
-    if (status.coarsened > 0) text += ", coarser ones in place of " + std::to_string(status.coarsened);
-    if (status.pool.refused > 0) text += ", " + std::to_string(status.pool.refused) + " refused";
-    if (status.rounds > 1) text += ", " + std::to_string(status.rounds) + " rounds";
-    return text;
+    if (status.lost > 0) throw std::runtime_error(text_of_lost(status));
+    return text_of(status, last_);
 }

@@ -32,7 +32,7 @@ LightKind light_of(const std::string& name);
 /// The program's options (add_knobs of main.cpp) say what each setting is.
 struct Settings {
     std::uint32_t cells = 32;  ///< of a page along each axis: 16, 32 or 64
-    std::uint32_t levels = 11, pages = 8192, pairs = 4'000'000, standard = 2048, seed = 6, rounds = 8;
+    std::uint32_t levels = 11, pages = 16'384, pairs = 4'000'000, standard = 2048, seed = 6, rounds = 8;
     float bias = 1e-4f;
     std::uint32_t step = 1, finest = 0;
     Filter filter = Filter::bilinear;
@@ -50,26 +50,34 @@ struct Lighting {
     std::vector<float> lit;              ///< the share of the light that gets there, 0 to 1
 };
 
+/// A text about a frame's pages, the empty one for a standard map, which has none.
+std::string text_of(const shadows::Status& status, Method method);
+/// What is missing in a frame whose counts have lost pairs, and the remedy.
+std::string text_of_lost(const shadows::Status& status);
+
 class Frame {
 public:
     Frame(glift::Device device, const Settings& settings, glift::uint2 size);
 
-    /// Sets the scene of the next frames. While the numbers of triangles and points stay, so do the structures, and
-    /// with them the pages that `cached` keeps.
+    /// Sets the scene of the next frames. Writes the mesh to the device only if it is another one. Pages that `cached`
+    /// keeps are of one mesh and one light: where one of these changes, each method's next frame makes all pages anew.
     void set_scene(const scenes::Scene& scene);
     /// Takes over `bias`, `step`, `finest`, `filter`, `cached` and `rounds` for the next frames. The other settings
     /// stay as they are.
     void set_knobs(const Settings& settings);
     /// Moves the camera; all else stays.
     void set_view(const camera::Camera& view) { scene_.view = view; }
-    /// Writes the view to the device and, if there is no recording of a frame by this method, makes it.
+    /// Writes the view to the device and, if there is no recording of such a frame by this method, makes it.
     void prepare(Method method);
     /// Submits the recording of a frame that is prepared: one submission. Does not wait.
-    void submit(Method method) { recorded_[static_cast<std::size_t>(method)].submit(); }
+    void submit(Method method);
     void draw(Method method);  ///< prepare(method), submit(method)
 
     const glift::Device& device() const { return device_; }
     const scenes::Scene& scene() const { return scene_; }
+    /// The scene's light, whose range is made to hold all points: of a parallel one from the nearest to the farthest,
+    /// on whichever side of its eye; of others from their own near plane to the farthest, or their own far plane.
+    const camera::Camera& light() const { return light_; }
     glift::uint2 size() const { return size_; }
     LightKind light_kind() const { return settings_.light; }
     /// Texels along each side of the standard map, or of each of its six faces.
@@ -85,34 +93,54 @@ public:
     eye::Picture image(View view) const;
     picture::Picture picture(View view = View::picture) const;
     Lighting lighting() const;
-    /// Counts of the last frame.
+    /// Counts of the last frame; below, how to read them without waiting: the bytes of a shadows::Status.
     shadows::Status counts() const;
+    glift::Download download_counts() const;
     /// How often the last frame of ASM or RMSM has filled pages.
     std::uint32_t rounds() const { return counts().rounds; }
     std_page_allocator::PoolStatus pool() const { return counts().pool; }
     std::vector<std::uint32_t> owners() const;  ///< for each frame of the pool, the number of its page + 1; 0: none
     /// The depths of all frames of the pool; 0 in those that hold no page.
     std::vector<float> depths_of_pages() const;
-    /// A text about the last frame's pages. Throws std::runtime_error, with the remedy, if depths are missing because
-    /// pairs of a triangle and a page found no room.
+    /// text_of the last frame. Throws std::runtime_error, with the remedy, if depths are missing because pairs of a
+    /// triangle and a page found no room.
     std::string status() const;
 
 private:
-    /// Calls use(a copy of the structures, which shares all their memory), whatever the size of their pages. They are
-    /// there after `set_scene`.
+    using Structures = std::variant<std::monostate, shadows::Shadows16, shadows::Shadows32, shadows::Shadows64>;
+    /// A method's own structures, so that a cached frame finds no pages that another method has asked for; made for its
+    /// first frame.
+    struct Made {
+        Structures structures;
+        glift::Recording recorded;
+        bool keeps = false;     ///< the recorded frame keeps pages
+        bool is_stale = false;  ///< the pages are of another mesh or light
+    };
+
+    Structures make_structures() const;
+    glift::Recording record(Method method, bool keeps) const;
+    void write_mesh(const mesh::Mesh& mesh);
+    const Made& last() const { return made_.at(static_cast<std::size_t>(last_)); }
+
+    /// Calls use(a copy of the structures of the last frame, which shares all their memory), whatever the size of their
+    /// pages. They are there after `prepare`.
     template <class Use> auto with_shadows(const Use& use) const {
         const auto use_copy = [&](auto copy) { return use(copy); };
-        if (const auto* some = std::get_if<shadows::Shadows16>(&shadows_)) return use_copy(*some);
-        if (const auto* some = std::get_if<shadows::Shadows64>(&shadows_)) return use_copy(*some);
-        return use_copy(std::get<shadows::Shadows32>(shadows_));
+        const Structures& structures = last().structures;
+        if (const auto* some = std::get_if<shadows::Shadows16>(&structures)) return use_copy(*some);
+        if (const auto* some = std::get_if<shadows::Shadows64>(&structures)) return use_copy(*some);
+        return use_copy(std::get<shadows::Shadows32>(structures));
     }
+    /// The level of the pages that have a whole face of the light.
+    std::uint32_t coarsest() const { return settings_.levels - (settings_.light == LightKind::point ? 3 : 1); }
 
     glift::Device device_;
     Settings settings_;
     glift::uint2 size_;
-    std::variant<std::monostate, shadows::Shadows16, shadows::Shadows32, shadows::Shadows64> shadows_;
     std::optional<shadow_map::Corners> corners_;
     std::optional<shadow_map::Points> points_, colours_;
     scenes::Scene scene_;
-    std::array<glift::Recording, 3> recorded_;  ///< a frame by each method
+    camera::Camera light_;
+    std::array<Made, 3> made_;  ///< by each method
+    Method last_ = Method::matched;
 };

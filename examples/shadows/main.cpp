@@ -10,8 +10,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
+#include <optional>
 
 namespace {
 
@@ -42,10 +45,13 @@ std::string numbered(const Arguments& a, unsigned frame, std::size_t frames) {
     return made.replace_extension(number + made.extension().string()).string();
 }
 
-scenes::Scene scene_at(const Arguments& a, float time) {
-    if (a.scene.find('.') == std::string::npos) return scenes::make(a.scene, time);
+/// The scene at a time.
+using SceneAt = std::function<scenes::Scene(float time)>;
+
+/// The mesh of a file on a slab.
+scenes::Scene scene_of_file(const std::string& file) {
     scenes::Scene scene = scenes::make("fence", 0);
-    scene.mesh = mesh::read(a.scene);
+    scene.mesh = mesh::read(file);
     mesh::normalise(scene.mesh);
     mesh::Box box = mesh::bounds_of(scene.mesh);
     const glift::float3 middle = (box.low + box.high) * 0.5f;
@@ -56,8 +62,17 @@ scenes::Scene scene_at(const Arguments& a, float time) {
     return scene;
 }
 
+/// A generated scene of that name, or else a file, which is read once.
+SceneAt scene_of(const std::string& name) {
+    const bool is_generated = std::ranges::find(scenes::names(), name) != scenes::names().end();
+    // What is neither is taken for a name, unless it looks like a file's: the error then lists the names.
+    if (is_generated || (!std::filesystem::exists(name) && name.find_first_of("./") == std::string::npos))
+        return [name](float time) { return scenes::make(name, time); };
+    return [scene = scene_of_file(name)](float) { return scene; };
+}
+
 std::vector<path::Step> path_of(const Arguments& a, scenes::Scene scene) {
-    if (!a.path.empty()) return path::read(a.path, scene);
+    if (!a.path.empty()) return path::some_of(path::read(a.path, scene), a.frames);
     scene.view = camera::orbited(scene.view, a.from_right, a.from_above, a.closer);
     scene.light = camera::orbited(scene.light, a.light_from_right, 0, a.light_closer);
     path::Way way = a.way;
@@ -66,23 +81,28 @@ std::vector<path::Step> path_of(const Arguments& a, scenes::Scene scene) {
 }
 
 void print_agreement(const char* name, const Agreement& agreement) {
-    std::printf("  %-8s %8.4f %% of %zu pixels agree with rays (%zu in the band)\n", name, 100 * agreement.share(),
-                agreement.pixels, agreement.in_band);
+    if (const std::optional<double> share = agreement.share())
+        std::printf("  %-8s %8.4f %% of %zu pixels agree with rays (%zu in the band)\n", name, 100 * *share,
+                    agreement.pixels, agreement.in_band);
+    else std::printf("  %-8s has no pixels to compare (%zu in the band)\n", name, agreement.in_band);
 }
 
-void compare_all(const Arguments& a, Frame& frame, const std::vector<path::Step>& steps) {
+void compare_all(const Arguments& a, Frame& frame, const SceneAt& scene_at, const std::vector<path::Step>& steps) {
     std::array<Agreement, 3> all;
-    double least = 1;
+    std::optional<double> least;
     for (unsigned i = 0; i < steps.size(); ++i) {
-        scenes::Scene scene = scene_at(a, steps[i].time);
+        scenes::Scene scene = scene_at(steps[i].time);
         scene.view = steps[i].view, scene.light = steps[i].light;
         frame.set_scene(scene);
         const Compared one = compare(frame, a.settings.bias);
         for (std::size_t k = 0; k < all.size(); ++k) all[k] += one.agreement[k];
-        least = std::min(least, one.rmsm().share());
+        const std::optional<double> share = one.rmsm().share();
+        if (share) least = std::min(least.value_or(1), *share);
         save(numbered(a, i, steps.size()), side_by_side(one));
     }
-    std::printf("%s, %zu frames; RMSM %.4f %% in the worst of them\n", a.scene.c_str(), steps.size(), 100 * least);
+    std::printf("%s, %zu frames", a.scene.c_str(), steps.size());
+    if (least) std::printf("; RMSM %.4f %% in the worst of them", 100 * *least);
+    std::printf("\n");
     for (std::size_t k = 0; k < all.size(); ++k) print_agreement(Compared::names[k], all[k]);
 }
 
@@ -103,15 +123,15 @@ void run_popping(const Arguments& a) {
 void run(const Arguments& a) {
     Frame frame(glift::Device::open(), a.settings, {a.size[0], a.size[1]});
     const glift::Device& device = frame.device();
-    scenes::Scene scene = scene_at(a, a.time);
+    const SceneAt scene_at = scene_of(a.scene);
+    scenes::Scene scene = scene_at(a.time);
     const std::vector<path::Step> steps = path_of(a, scene);
     if (!a.write_path.empty()) path::write(a.write_path, steps);
-    if (a.compare) return compare_all(a, frame, steps);
+    if (a.compare) return compare_all(a, frame, scene_at, steps);
     for (unsigned i = 0; i < steps.size(); ++i) {
-        if (i > 0 && steps[i].time != steps[i - 1].time) scene = scene_at(a, steps[i].time);
+        if (steps[i].time != (i > 0 ? steps[i - 1].time : a.time)) scene = scene_at(steps[i].time);
         scene.view = steps[i].view, scene.light = steps[i].light;
-        if (i == 0 || !a.settings.cached) frame.set_scene(scene);
-        else frame.set_view(scene.view);
+        frame.set_scene(scene);
         frame.prepare(method_of(a.method));
         device.wait();
         const std::uint64_t before = device.statistics().submissions;
@@ -120,21 +140,37 @@ void run(const Arguments& a) {
         device.wait();
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const std::uint64_t submissions = device.statistics().submissions - before;  // status() makes some of its own
-        std::printf("%s: %s, frame %u: %.2f ms, submissions: %llu, %s\n", device.properties().name.c_str(),
+        const std::string status = frame.status();
+        std::printf("%s: %s, frame %u: %.2f ms, submissions: %llu%s%s\n", device.properties().name.c_str(),
                     a.method.c_str(), i, 1e3 * seconds, static_cast<unsigned long long>(submissions),
-                    frame.status().c_str());
+                    status.empty() ? "" : ", ", status.c_str());
         save(numbered(a, i, steps.size()), frame.picture(view_of(a.show)));
     }
 }
 
 void run_window(const Arguments& a) {
     window::Window window("Shadows", {a.size[0], a.size[1]});
-    path::Step start = path_of(a, scene_at(a, a.time)).front();
+    const SceneAt scene_at = scene_of(a.scene);
+    path::Step start = path_of(a, scene_at(a.time)).front();
     Choice choice{a.settings, method_of(a.method), view_of(a.show), a.time, false};
-    show_at(
-        window, choice, start.view, start.light, [&](float time) { return scene_at(a, time); },
-        [&](const picture::Picture& picture) { save(a.out, picture); });
+    show_at(window, choice, start.view, start.light, scene_at,
+            [&](const picture::Picture& picture) { save(a.out, picture); });
 }
+
+/// CLI::Range lets "nan" through.
+const CLI::Validator finite(
+    [](const std::string& text) {
+        float value = 0;
+        return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? "" : text + " is not a finite number";
+    },
+    "FINITE");
+
+const CLI::Validator picture_name(
+    [](const std::string& name) {
+        const std::string end = std::filesystem::path(name).extension();
+        return end == ".png" || end == ".exr" ? "" : name + ": pictures are .png or .exr files";
+    },
+    "PNG|EXR");
 
 void add_knobs(CLI::App& app, Settings& s) {
     app.add_option("--cells", s.cells, "of a page along each axis")
@@ -153,7 +189,7 @@ void add_knobs(CLI::App& app, Settings& s) {
                    "texels along each side of the standard map; of each of a point light's six half as many")
         ->check(CLI::Range(16u, 16384u))
         ->capture_default_str();
-    app.add_option("--bias", s.bias, "of depths, a part of the light's range")->capture_default_str();
+    app.add_option("--bias", s.bias, "of depths, a part of the light's range")->check(finite)->capture_default_str();
     app.add_option("--analysis", s.step, "every so many pixels along each axis ask for pages")
         ->check(CLI::IsMember({1, 2, 4, 8}))
         ->capture_default_str();
@@ -198,13 +234,15 @@ void add_options(CLI::App& app, Arguments& a) {
     app.add_option("--show", a.show, "What the picture shows")
         ->check(CLI::IsMember({"picture", "levels", "borders", "map", "pool"}))
         ->capture_default_str();
-    app.add_option("--time", a.time, "The moment in the scene, in seconds")->capture_default_str();
+    app.add_option("--time", a.time, "The moment in the scene, in seconds")->check(finite)->capture_default_str();
     app.add_option("--frames", a.frames, "So many, on a way around the scene; of recorded paths at most so many")
         ->check(CLI::Range(1u, 100000u));
     app.add_option("--approach", a.way.closer, "and at the end of it so many times closer")
-        ->check(CLI::Range(0.01f, 1000.0f))
+        ->check(CLI::Range(0.01f, 1000.0f) & finite)
         ->capture_default_str();
-    app.add_option("--turn", a.way.turn, "and a frame so many radians to the left around it")->capture_default_str();
+    app.add_option("--turn", a.way.turn, "and a frame so many radians to the left around it")
+        ->check(finite)
+        ->capture_default_str();
     app.add_option("--path", a.path, "A file that says where camera and light are in each frame");
     app.add_option("--write-path", a.write_path, "Writes such a file");
     app.add_option("--size", a.size, "Width and height in pixels")
@@ -212,21 +250,35 @@ void add_options(CLI::App& app, Arguments& a) {
         ->check(CLI::Range(1, 8192))
         ->capture_default_str();
     app.add_option("--right", a.from_right, "The camera, so far to the right around the scene, in radians")
+        ->check(finite)
         ->capture_default_str();
-    app.add_option("--up", a.from_above, "and upwards")->capture_default_str();
+    app.add_option("--up", a.from_above, "and upwards")->check(finite)->capture_default_str();
     app.add_option("--closer", a.closer, "and so many times closer")
-        ->check(CLI::Range(0.01, 1000.0))
+        ->check(CLI::Range(0.01, 1000.0) & finite)
         ->capture_default_str();
     app.add_option("--light-right", a.light_from_right, "The light, so far to the right around the scene")
+        ->check(finite)
         ->capture_default_str();
     app.add_option("--light-closer", a.light_closer, "and so many times closer")
-        ->check(CLI::Range(0.01, 1000.0))
+        ->check(CLI::Range(0.01, 1000.0) & finite)
         ->capture_default_str();
     app.add_flag("--compare", a.compare,
                  "All methods beside rays: shares that agree, and a picture of the differences");
     app.add_flag("--window", a.window, "Show it in a window: camera, light, knobs, and what the quadtree is made of");
-    app.add_option("--out", a.out, "The picture to write, PNG or EXR")->capture_default_str();
+    app.add_option("--out", a.out, "The picture to write, PNG or EXR")->check(picture_name)->capture_default_str();
     app.footer("GLIFT_DEVICE=gpu|lavapipe|host|NAME chooses the device.");
+}
+
+/// What a path says, or a walk along recorded paths does without, cannot be asked for beside it.
+void exclude(CLI::App& app) {
+    for (const char* way : {"--right", "--up", "--closer", "--light-right", "--light-closer", "--approach", "--turn"})
+        for (const char* path : {"--path", "--agreement", "--popping"})
+            app.get_option(way)->excludes(app.get_option(path));
+    for (const char* one :
+         {"--scene", "--method", "--show", "--time", "--path", "--write-path", "--compare", "--window", "--out"})
+        for (const char* walk : {"--agreement", "--popping"}) app.get_option(one)->excludes(app.get_option(walk));
+    app.get_option("--path")->excludes("--time");
+    app.get_option("--agreement")->excludes("--popping");
 }
 
 }  // namespace
@@ -237,6 +289,7 @@ int main(int argc, char** argv) {
     add_options(app, arguments);
     add_walks(app, arguments);
     add_knobs(app, arguments.settings);
+    exclude(app);
     CLI11_PARSE(app, argc, argv);
     arguments.is_sized = app.count("--size") > 0;
     try {

@@ -49,6 +49,9 @@ std::vector<Step> read(const std::string& file, const scenes::Scene& scene) {
         if (!words || words >> rest)
             throw std::runtime_error(file + ":" + std::to_string(number) +
                                      ": has to have 13 numbers: time, camera's eye and target, light's eye and target");
+        if (step.view.eye == step.view.target || step.light.eye == step.light.target)
+            throw std::runtime_error(file + ":" + std::to_string(number) +
+                                     ": an eye is at its target, so that it looks nowhere");
         steps.push_back(step);
     }
     if (steps.empty()) throw std::runtime_error(file + ": has no frames");
@@ -64,7 +67,7 @@ void write(const std::string& file, const std::vector<Step>& steps) {
             out << ' ' << v.x << ' ' << v.y << ' ' << v.z;
         out << '\n';
     }
-    if (!out) throw std::runtime_error(file + ": cannot be written");
+    if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
 }
 
 }  // namespace path

@@ -35,7 +35,7 @@ struct Axes {
 
     static Axes of(const camera::Camera& c, double aspect, double half_size) {
         const Vector eye = vector_of(c.eye), forward = unit(vector_of(c.target) - eye);
-        const Vector right = unit(cross(forward, vector_of(c.up)));
+        const Vector right = unit(cross(forward, vector_of(camera::up_of(c))));
         const double opening = std::tan(0.5 * static_cast<double>(c.height_angle));
         const bool is_parallel = half_size > 0;
         return {eye,
@@ -56,7 +56,7 @@ struct Axes {
 /// The axes of the light's faces. As in shadow_map.glift, the only face has all of the map; a point light's six have
 /// one of its 4 x 4 squares each.
 std::vector<Axes> faces_of(const Frame& frame) {
-    const camera::Camera& light = frame.scene().light;
+    const camera::Camera& light = frame.light();
     if (frame.light_kind() == LightKind::spot) return {Axes::of(light, 1, 0)};
     if (frame.light_kind() == LightKind::directional)
         return {Axes::of(light, 1, static_cast<double>(frame.scene().light_half_size))};
@@ -119,7 +119,7 @@ public:
     Tracer(const Frame& frame, const Lighting& lighting, float bias)
         : scene_(frame.scene().mesh), lighting_(lighting), size_(frame.size()),
           eye_(Axes::of(frame.scene().view, static_cast<double>(size_.x) / size_.y, 0)), faces_(faces_of(frame)),
-          near_(static_cast<double>(frame.scene().light.near)), far_(static_cast<double>(frame.scene().light.far)),
+          near_(static_cast<double>(frame.light().near)), far_(static_cast<double>(frame.light().far)),
           bias_(static_cast<double>(bias) * (far_ - near_)) {}
 
     bool is_known(std::size_t pixel) const { return lighting_.surface[pixel].w >= 0; }
@@ -183,7 +183,7 @@ private:
         const Axes& light = faces_[0];
         const Vector way = light.is_parallel ? light.forward * -1.0 : light.eye - point;
         const double distance =
-            light.is_parallel ? far_ : std::sqrt(dot(way, way)) * (1 - near_ / distance_before(way));
+            light.is_parallel ? far_ - near_ : std::sqrt(dot(way, way)) * (1 - near_ / distance_before(way));
         return scene_.is_hit(point, unit(way), bias_, distance) ? Light::shadowed : Light::reached;
     }
 

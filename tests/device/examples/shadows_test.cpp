@@ -22,8 +22,12 @@ struct ShadowsExample : testing::Test {
     glift::test::TemporaryFolder folder;
 
     glift::test::ProcessResult run(std::vector<std::string> options) {
-        const std::vector<std::string> all = {"--scene", "robot", "--size", "64", "48", "--levels", "9"};
-        options.insert(options.end(), all.begin(), all.end());
+        options.insert(options.end(), {"--scene", "robot"});
+        return walk(options);
+    }
+    /// Without a scene, which is not for measurements along recorded paths.
+    glift::test::ProcessResult walk(std::vector<std::string> options) {
+        options.insert(options.end(), {"--size", "64", "48", "--levels", "9"});
         return run_example(GLIFT_SHADOWS, options, {"GLIFT_DEVICE=host"});
     }
     /// Runs the measurement that the option `what` names, over recorded paths. Returns the JSON lines that it writes.
@@ -32,7 +36,7 @@ struct ShadowsExample : testing::Test {
                                               "--scenes",   "robot,city",  "--pictures", file("pictures"),
                                               "--standard", "256"};
         options.insert(options.end(), all.begin(), all.end());
-        const auto result = run(options);
+        const auto result = walk(options);
         EXPECT_EQ(result.exit_code, 0) << result.err;
         std::vector<nlohmann::json> lines;
         std::ifstream in(file("lines"));
@@ -64,7 +68,8 @@ TEST_F(ShadowsExample, MeasuresItsAgreementWithRays) {
             EXPECT_GT(pixels, 500);
             EXPECT_NEAR(share, 1 - lines[frame]["rmsm"]["different"].get<double>() / pixels, 1e-9);
             EXPECT_GE(share, lines[i]["rmsm"]["least"].get<double>());
-            EXPECT_EQ(lines[frame]["refused"], 0);
+            EXPECT_EQ(lines[frame]["coarsened"], 0);
+            EXPECT_EQ(lines[frame]["asm_coarsened"], 0);
         }
     }
     for (const std::string name : {"robot_rmsm", "robot_asm", "city_standard"})
@@ -84,7 +89,7 @@ TEST_F(ShadowsExample, MeasuresWhatPops) {
         }
     }
     EXPECT_TRUE(std::filesystem::exists(file("pictures/city_rmsm_popping.png")));
-    EXPECT_THAT(run({"--popping", file("lines"), "--paths", GLIFT_SHADOW_PATHS, "--frames", "1"}).err,
+    EXPECT_THAT(walk({"--popping", file("lines"), "--paths", GLIFT_SHADOW_PATHS, "--frames", "1"}).err,
                 HasSubstr("at least two frames"));
 }
 
@@ -170,11 +175,47 @@ TEST_F(ShadowsExample, SaysWhatIsWrong) {
     EXPECT_THAT(run({"--pairs", "10", "--out", file("a.png")}).err, HasSubstr("--pairs"));
     EXPECT_THAT(run({"--light", "point", "--pages", "5"}).err, HasSubstr("6 pages by --pages"));
     EXPECT_THAT(run({"--path", file("nowhere.txt")}).err, HasSubstr("nowhere.txt: cannot be read"));
-    EXPECT_THAT(run({"--agreement", file("a"), "--paths", "nowhere"}).err,
+    EXPECT_THAT(walk({"--agreement", file("a"), "--paths", "nowhere"}).err,
                 HasSubstr("nowhere/hairball.path: cannot be read"));
-    EXPECT_THAT(run({"--agreement", file("a"), "--paths", GLIFT_SHADOW_PATHS, "--cached"}).err,
+    EXPECT_THAT(walk({"--agreement", file("a"), "--paths", GLIFT_SHADOW_PATHS, "--cached"}).err,
                 HasSubstr("cannot be kept"));
-    EXPECT_THAT(run({"--agreement", "/nowhere/a"}).err, HasSubstr("/nowhere/a: cannot be written"));
+    EXPECT_THAT(walk({"--agreement", "/nowhere/a"}).err, HasSubstr("/nowhere/a: cannot be written"));
+    std::ofstream(file("eye.txt")) << "0 1 2 3 0 0 0 4 7 3 0 1 0\n0 1 2 3 0 0 0 4 7 3 4 7 3\n";
+    EXPECT_THAT(run({"--path", file("eye.txt")}).err, HasSubstr("eye.txt:2: an eye is at its target"));
+    EXPECT_THAT(run({"--write-path", "/dev/full", "--out", file("a.png")}).err, HasSubstr("cannot be written"));
+    for (const char* option : {"--bias", "--time", "--closer", "--light-closer", "--approach", "--up"})
+        EXPECT_THAT(run({option, "nan"}).err, HasSubstr("nan is not a finite number")) << option;
+    EXPECT_THAT(run({"--out", "a.jpg"}).err, HasSubstr("pictures are .png or .exr files"));
+    EXPECT_THAT(run({"--path", file("path.txt"), "--right", "1"}).err, HasSubstr("--right excludes --path"));
+    EXPECT_THAT(run({"--agreement", file("a")}).err, HasSubstr("--scene excludes --agreement"));
+    EXPECT_THAT(walk({"--scene", "nowhere"}).err, HasSubstr("there is no scene 'nowhere'"));
+}
+
+/// The mesh of a file whose name has no extension is drawn; of a path as many frames as are asked for.
+TEST_F(ShadowsExample, DrawsAFileAlongAPath) {
+    std::ofstream(file("mesh")) << "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                                   "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+                                   "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    ASSERT_EQ(run({"--frames", "4", "--write-path", file("path.txt"), "--out", file("a.png")}).exit_code, 0);
+    const auto result =
+        walk({"--scene", file("mesh"), "--path", file("path.txt"), "--frames", "2", "--out", file("b.png")});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_TRUE(std::filesystem::exists(file("b.0001.png")));
+    EXPECT_FALSE(std::filesystem::exists(file("b.0002.png")));
+}
+
+/// A standard map has no pages of which there is anything to say.
+TEST_F(ShadowsExample, SaysNothingOfPagesWhereThereAreNone) {
+    EXPECT_THAT(run({"--out", file("a.png")}).out, HasSubstr("pages asked for"));
+    EXPECT_THAT(run({"--out", file("a.png"), "--method", "standard"}).out, testing::Not(HasSubstr("pages")));
+}
+
+/// A path whose light moves has the same shadows with pages that are kept as without.
+TEST_F(ShadowsExample, KeepsNoPagesOfALightThatMoves) {
+    std::ofstream(file("path.txt")) << "0.4 2.6 2 4.2 0 1 0 4 7 3 0 0.5 0\n0.4 2.6 2 4.2 0 1 0 -4 5 3 0 0.5 0\n";
+    ASSERT_EQ(run({"--path", file("path.txt"), "--out", file("a.png")}).exit_code, 0);
+    ASSERT_EQ(run({"--path", file("path.txt"), "--out", file("b.png"), "--cached"}).exit_code, 0);
+    EXPECT_EQ(glift::test::read_file(file("a.0001.png")), glift::test::read_file(file("b.0001.png")));
 }
 
 }  // namespace
