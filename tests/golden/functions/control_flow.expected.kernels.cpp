@@ -61,7 +61,7 @@ struct control_flow_direct_parameters {
 static_assert(offsetof(control_flow_direct_parameters, a_extent) == 0);
 static_assert(offsetof(control_flow_direct_parameters, mode_value_0) == 4);
 
-// control_flow.glift:40: runs control_flow for the given rows.
+// control_flow.glift:40: runs kernel control_flow for the given rows.
 GLIFT_HOST_KERNEL
 static void control_flow_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const control_flow_direct_parameters*>(call.parameters);
@@ -114,7 +114,7 @@ static_assert(offsetof(control_flow_general_parameters, f_origin) == 8);
 static_assert(offsetof(control_flow_general_parameters, n_origin) == 12);
 static_assert(offsetof(control_flow_general_parameters, mode_value_0) == 16);
 
-// control_flow.glift:40: runs control_flow for the given rows.
+// control_flow.glift:40: runs kernel control_flow for the given rows.
 GLIFT_HOST_KERNEL
 static void control_flow_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const control_flow_general_parameters*>(call.parameters);
@@ -179,7 +179,7 @@ static_assert(offsetof(control_flow_wide_parameters, mode_value_0) == 16);
 static_assert(offsetof(control_flow_wide_parameters, f_data_address) == 24);
 static_assert(offsetof(control_flow_wide_parameters, n_data_address) == 32);
 
-// control_flow.glift:40: runs control_flow for the given rows.
+// control_flow.glift:40: runs kernel control_flow for the given rows.
 GLIFT_HOST_KERNEL
 static void control_flow_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const control_flow_wide_parameters*>(call.parameters);

@@ -68,7 +68,7 @@ struct use_both_direct_parameters {
 static_assert(offsetof(use_both_direct_parameters, a_extent) == 0);
 static_assert(offsetof(use_both_direct_parameters, affine_modulus) == 4);
 
-// operators.glift:34: runs use_both for the given rows.
+// operators.glift:34: runs kernel use_both for the given rows.
 GLIFT_HOST_KERNEL
 static void use_both_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const use_both_direct_parameters*>(call.parameters);
@@ -101,7 +101,7 @@ static_assert(offsetof(use_both_general_parameters, size) == 0);
 static_assert(offsetof(use_both_general_parameters, a_origin) == 4);
 static_assert(offsetof(use_both_general_parameters, affine_modulus) == 8);
 
-// operators.glift:34: runs use_both for the given rows.
+// operators.glift:34: runs kernel use_both for the given rows.
 GLIFT_HOST_KERNEL
 static void use_both_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const use_both_general_parameters*>(call.parameters);
@@ -139,7 +139,7 @@ static_assert(offsetof(use_both_wide_parameters, a_origin) == 4);
 static_assert(offsetof(use_both_wide_parameters, affine_modulus) == 8);
 static_assert(offsetof(use_both_wide_parameters, a_data_address) == 16);
 
-// operators.glift:34: runs use_both for the given rows.
+// operators.glift:34: runs kernel use_both for the given rows.
 GLIFT_HOST_KERNEL
 static void use_both_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const use_both_wide_parameters*>(call.parameters);

@@ -20,7 +20,7 @@ struct gather_direct_parameters {
 static_assert(offsetof(gather_direct_parameters, index_extent) == 0);
 static_assert(offsetof(gather_direct_parameters, values_extent) == 4);
 
-// any.glift:9: runs gather for the given rows.
+// any.glift:9: runs kernel gather for the given rows.
 GLIFT_HOST_KERNEL
 static void gather_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const gather_direct_parameters*>(call.parameters);
@@ -62,7 +62,7 @@ static_assert(offsetof(gather_general_parameters, values_origin) == 8);
 static_assert(offsetof(gather_general_parameters, values_size) == 12);
 static_assert(offsetof(gather_general_parameters, g_origin) == 16);
 
-// any.glift:9: runs gather for the given rows.
+// any.glift:9: runs kernel gather for the given rows.
 GLIFT_HOST_KERNEL
 static void gather_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const gather_general_parameters*>(call.parameters);
@@ -117,7 +117,7 @@ static_assert(offsetof(gather_wide_parameters, index_data_address) == 24);
 static_assert(offsetof(gather_wide_parameters, values_data_address) == 32);
 static_assert(offsetof(gather_wide_parameters, g_data_address) == 40);
 
-// any.glift:9: runs gather for the given rows.
+// any.glift:9: runs kernel gather for the given rows.
 GLIFT_HOST_KERNEL
 static void gather_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const gather_wide_parameters*>(call.parameters);

@@ -18,7 +18,7 @@ struct ramp_direct_parameters {
 };
 static_assert(offsetof(ramp_direct_parameters, a_extent) == 0);
 
-// at.glift:8: runs ramp for the given rows.
+// at.glift:8: runs kernel ramp for the given rows.
 GLIFT_HOST_KERNEL
 static void ramp_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const ramp_direct_parameters*>(call.parameters);
@@ -55,7 +55,7 @@ static_assert(offsetof(ramp_general_parameters, a_origin) == 8);
 static_assert(offsetof(ramp_general_parameters, f_origin) == 16);
 static_assert(offsetof(ramp_general_parameters, f_extent_x) == 24);
 
-// at.glift:8: runs ramp for the given rows.
+// at.glift:8: runs kernel ramp for the given rows.
 GLIFT_HOST_KERNEL
 static void ramp_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const ramp_general_parameters*>(call.parameters);
@@ -100,7 +100,7 @@ static_assert(offsetof(ramp_wide_parameters, base) == 24);
 static_assert(offsetof(ramp_wide_parameters, f_extent_x) == 40);
 static_assert(offsetof(ramp_wide_parameters, f_data_address) == 48);
 
-// at.glift:8: runs ramp for the given rows.
+// at.glift:8: runs kernel ramp for the given rows.
 GLIFT_HOST_KERNEL
 static void ramp_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const ramp_wide_parameters*>(call.parameters);

@@ -20,7 +20,7 @@ struct read_box_f3d15695_direct_parameters {
 static_assert(offsetof(read_box_f3d15695_direct_parameters, from_extent) == 0);
 static_assert(offsetof(read_box_f3d15695_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:15: runs read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_f3d15695_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_f3d15695_direct_parameters*>(call.parameters);
@@ -62,7 +62,7 @@ static_assert(offsetof(read_box_f3d15695_general_parameters, to_origin) == 16);
 static_assert(offsetof(read_box_f3d15695_general_parameters, from_extent_x) == 24);
 static_assert(offsetof(read_box_f3d15695_general_parameters, to_extent_x) == 28);
 
-// transfer.glift:15: runs read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_f3d15695_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_f3d15695_general_parameters*>(call.parameters);
@@ -118,7 +118,7 @@ static_assert(offsetof(read_box_f3d15695_wide_parameters, to_extent_x) == 48);
 static_assert(offsetof(read_box_f3d15695_wide_parameters, from_data_address) == 56);
 static_assert(offsetof(read_box_f3d15695_wide_parameters, to_data_address) == 64);
 
-// transfer.glift:15: runs read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_f3d15695_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_f3d15695_wide_parameters*>(call.parameters);
@@ -189,7 +189,7 @@ struct write_box_d5801374_direct_parameters {
 static_assert(offsetof(write_box_d5801374_direct_parameters, from_extent) == 0);
 static_assert(offsetof(write_box_d5801374_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_d5801374_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_d5801374_direct_parameters*>(call.parameters);
@@ -232,7 +232,7 @@ static_assert(offsetof(write_box_d5801374_general_parameters, to_origin) == 16);
 static_assert(offsetof(write_box_d5801374_general_parameters, from_extent_x) == 24);
 static_assert(offsetof(write_box_d5801374_general_parameters, to_extent_x) == 28);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_d5801374_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_d5801374_general_parameters*>(call.parameters);
@@ -288,7 +288,7 @@ static_assert(offsetof(write_box_d5801374_wide_parameters, to_extent_x) == 48);
 static_assert(offsetof(write_box_d5801374_wide_parameters, from_data_address) == 56);
 static_assert(offsetof(write_box_d5801374_wide_parameters, to_data_address) == 64);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_d5801374_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_d5801374_wide_parameters*>(call.parameters);
@@ -359,7 +359,7 @@ struct fill_box_902cb707_direct_parameters {
 static_assert(offsetof(fill_box_902cb707_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_902cb707_direct_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<Array<2, float, none, buffer>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<2, float, none, buffer>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_902cb707_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_902cb707_direct_parameters*>(call.parameters);
@@ -396,7 +396,7 @@ static_assert(offsetof(fill_box_902cb707_general_parameters, to_origin) == 8);
 static_assert(offsetof(fill_box_902cb707_general_parameters, to_extent_x) == 16);
 static_assert(offsetof(fill_box_902cb707_general_parameters, value) == 20);
 
-// transfer.glift:25: runs fill_box<Array<2, float, none, buffer>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<2, float, none, buffer>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_902cb707_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_902cb707_general_parameters*>(call.parameters);
@@ -441,7 +441,7 @@ static_assert(offsetof(fill_box_902cb707_wide_parameters, to_extent_x) == 32);
 static_assert(offsetof(fill_box_902cb707_wide_parameters, value) == 40);
 static_assert(offsetof(fill_box_902cb707_wide_parameters, to_data_address) == 48);
 
-// transfer.glift:25: runs fill_box<Array<2, float, none, buffer>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<2, float, none, buffer>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_902cb707_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_902cb707_wide_parameters*>(call.parameters);

@@ -18,7 +18,7 @@ struct smooth_direct_parameters {
 };
 static_assert(offsetof(smooth_direct_parameters, f_extent) == 0);
 
-// near.glift:9: runs smooth for the given rows.
+// near.glift:9: runs kernel smooth for the given rows.
 GLIFT_HOST_KERNEL
 static void smooth_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const smooth_direct_parameters*>(call.parameters);
@@ -132,7 +132,7 @@ static_assert(offsetof(smooth_general_parameters, g_origin) == 24);
 static_assert(offsetof(smooth_general_parameters, f_extent) == 36);
 static_assert(offsetof(smooth_general_parameters, g_extent) == 48);
 
-// near.glift:9: runs smooth for the given rows.
+// near.glift:9: runs kernel smooth for the given rows.
 GLIFT_HOST_KERNEL
 static void smooth_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const smooth_general_parameters*>(call.parameters);
@@ -277,7 +277,7 @@ static_assert(offsetof(smooth_wide_parameters, f_extent) == 80);
 static_assert(offsetof(smooth_wide_parameters, f_data_address) == 96);
 static_assert(offsetof(smooth_wide_parameters, g_data_address) == 104);
 
-// near.glift:9: runs smooth for the given rows.
+// near.glift:9: runs kernel smooth for the given rows.
 GLIFT_HOST_KERNEL
 static void smooth_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const smooth_wide_parameters*>(call.parameters);

@@ -20,7 +20,7 @@ struct read_box_6d963c25_direct_parameters {
 static_assert(offsetof(read_box_6d963c25_direct_parameters, from_extent) == 0);
 static_assert(offsetof(read_box_6d963c25_direct_parameters, to_extent) == 12);
 
-// transfer.glift:15: runs read_box<Array<3, float, none, buffer>, Box<3, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<3, float, none, buffer>, Box<3, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_6d963c25_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_6d963c25_direct_parameters*>(call.parameters);
@@ -62,7 +62,7 @@ static_assert(offsetof(read_box_6d963c25_general_parameters, to_origin) == 24);
 static_assert(offsetof(read_box_6d963c25_general_parameters, from_extent) == 36);
 static_assert(offsetof(read_box_6d963c25_general_parameters, to_extent) == 48);
 
-// transfer.glift:15: runs read_box<Array<3, float, none, buffer>, Box<3, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<3, float, none, buffer>, Box<3, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_6d963c25_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_6d963c25_general_parameters*>(call.parameters);
@@ -122,7 +122,7 @@ static_assert(offsetof(read_box_6d963c25_wide_parameters, to_extent_x) == 72);
 static_assert(offsetof(read_box_6d963c25_wide_parameters, from_data_address) == 80);
 static_assert(offsetof(read_box_6d963c25_wide_parameters, to_data_address) == 88);
 
-// transfer.glift:15: runs read_box<Array<3, float, none, buffer>, Box<3, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<3, float, none, buffer>, Box<3, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_6d963c25_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_6d963c25_wide_parameters*>(call.parameters);
@@ -197,7 +197,7 @@ struct write_box_e5b112ea_direct_parameters {
 static_assert(offsetof(write_box_e5b112ea_direct_parameters, from_extent) == 0);
 static_assert(offsetof(write_box_e5b112ea_direct_parameters, to_extent) == 12);
 
-// transfer.glift:20: runs write_box<Box<3, float>, Array<3, float, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<3, float>, Array<3, float, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_e5b112ea_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_e5b112ea_direct_parameters*>(call.parameters);
@@ -240,7 +240,7 @@ static_assert(offsetof(write_box_e5b112ea_general_parameters, to_origin) == 24);
 static_assert(offsetof(write_box_e5b112ea_general_parameters, from_extent) == 36);
 static_assert(offsetof(write_box_e5b112ea_general_parameters, to_extent) == 48);
 
-// transfer.glift:20: runs write_box<Box<3, float>, Array<3, float, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<3, float>, Array<3, float, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_e5b112ea_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_e5b112ea_general_parameters*>(call.parameters);
@@ -300,7 +300,7 @@ static_assert(offsetof(write_box_e5b112ea_wide_parameters, to_extent_x) == 72);
 static_assert(offsetof(write_box_e5b112ea_wide_parameters, from_data_address) == 80);
 static_assert(offsetof(write_box_e5b112ea_wide_parameters, to_data_address) == 88);
 
-// transfer.glift:20: runs write_box<Box<3, float>, Array<3, float, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<3, float>, Array<3, float, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_e5b112ea_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_e5b112ea_wide_parameters*>(call.parameters);
@@ -375,7 +375,7 @@ struct fill_box_bdadf51c_direct_parameters {
 static_assert(offsetof(fill_box_bdadf51c_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_bdadf51c_direct_parameters, value) == 12);
 
-// transfer.glift:25: runs fill_box<Array<3, float, none, buffer>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<3, float, none, buffer>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_bdadf51c_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_bdadf51c_direct_parameters*>(call.parameters);
@@ -412,7 +412,7 @@ static_assert(offsetof(fill_box_bdadf51c_general_parameters, to_origin) == 12);
 static_assert(offsetof(fill_box_bdadf51c_general_parameters, to_extent) == 24);
 static_assert(offsetof(fill_box_bdadf51c_general_parameters, value) == 36);
 
-// transfer.glift:25: runs fill_box<Array<3, float, none, buffer>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<3, float, none, buffer>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_bdadf51c_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_bdadf51c_general_parameters*>(call.parameters);
@@ -459,7 +459,7 @@ static_assert(offsetof(fill_box_bdadf51c_wide_parameters, to_extent_x) == 48);
 static_assert(offsetof(fill_box_bdadf51c_wide_parameters, value) == 56);
 static_assert(offsetof(fill_box_bdadf51c_wide_parameters, to_data_address) == 64);
 
-// transfer.glift:25: runs fill_box<Array<3, float, none, buffer>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<3, float, none, buffer>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_bdadf51c_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_bdadf51c_wide_parameters*>(call.parameters);

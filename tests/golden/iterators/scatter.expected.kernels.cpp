@@ -21,7 +21,7 @@ struct histogram_direct_parameters {
 static_assert(offsetof(histogram_direct_parameters, s_extent) == 0);
 static_assert(offsetof(histogram_direct_parameters, bins_extent) == 4);
 
-// scatter.glift:9: runs histogram for the given rows.
+// scatter.glift:9: runs kernel histogram for the given rows.
 GLIFT_HOST_KERNEL
 static void histogram_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const histogram_direct_parameters*>(call.parameters);
@@ -58,7 +58,7 @@ static_assert(offsetof(histogram_general_parameters, s_origin) == 4);
 static_assert(offsetof(histogram_general_parameters, bins_origin) == 8);
 static_assert(offsetof(histogram_general_parameters, bins_size) == 12);
 
-// scatter.glift:9: runs histogram for the given rows.
+// scatter.glift:9: runs kernel histogram for the given rows.
 GLIFT_HOST_KERNEL
 static void histogram_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const histogram_general_parameters*>(call.parameters);
@@ -104,7 +104,7 @@ static_assert(offsetof(histogram_wide_parameters, bins_size) == 12);
 static_assert(offsetof(histogram_wide_parameters, s_data_address) == 16);
 static_assert(offsetof(histogram_wide_parameters, bins_data_address) == 24);
 
-// scatter.glift:9: runs histogram for the given rows.
+// scatter.glift:9: runs kernel histogram for the given rows.
 GLIFT_HOST_KERNEL
 static void histogram_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const histogram_wide_parameters*>(call.parameters);

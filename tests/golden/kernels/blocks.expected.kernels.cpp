@@ -24,7 +24,7 @@ static_assert(offsetof(blocks_blocks_Listed_2_direct_parameters, self_state_valu
 static_assert(offsetof(blocks_blocks_Listed_2_direct_parameters, self_state_value_inside_2) == 8);
 static_assert(offsetof(blocks_blocks_Listed_2_direct_parameters, self_capacity) == 12);
 
-// blocks.glift:16: runs Listed.blocks for the given rows.
+// blocks.glift:16: runs kernel Listed.blocks for the given rows.
 GLIFT_HOST_KERNEL
 static void blocks_blocks_Listed_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const blocks_blocks_Listed_2_direct_parameters*>(call.parameters);
@@ -65,7 +65,7 @@ static_assert(offsetof(blocks_blocks_Listed_2_general_parameters, self_state_val
 static_assert(offsetof(blocks_blocks_Listed_2_general_parameters, self_state_value_inside_2) == 12);
 static_assert(offsetof(blocks_blocks_Listed_2_general_parameters, self_capacity) == 16);
 
-// blocks.glift:16: runs Listed.blocks for the given rows.
+// blocks.glift:16: runs kernel Listed.blocks for the given rows.
 GLIFT_HOST_KERNEL
 static void blocks_blocks_Listed_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const blocks_blocks_Listed_2_general_parameters*>(call.parameters);
@@ -113,7 +113,7 @@ static_assert(offsetof(blocks_blocks_Listed_2_wide_parameters, self_capacity) ==
 static_assert(offsetof(blocks_blocks_Listed_2_wide_parameters, self_state_data_address) == 24);
 static_assert(offsetof(blocks_blocks_Listed_2_wide_parameters, result_data_address) == 32);
 
-// blocks.glift:16: runs Listed.blocks for the given rows.
+// blocks.glift:16: runs kernel Listed.blocks for the given rows.
 GLIFT_HOST_KERNEL
 static void blocks_blocks_Listed_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const blocks_blocks_Listed_2_wide_parameters*>(call.parameters);
@@ -198,7 +198,7 @@ static_assert(offsetof(scale_direct_parameters, f_frames_extent) == 32);
 static_assert(offsetof(scale_direct_parameters, f_extent) == 40);
 static_assert(offsetof(scale_direct_parameters, by) == 52);
 
-// blocks.glift:21: runs scale for the given rows.
+// blocks.glift:21: runs kernel scale for the given rows.
 GLIFT_HOST_KERNEL
 static void scale_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const scale_direct_parameters*>(call.parameters);
@@ -336,7 +336,7 @@ static_assert(offsetof(scale_general_parameters, f_table_extent) == 84);
 static_assert(offsetof(scale_general_parameters, f_frames_extent) == 88);
 static_assert(offsetof(scale_general_parameters, by) == 96);
 
-// blocks.glift:21: runs scale for the given rows.
+// blocks.glift:21: runs kernel scale for the given rows.
 GLIFT_HOST_KERNEL
 static void scale_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const scale_general_parameters*>(call.parameters);
@@ -515,7 +515,7 @@ static_assert(offsetof(scale_wide_parameters, f_frames_data_address) == 136);
 static_assert(offsetof(scale_wide_parameters, g_table_data_address) == 144);
 static_assert(offsetof(scale_wide_parameters, g_frames_data_address) == 152);
 
-// blocks.glift:21: runs scale for the given rows.
+// blocks.glift:21: runs kernel scale for the given rows.
 GLIFT_HOST_KERNEL
 static void scale_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const scale_wide_parameters*>(call.parameters);

@@ -19,7 +19,7 @@ struct read_box_698f90a1_direct_parameters {
 };
 static_assert(offsetof(read_box_698f90a1_direct_parameters, from_extent) == 0);
 
-// transfer.glift:15: runs read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_698f90a1_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
@@ -51,7 +51,7 @@ static_assert(offsetof(read_box_698f90a1_general_parameters, size) == 0);
 static_assert(offsetof(read_box_698f90a1_general_parameters, from_origin) == 4);
 static_assert(offsetof(read_box_698f90a1_general_parameters, to_origin) == 8);
 
-// transfer.glift:15: runs read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_698f90a1_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_698f90a1_general_parameters*>(call.parameters);
@@ -94,7 +94,7 @@ static_assert(offsetof(read_box_698f90a1_wide_parameters, to_origin) == 8);
 static_assert(offsetof(read_box_698f90a1_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(read_box_698f90a1_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:15: runs read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_698f90a1_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_698f90a1_wide_parameters*>(call.parameters);
@@ -160,7 +160,7 @@ struct write_box_920b34ba_direct_parameters {
 };
 static_assert(offsetof(write_box_920b34ba_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: runs write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_920b34ba_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
@@ -193,7 +193,7 @@ static_assert(offsetof(write_box_920b34ba_general_parameters, size) == 0);
 static_assert(offsetof(write_box_920b34ba_general_parameters, from_origin) == 4);
 static_assert(offsetof(write_box_920b34ba_general_parameters, to_origin) == 8);
 
-// transfer.glift:20: runs write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_920b34ba_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_920b34ba_general_parameters*>(call.parameters);
@@ -236,7 +236,7 @@ static_assert(offsetof(write_box_920b34ba_wide_parameters, to_origin) == 8);
 static_assert(offsetof(write_box_920b34ba_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(write_box_920b34ba_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:20: runs write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_920b34ba_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_920b34ba_wide_parameters*>(call.parameters);
@@ -304,7 +304,7 @@ struct fill_box_fbf6ae12_direct_parameters {
 static_assert(offsetof(fill_box_fbf6ae12_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_fbf6ae12_direct_parameters, value) == 4);
 
-// transfer.glift:25: runs fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fbf6ae12_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fbf6ae12_direct_parameters*>(call.parameters);
@@ -336,7 +336,7 @@ static_assert(offsetof(fill_box_fbf6ae12_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_fbf6ae12_general_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_fbf6ae12_general_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fbf6ae12_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fbf6ae12_general_parameters*>(call.parameters);
@@ -374,7 +374,7 @@ static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, value) == 8);
 static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, to_data_address) == 16);
 
-// transfer.glift:25: runs fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fbf6ae12_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fbf6ae12_wide_parameters*>(call.parameters);
@@ -444,7 +444,7 @@ static_assert(offsetof(read_box_a23c245a_direct_parameters, from_table_extent) =
 static_assert(offsetof(read_box_a23c245a_direct_parameters, from_frames_extent) == 24);
 static_assert(offsetof(read_box_a23c245a_direct_parameters, to_extent) == 32);
 
-// transfer.glift:15: runs read_box<Listed, Box<3, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Listed, Box<3, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_a23c245a_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_a23c245a_direct_parameters*>(call.parameters);
@@ -506,7 +506,7 @@ static_assert(offsetof(read_box_a23c245a_general_parameters, from_table_extent) 
 static_assert(offsetof(read_box_a23c245a_general_parameters, from_frames_extent) == 48);
 static_assert(offsetof(read_box_a23c245a_general_parameters, to_extent) == 56);
 
-// transfer.glift:15: runs read_box<Listed, Box<3, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Listed, Box<3, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_a23c245a_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_a23c245a_general_parameters*>(call.parameters);
@@ -587,7 +587,7 @@ static_assert(offsetof(read_box_a23c245a_wide_parameters, from_table_data_addres
 static_assert(offsetof(read_box_a23c245a_wide_parameters, from_frames_data_address) == 104);
 static_assert(offsetof(read_box_a23c245a_wide_parameters, to_data_address) == 112);
 
-// transfer.glift:15: runs read_box<Listed, Box<3, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Listed, Box<3, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_a23c245a_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_a23c245a_wide_parameters*>(call.parameters);
@@ -689,7 +689,7 @@ static_assert(offsetof(write_box_93a8b595_direct_parameters, div_ceil_x) == 16);
 static_assert(offsetof(write_box_93a8b595_direct_parameters, to_table_extent) == 20);
 static_assert(offsetof(write_box_93a8b595_direct_parameters, to_frames_extent) == 24);
 
-// transfer.glift:20: runs write_box<Box<3, float>, Listed> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<3, float>, Listed> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_93a8b595_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_93a8b595_direct_parameters*>(call.parameters);
@@ -746,7 +746,7 @@ static_assert(offsetof(write_box_93a8b595_general_parameters, div_ceil_x) == 52)
 static_assert(offsetof(write_box_93a8b595_general_parameters, to_table_extent) == 56);
 static_assert(offsetof(write_box_93a8b595_general_parameters, to_frames_extent) == 60);
 
-// transfer.glift:20: runs write_box<Box<3, float>, Listed> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<3, float>, Listed> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_93a8b595_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_93a8b595_general_parameters*>(call.parameters);
@@ -824,7 +824,7 @@ static_assert(offsetof(write_box_93a8b595_wide_parameters, from_data_address) ==
 static_assert(offsetof(write_box_93a8b595_wide_parameters, to_table_data_address) == 104);
 static_assert(offsetof(write_box_93a8b595_wide_parameters, to_frames_data_address) == 112);
 
-// transfer.glift:20: runs write_box<Box<3, float>, Listed> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<3, float>, Listed> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_93a8b595_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_93a8b595_wide_parameters*>(call.parameters);
@@ -934,7 +934,7 @@ static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_frames
 static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_extent) == 40);
 static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, value) == 52);
 
-// transfer.glift:25: runs fill_box<Listed, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Listed, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_blocks_Listed_float_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_blocks_Listed_float_direct_parameters*>(call.parameters);
@@ -1048,7 +1048,7 @@ static_assert(offsetof(fill_box_blocks_Listed_float_general_parameters, to_table
 static_assert(offsetof(fill_box_blocks_Listed_float_general_parameters, to_frames_extent) == 56);
 static_assert(offsetof(fill_box_blocks_Listed_float_general_parameters, value) == 64);
 
-// transfer.glift:25: runs fill_box<Listed, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Listed, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_blocks_Listed_float_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_blocks_Listed_float_general_parameters*>(call.parameters);
@@ -1172,7 +1172,7 @@ static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_active_d
 static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_table_data_address) == 88);
 static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_frames_data_address) == 96);
 
-// transfer.glift:25: runs fill_box<Listed, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Listed, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_blocks_Listed_float_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_blocks_Listed_float_wide_parameters*>(call.parameters);
@@ -1352,7 +1352,7 @@ static_assert(offsetof(list_there_b56b1eed_direct_parameters, translated_table_e
 static_assert(offsetof(list_there_b56b1eed_direct_parameters, translated_frames_extent_y) == 88);
 static_assert(offsetof(list_there_b56b1eed_direct_parameters, places_extent) == 92);
 
-// transfer.glift:32: runs list_there<Listed, Listed, Box<1, uint3>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
+// transfer.glift:32: runs kernel list_there<Listed, Listed, Box<1, uint3>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_b56b1eed_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_b56b1eed_direct_parameters*>(call.parameters);
@@ -1695,7 +1695,7 @@ static_assert(offsetof(list_there_b56b1eed_general_parameters, div_ceil_x_3) == 
 static_assert(offsetof(list_there_b56b1eed_general_parameters, translated_table_extent) == 152);
 static_assert(offsetof(list_there_b56b1eed_general_parameters, translated_frames_extent_y) == 156);
 
-// transfer.glift:32: runs list_there<Listed, Listed, Box<1, uint3>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
+// transfer.glift:32: runs kernel list_there<Listed, Listed, Box<1, uint3>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_b56b1eed_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_b56b1eed_general_parameters*>(call.parameters);
@@ -2090,7 +2090,7 @@ static_assert(offsetof(list_there_b56b1eed_wide_parameters, values_data_address)
 static_assert(offsetof(list_there_b56b1eed_wide_parameters, translated_table_data_address) == 216);
 static_assert(offsetof(list_there_b56b1eed_wide_parameters, places_data_address) == 224);
 
-// transfer.glift:32: runs list_there<Listed, Listed, Box<1, uint3>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
+// transfer.glift:32: runs kernel list_there<Listed, Listed, Box<1, uint3>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_b56b1eed_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_b56b1eed_wide_parameters*>(call.parameters);
@@ -2499,7 +2499,7 @@ struct read_box_f3d15695_direct_parameters {
 static_assert(offsetof(read_box_f3d15695_direct_parameters, from_extent) == 0);
 static_assert(offsetof(read_box_f3d15695_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:15: runs read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_f3d15695_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_f3d15695_direct_parameters*>(call.parameters);
@@ -2541,7 +2541,7 @@ static_assert(offsetof(read_box_f3d15695_general_parameters, to_origin) == 16);
 static_assert(offsetof(read_box_f3d15695_general_parameters, from_extent_x) == 24);
 static_assert(offsetof(read_box_f3d15695_general_parameters, to_extent_x) == 28);
 
-// transfer.glift:15: runs read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_f3d15695_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_f3d15695_general_parameters*>(call.parameters);
@@ -2597,7 +2597,7 @@ static_assert(offsetof(read_box_f3d15695_wide_parameters, to_extent_x) == 48);
 static_assert(offsetof(read_box_f3d15695_wide_parameters, from_data_address) == 56);
 static_assert(offsetof(read_box_f3d15695_wide_parameters, to_data_address) == 64);
 
-// transfer.glift:15: runs read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_f3d15695_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_f3d15695_wide_parameters*>(call.parameters);
@@ -2668,7 +2668,7 @@ struct write_box_d5801374_direct_parameters {
 static_assert(offsetof(write_box_d5801374_direct_parameters, from_extent) == 0);
 static_assert(offsetof(write_box_d5801374_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_d5801374_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_d5801374_direct_parameters*>(call.parameters);
@@ -2711,7 +2711,7 @@ static_assert(offsetof(write_box_d5801374_general_parameters, to_origin) == 16);
 static_assert(offsetof(write_box_d5801374_general_parameters, from_extent_x) == 24);
 static_assert(offsetof(write_box_d5801374_general_parameters, to_extent_x) == 28);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_d5801374_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_d5801374_general_parameters*>(call.parameters);
@@ -2767,7 +2767,7 @@ static_assert(offsetof(write_box_d5801374_wide_parameters, to_extent_x) == 48);
 static_assert(offsetof(write_box_d5801374_wide_parameters, from_data_address) == 56);
 static_assert(offsetof(write_box_d5801374_wide_parameters, to_data_address) == 64);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_d5801374_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_d5801374_wide_parameters*>(call.parameters);
@@ -2838,7 +2838,7 @@ struct fill_box_902cb707_direct_parameters {
 static_assert(offsetof(fill_box_902cb707_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_902cb707_direct_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<Array<2, float, none, buffer>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<2, float, none, buffer>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_902cb707_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_902cb707_direct_parameters*>(call.parameters);
@@ -2875,7 +2875,7 @@ static_assert(offsetof(fill_box_902cb707_general_parameters, to_origin) == 8);
 static_assert(offsetof(fill_box_902cb707_general_parameters, to_extent_x) == 16);
 static_assert(offsetof(fill_box_902cb707_general_parameters, value) == 20);
 
-// transfer.glift:25: runs fill_box<Array<2, float, none, buffer>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<2, float, none, buffer>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_902cb707_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_902cb707_general_parameters*>(call.parameters);
@@ -2920,7 +2920,7 @@ static_assert(offsetof(fill_box_902cb707_wide_parameters, to_extent_x) == 32);
 static_assert(offsetof(fill_box_902cb707_wide_parameters, value) == 40);
 static_assert(offsetof(fill_box_902cb707_wide_parameters, to_data_address) == 48);
 
-// transfer.glift:25: runs fill_box<Array<2, float, none, buffer>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<2, float, none, buffer>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_902cb707_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_902cb707_wide_parameters*>(call.parameters);

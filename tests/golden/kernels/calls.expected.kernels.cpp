@@ -25,7 +25,7 @@ static_assert(offsetof(push_even_direct_parameters, bag_capacity) == 4);
 static_assert(offsetof(push_even_direct_parameters, bag_items_extent) == 8);
 static_assert(offsetof(push_even_direct_parameters, x_extent_value_0) == 12);
 
-// calls.glift:29: runs push_even for the given rows.
+// calls.glift:29: runs kernel push_even for the given rows.
 GLIFT_HOST_KERNEL
 static void push_even_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const push_even_direct_parameters*>(call.parameters);
@@ -105,7 +105,7 @@ static_assert(offsetof(push_even_general_parameters, lost_size) == 12);
 static_assert(offsetof(push_even_general_parameters, bag_capacity) == 16);
 static_assert(offsetof(push_even_general_parameters, bag_items_extent) == 20);
 
-// calls.glift:29: runs push_even for the given rows.
+// calls.glift:29: runs kernel push_even for the given rows.
 GLIFT_HOST_KERNEL
 static void push_even_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const push_even_general_parameters*>(call.parameters);
@@ -199,7 +199,7 @@ static_assert(offsetof(push_even_wide_parameters, bag_top_data_address) == 40);
 static_assert(offsetof(push_even_wide_parameters, bag_items_data_address) == 48);
 static_assert(offsetof(push_even_wide_parameters, lost_data_address) == 56);
 
-// calls.glift:29: runs push_even for the given rows.
+// calls.glift:29: runs kernel push_even for the given rows.
 GLIFT_HOST_KERNEL
 static void push_even_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const push_even_wide_parameters*>(call.parameters);

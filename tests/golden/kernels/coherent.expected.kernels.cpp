@@ -23,7 +23,7 @@ static_assert(offsetof(take_turns_direct_parameters, a_extent) == 0);
 static_assert(offsetof(take_turns_direct_parameters, state_value_inside) == 4);
 static_assert(offsetof(take_turns_direct_parameters, state_value_inside_2) == 8);
 
-// coherent.glift:8: runs take_turns for the given rows.
+// coherent.glift:8: runs kernel take_turns for the given rows.
 GLIFT_HOST_KERNEL
 static void take_turns_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const take_turns_direct_parameters*>(call.parameters);
@@ -75,7 +75,7 @@ static_assert(offsetof(take_turns_general_parameters, state_size) == 8);
 static_assert(offsetof(take_turns_general_parameters, a_origin) == 12);
 static_assert(offsetof(take_turns_general_parameters, to_origin) == 16);
 
-// coherent.glift:8: runs take_turns for the given rows.
+// coherent.glift:8: runs kernel take_turns for the given rows.
 GLIFT_HOST_KERNEL
 static void take_turns_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const take_turns_general_parameters*>(call.parameters);
@@ -139,7 +139,7 @@ static_assert(offsetof(take_turns_wide_parameters, to_origin) == 16);
 static_assert(offsetof(take_turns_wide_parameters, state_data_address) == 24);
 static_assert(offsetof(take_turns_wide_parameters, to_data_address) == 32);
 
-// coherent.glift:8: runs take_turns for the given rows.
+// coherent.glift:8: runs kernel take_turns for the given rows.
 GLIFT_HOST_KERNEL
 static void take_turns_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const take_turns_wide_parameters*>(call.parameters);

@@ -20,7 +20,7 @@ struct sum_fours_direct_parameters {
 static_assert(offsetof(sum_fours_direct_parameters, a_extent) == 0);
 static_assert(offsetof(sum_fours_direct_parameters, shift) == 4);
 
-// fours.glift:8: runs sum_fours for the given rows.
+// fours.glift:8: runs kernel sum_fours for the given rows.
 GLIFT_HOST_KERNEL
 static void sum_fours_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const sum_fours_direct_parameters*>(call.parameters);
@@ -122,7 +122,7 @@ static_assert(offsetof(sum_fours_general_parameters, to_origin) == 12);
 static_assert(offsetof(sum_fours_general_parameters, to_size) == 16);
 static_assert(offsetof(sum_fours_general_parameters, shift) == 20);
 
-// fours.glift:8: runs sum_fours for the given rows.
+// fours.glift:8: runs kernel sum_fours for the given rows.
 GLIFT_HOST_KERNEL
 static void sum_fours_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const sum_fours_general_parameters*>(call.parameters);
@@ -262,7 +262,7 @@ static_assert(offsetof(sum_fours_wide_parameters, shift) == 20);
 static_assert(offsetof(sum_fours_wide_parameters, from_data_address) == 24);
 static_assert(offsetof(sum_fours_wide_parameters, to_data_address) == 32);
 
-// fours.glift:8: runs sum_fours for the given rows.
+// fours.glift:8: runs kernel sum_fours for the given rows.
 GLIFT_HOST_KERNEL
 static void sum_fours_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const sum_fours_wide_parameters*>(call.parameters);

@@ -32,7 +32,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_uint_none_buffer& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Array_1_uint_none_buffer>& range);
     /// The index of an element in row_memory(): an affine function of the element's address.

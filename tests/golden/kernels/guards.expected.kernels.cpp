@@ -18,7 +18,7 @@ struct double_tiles_direct_parameters {
 };
 static_assert(offsetof(double_tiles_direct_parameters, tile_extent) == 0);
 
-// guards.glift:8: runs double_tiles for the given rows.
+// guards.glift:8: runs kernel double_tiles for the given rows.
 GLIFT_HOST_KERNEL
 static void double_tiles_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const double_tiles_direct_parameters*>(call.parameters);
@@ -138,7 +138,7 @@ static_assert(offsetof(double_tiles_general_parameters, from_size) == 8);
 static_assert(offsetof(double_tiles_general_parameters, to_origin) == 12);
 static_assert(offsetof(double_tiles_general_parameters, to_size) == 16);
 
-// guards.glift:8: runs double_tiles for the given rows.
+// guards.glift:8: runs kernel double_tiles for the given rows.
 GLIFT_HOST_KERNEL
 static void double_tiles_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const double_tiles_general_parameters*>(call.parameters);
@@ -277,7 +277,7 @@ static_assert(offsetof(double_tiles_wide_parameters, to_size) == 16);
 static_assert(offsetof(double_tiles_wide_parameters, from_data_address) == 24);
 static_assert(offsetof(double_tiles_wide_parameters, to_data_address) == 32);
 
-// guards.glift:8: runs double_tiles for the given rows.
+// guards.glift:8: runs kernel double_tiles for the given rows.
 GLIFT_HOST_KERNEL
 static void double_tiles_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const double_tiles_wide_parameters*>(call.parameters);
@@ -455,7 +455,7 @@ struct add_far_direct_parameters {
 static_assert(offsetof(add_far_direct_parameters, tile_extent) == 0);
 static_assert(offsetof(add_far_direct_parameters, far_) == 4);
 
-// guards.glift:20: runs add_far for the given rows.
+// guards.glift:20: runs kernel add_far for the given rows.
 GLIFT_HOST_KERNEL
 static void add_far_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const add_far_direct_parameters*>(call.parameters);
@@ -525,7 +525,7 @@ static_assert(offsetof(add_far_general_parameters, to_origin) == 12);
 static_assert(offsetof(add_far_general_parameters, to_size) == 16);
 static_assert(offsetof(add_far_general_parameters, far_) == 20);
 
-// guards.glift:20: runs add_far for the given rows.
+// guards.glift:20: runs kernel add_far for the given rows.
 GLIFT_HOST_KERNEL
 static void add_far_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const add_far_general_parameters*>(call.parameters);
@@ -608,7 +608,7 @@ static_assert(offsetof(add_far_wide_parameters, far_) == 20);
 static_assert(offsetof(add_far_wide_parameters, from_data_address) == 24);
 static_assert(offsetof(add_far_wide_parameters, to_data_address) == 32);
 
-// guards.glift:20: runs add_far for the given rows.
+// guards.glift:20: runs kernel add_far for the given rows.
 GLIFT_HOST_KERNEL
 static void add_far_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const add_far_wide_parameters*>(call.parameters);

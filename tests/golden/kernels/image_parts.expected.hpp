@@ -31,7 +31,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const ImageLevels_r32f& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<ImageLevels_r32f>& range);
     /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
@@ -86,7 +86,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const ImageLevel_r32f& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<ImageLevel_r32f>& range);
     /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
@@ -142,7 +142,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const ImageLayers_rgba8& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(glift::float4 value);
     void fill(glift::float4 value, const glift::Range<ImageLayers_rgba8>& range);
     /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
@@ -196,7 +196,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const ImageLayer_rgba8& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(glift::float4 value);
     void fill(glift::float4 value, const glift::Range<ImageLayer_rgba8>& range);
     /// Copy a box of elements to a linear buffer, the first axis fastest, and back.

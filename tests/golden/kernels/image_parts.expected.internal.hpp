@@ -25,7 +25,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Box_2_float& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Box_2_float>& range);
     /// The index of an element in row_memory(): an affine function of the element's address.
@@ -70,7 +70,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Box_3_float4& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(glift::float4 value);
     void fill(glift::float4 value, const glift::Range<Box_3_float4>& range);
     /// The index of an element in row_memory(): an affine function of the element's address.
@@ -115,7 +115,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Box_2_float4& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(glift::float4 value);
     void fill(glift::float4 value, const glift::Range<Box_2_float4>& range);
     /// The index of an element in row_memory(): an affine function of the element's address.

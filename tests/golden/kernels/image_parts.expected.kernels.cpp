@@ -19,7 +19,7 @@ struct halve_direct_parameters {
 };
 static_assert(offsetof(halve_direct_parameters, fine_data_extent) == 0);
 
-// image_parts.glift:11: runs halve for the given rows.
+// image_parts.glift:11: runs kernel halve for the given rows.
 GLIFT_HOST_KERNEL
 static void halve_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const halve_direct_parameters*>(call.parameters);
@@ -58,7 +58,7 @@ static_assert(offsetof(halve_general_parameters, fine_origin) == 16);
 static_assert(offsetof(halve_general_parameters, fine_size) == 24);
 static_assert(offsetof(halve_general_parameters, to_origin) == 32);
 
-// image_parts.glift:11: runs halve for the given rows.
+// image_parts.glift:11: runs kernel halve for the given rows.
 GLIFT_HOST_KERNEL
 static void halve_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const halve_general_parameters*>(call.parameters);
@@ -105,7 +105,7 @@ static_assert(offsetof(halve_wide_parameters, fine_size) == 24);
 static_assert(offsetof(halve_wide_parameters, to_origin) == 32);
 static_assert(offsetof(halve_wide_parameters, base) == 40);
 
-// image_parts.glift:11: runs halve for the given rows.
+// image_parts.glift:11: runs kernel halve for the given rows.
 GLIFT_HOST_KERNEL
 static void halve_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const halve_wide_parameters*>(call.parameters);
@@ -181,7 +181,7 @@ static_assert(offsetof(resample_direct_parameters, level) == 16);
 static_assert(offsetof(resample_direct_parameters, layers_data_extent_x) == 20);
 static_assert(offsetof(resample_direct_parameters, layers_data_extent_y) == 24);
 
-// image_parts.glift:13: runs resample for the given rows.
+// image_parts.glift:13: runs kernel resample for the given rows.
 GLIFT_HOST_KERNEL
 static void resample_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const resample_direct_parameters*>(call.parameters);
@@ -234,7 +234,7 @@ static_assert(offsetof(resample_general_parameters, level) == 52);
 static_assert(offsetof(resample_general_parameters, layers_data_extent_x) == 56);
 static_assert(offsetof(resample_general_parameters, layers_data_extent_y) == 60);
 
-// image_parts.glift:13: runs resample for the given rows.
+// image_parts.glift:13: runs kernel resample for the given rows.
 GLIFT_HOST_KERNEL
 static void resample_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const resample_general_parameters*>(call.parameters);
@@ -296,7 +296,7 @@ static_assert(offsetof(resample_wide_parameters, level) == 64);
 static_assert(offsetof(resample_wide_parameters, layers_data_extent_x) == 68);
 static_assert(offsetof(resample_wide_parameters, layers_data_extent_y) == 72);
 
-// image_parts.glift:13: runs resample for the given rows.
+// image_parts.glift:13: runs kernel resample for the given rows.
 GLIFT_HOST_KERNEL
 static void resample_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const resample_wide_parameters*>(call.parameters);

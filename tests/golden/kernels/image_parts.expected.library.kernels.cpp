@@ -21,7 +21,7 @@ struct read_box_a6033574_direct_parameters {
 static_assert(offsetof(read_box_a6033574_direct_parameters, from_data_extent) == 0);
 static_assert(offsetof(read_box_a6033574_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:15: runs read_box<ImageLevel<r32f>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<ImageLevel<r32f>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_a6033574_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_a6033574_direct_parameters*>(call.parameters);
@@ -59,7 +59,7 @@ static_assert(offsetof(read_box_a6033574_general_parameters, from_origin) == 8);
 static_assert(offsetof(read_box_a6033574_general_parameters, to_origin) == 16);
 static_assert(offsetof(read_box_a6033574_general_parameters, to_extent_x) == 24);
 
-// transfer.glift:15: runs read_box<ImageLevel<r32f>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<ImageLevel<r32f>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_a6033574_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_a6033574_general_parameters*>(call.parameters);
@@ -107,7 +107,7 @@ static_assert(offsetof(read_box_a6033574_wide_parameters, base) == 24);
 static_assert(offsetof(read_box_a6033574_wide_parameters, to_extent_x) == 40);
 static_assert(offsetof(read_box_a6033574_wide_parameters, to_data_address) == 48);
 
-// transfer.glift:15: runs read_box<ImageLevel<r32f>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<ImageLevel<r32f>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_a6033574_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_a6033574_wide_parameters*>(call.parameters);
@@ -172,7 +172,7 @@ struct write_box_7baf3dcd_direct_parameters {
 };
 static_assert(offsetof(write_box_7baf3dcd_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: runs write_box<Box<2, float>, ImageLevel<r32f>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, ImageLevel<r32f>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_7baf3dcd_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_7baf3dcd_direct_parameters*>(call.parameters);
@@ -211,7 +211,7 @@ static_assert(offsetof(write_box_7baf3dcd_general_parameters, from_origin) == 8)
 static_assert(offsetof(write_box_7baf3dcd_general_parameters, to_origin) == 16);
 static_assert(offsetof(write_box_7baf3dcd_general_parameters, from_extent_x) == 24);
 
-// transfer.glift:20: runs write_box<Box<2, float>, ImageLevel<r32f>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, ImageLevel<r32f>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_7baf3dcd_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_7baf3dcd_general_parameters*>(call.parameters);
@@ -259,7 +259,7 @@ static_assert(offsetof(write_box_7baf3dcd_wide_parameters, base) == 24);
 static_assert(offsetof(write_box_7baf3dcd_wide_parameters, from_extent_x) == 40);
 static_assert(offsetof(write_box_7baf3dcd_wide_parameters, from_data_address) == 48);
 
-// transfer.glift:20: runs write_box<Box<2, float>, ImageLevel<r32f>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, ImageLevel<r32f>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_7baf3dcd_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_7baf3dcd_wide_parameters*>(call.parameters);
@@ -324,7 +324,7 @@ struct fill_box_2b12c936_direct_parameters {
 static_assert(offsetof(fill_box_2b12c936_direct_parameters, to_data_extent) == 0);
 static_assert(offsetof(fill_box_2b12c936_direct_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<ImageLevel<r32f>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<ImageLevel<r32f>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_2b12c936_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_2b12c936_direct_parameters*>(call.parameters);
@@ -353,7 +353,7 @@ static_assert(offsetof(fill_box_2b12c936_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_2b12c936_general_parameters, to_origin) == 8);
 static_assert(offsetof(fill_box_2b12c936_general_parameters, value) == 16);
 
-// transfer.glift:25: runs fill_box<ImageLevel<r32f>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<ImageLevel<r32f>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_2b12c936_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_2b12c936_general_parameters*>(call.parameters);
@@ -387,7 +387,7 @@ static_assert(offsetof(fill_box_2b12c936_wide_parameters, to_origin) == 8);
 static_assert(offsetof(fill_box_2b12c936_wide_parameters, base) == 16);
 static_assert(offsetof(fill_box_2b12c936_wide_parameters, value) == 28);
 
-// transfer.glift:25: runs fill_box<ImageLevel<r32f>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<ImageLevel<r32f>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_2b12c936_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_2b12c936_wide_parameters*>(call.parameters);
@@ -445,7 +445,7 @@ struct read_box_ead0b93f_direct_parameters {
 static_assert(offsetof(read_box_ead0b93f_direct_parameters, from_extent) == 0);
 static_assert(offsetof(read_box_ead0b93f_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:15: runs read_box<ImageLevels<r32f>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<ImageLevels<r32f>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_ead0b93f_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_ead0b93f_direct_parameters*>(call.parameters);
@@ -483,7 +483,7 @@ static_assert(offsetof(read_box_ead0b93f_general_parameters, from_origin) == 8);
 static_assert(offsetof(read_box_ead0b93f_general_parameters, to_origin) == 16);
 static_assert(offsetof(read_box_ead0b93f_general_parameters, to_extent_x) == 24);
 
-// transfer.glift:15: runs read_box<ImageLevels<r32f>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<ImageLevels<r32f>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_ead0b93f_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_ead0b93f_general_parameters*>(call.parameters);
@@ -531,7 +531,7 @@ static_assert(offsetof(read_box_ead0b93f_wide_parameters, base) == 24);
 static_assert(offsetof(read_box_ead0b93f_wide_parameters, to_extent_x) == 40);
 static_assert(offsetof(read_box_ead0b93f_wide_parameters, to_data_address) == 48);
 
-// transfer.glift:15: runs read_box<ImageLevels<r32f>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<ImageLevels<r32f>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_ead0b93f_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_ead0b93f_wide_parameters*>(call.parameters);
@@ -596,7 +596,7 @@ struct write_box_3c321d3e_direct_parameters {
 };
 static_assert(offsetof(write_box_3c321d3e_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: runs write_box<Box<2, float>, ImageLevels<r32f>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, ImageLevels<r32f>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_3c321d3e_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_3c321d3e_direct_parameters*>(call.parameters);
@@ -635,7 +635,7 @@ static_assert(offsetof(write_box_3c321d3e_general_parameters, from_origin) == 8)
 static_assert(offsetof(write_box_3c321d3e_general_parameters, to_origin) == 16);
 static_assert(offsetof(write_box_3c321d3e_general_parameters, from_extent_x) == 24);
 
-// transfer.glift:20: runs write_box<Box<2, float>, ImageLevels<r32f>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, ImageLevels<r32f>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_3c321d3e_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_3c321d3e_general_parameters*>(call.parameters);
@@ -683,7 +683,7 @@ static_assert(offsetof(write_box_3c321d3e_wide_parameters, base) == 24);
 static_assert(offsetof(write_box_3c321d3e_wide_parameters, from_extent_x) == 40);
 static_assert(offsetof(write_box_3c321d3e_wide_parameters, from_data_address) == 48);
 
-// transfer.glift:20: runs write_box<Box<2, float>, ImageLevels<r32f>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, ImageLevels<r32f>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_3c321d3e_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_3c321d3e_wide_parameters*>(call.parameters);
@@ -748,7 +748,7 @@ struct fill_box_8cc295b1_direct_parameters {
 static_assert(offsetof(fill_box_8cc295b1_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_8cc295b1_direct_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<ImageLevels<r32f>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<ImageLevels<r32f>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_8cc295b1_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_8cc295b1_direct_parameters*>(call.parameters);
@@ -777,7 +777,7 @@ static_assert(offsetof(fill_box_8cc295b1_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_8cc295b1_general_parameters, to_origin) == 8);
 static_assert(offsetof(fill_box_8cc295b1_general_parameters, value) == 16);
 
-// transfer.glift:25: runs fill_box<ImageLevels<r32f>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<ImageLevels<r32f>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_8cc295b1_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_8cc295b1_general_parameters*>(call.parameters);
@@ -811,7 +811,7 @@ static_assert(offsetof(fill_box_8cc295b1_wide_parameters, to_origin) == 8);
 static_assert(offsetof(fill_box_8cc295b1_wide_parameters, base) == 16);
 static_assert(offsetof(fill_box_8cc295b1_wide_parameters, value) == 28);
 
-// transfer.glift:25: runs fill_box<ImageLevels<r32f>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<ImageLevels<r32f>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_8cc295b1_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_8cc295b1_wide_parameters*>(call.parameters);
@@ -871,7 +871,7 @@ static_assert(offsetof(read_box_184e6050_direct_parameters, from_domain) == 0);
 static_assert(offsetof(read_box_184e6050_direct_parameters, to_extent) == 12);
 static_assert(offsetof(read_box_184e6050_direct_parameters, from_extent_y) == 24);
 
-// transfer.glift:15: runs read_box<ImageLayers<rgba8>, Box<3, float4>> for the given rows.
+// transfer.glift:15: runs kernel read_box<ImageLayers<rgba8>, Box<3, float4>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_184e6050_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_184e6050_direct_parameters*>(call.parameters);
@@ -909,7 +909,7 @@ static_assert(offsetof(read_box_184e6050_general_parameters, from_origin) == 12)
 static_assert(offsetof(read_box_184e6050_general_parameters, to_origin) == 24);
 static_assert(offsetof(read_box_184e6050_general_parameters, to_extent) == 36);
 
-// transfer.glift:15: runs read_box<ImageLayers<rgba8>, Box<3, float4>> for the given rows.
+// transfer.glift:15: runs kernel read_box<ImageLayers<rgba8>, Box<3, float4>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_184e6050_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_184e6050_general_parameters*>(call.parameters);
@@ -959,7 +959,7 @@ static_assert(offsetof(read_box_184e6050_wide_parameters, to_extent_y) == 48);
 static_assert(offsetof(read_box_184e6050_wide_parameters, to_extent_x) == 56);
 static_assert(offsetof(read_box_184e6050_wide_parameters, to_data_address) == 64);
 
-// transfer.glift:15: runs read_box<ImageLayers<rgba8>, Box<3, float4>> for the given rows.
+// transfer.glift:15: runs kernel read_box<ImageLayers<rgba8>, Box<3, float4>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_184e6050_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_184e6050_wide_parameters*>(call.parameters);
@@ -1027,7 +1027,7 @@ struct write_box_424b54b5_direct_parameters {
 };
 static_assert(offsetof(write_box_424b54b5_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: runs write_box<Box<3, float4>, ImageLayers<rgba8>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<3, float4>, ImageLayers<rgba8>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_424b54b5_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_424b54b5_direct_parameters*>(call.parameters);
@@ -1066,7 +1066,7 @@ static_assert(offsetof(write_box_424b54b5_general_parameters, from_origin) == 12
 static_assert(offsetof(write_box_424b54b5_general_parameters, to_origin) == 24);
 static_assert(offsetof(write_box_424b54b5_general_parameters, from_extent) == 36);
 
-// transfer.glift:20: runs write_box<Box<3, float4>, ImageLayers<rgba8>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<3, float4>, ImageLayers<rgba8>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_424b54b5_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_424b54b5_general_parameters*>(call.parameters);
@@ -1116,7 +1116,7 @@ static_assert(offsetof(write_box_424b54b5_wide_parameters, from_extent_y) == 48)
 static_assert(offsetof(write_box_424b54b5_wide_parameters, from_extent_x) == 56);
 static_assert(offsetof(write_box_424b54b5_wide_parameters, from_data_address) == 64);
 
-// transfer.glift:20: runs write_box<Box<3, float4>, ImageLayers<rgba8>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<3, float4>, ImageLayers<rgba8>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_424b54b5_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_424b54b5_wide_parameters*>(call.parameters);
@@ -1185,7 +1185,7 @@ static_assert(offsetof(fill_box_06059ad3_direct_parameters, to_domain) == 0);
 static_assert(offsetof(fill_box_06059ad3_direct_parameters, value) == 12);
 static_assert(offsetof(fill_box_06059ad3_direct_parameters, to_extent_y) == 28);
 
-// transfer.glift:25: runs fill_box<ImageLayers<rgba8>, float4> for the given rows.
+// transfer.glift:25: runs kernel fill_box<ImageLayers<rgba8>, float4> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_06059ad3_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_06059ad3_direct_parameters*>(call.parameters);
@@ -1214,7 +1214,7 @@ static_assert(offsetof(fill_box_06059ad3_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_06059ad3_general_parameters, to_origin) == 12);
 static_assert(offsetof(fill_box_06059ad3_general_parameters, value) == 24);
 
-// transfer.glift:25: runs fill_box<ImageLayers<rgba8>, float4> for the given rows.
+// transfer.glift:25: runs kernel fill_box<ImageLayers<rgba8>, float4> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_06059ad3_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_06059ad3_general_parameters*>(call.parameters);
@@ -1248,7 +1248,7 @@ static_assert(offsetof(fill_box_06059ad3_wide_parameters, to_origin) == 12);
 static_assert(offsetof(fill_box_06059ad3_wide_parameters, base) == 24);
 static_assert(offsetof(fill_box_06059ad3_wide_parameters, value) == 36);
 
-// transfer.glift:25: runs fill_box<ImageLayers<rgba8>, float4> for the given rows.
+// transfer.glift:25: runs kernel fill_box<ImageLayers<rgba8>, float4> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_06059ad3_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_06059ad3_wide_parameters*>(call.parameters);
@@ -1307,7 +1307,7 @@ struct read_box_9ab1f796_direct_parameters {
 static_assert(offsetof(read_box_9ab1f796_direct_parameters, from_data_extent) == 0);
 static_assert(offsetof(read_box_9ab1f796_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:15: runs read_box<ImageLayer<rgba8>, Box<2, float4>> for the given rows.
+// transfer.glift:15: runs kernel read_box<ImageLayer<rgba8>, Box<2, float4>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_9ab1f796_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_9ab1f796_direct_parameters*>(call.parameters);
@@ -1345,7 +1345,7 @@ static_assert(offsetof(read_box_9ab1f796_general_parameters, from_origin) == 8);
 static_assert(offsetof(read_box_9ab1f796_general_parameters, to_origin) == 16);
 static_assert(offsetof(read_box_9ab1f796_general_parameters, to_extent_x) == 24);
 
-// transfer.glift:15: runs read_box<ImageLayer<rgba8>, Box<2, float4>> for the given rows.
+// transfer.glift:15: runs kernel read_box<ImageLayer<rgba8>, Box<2, float4>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_9ab1f796_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_9ab1f796_general_parameters*>(call.parameters);
@@ -1393,7 +1393,7 @@ static_assert(offsetof(read_box_9ab1f796_wide_parameters, base) == 24);
 static_assert(offsetof(read_box_9ab1f796_wide_parameters, to_extent_x) == 40);
 static_assert(offsetof(read_box_9ab1f796_wide_parameters, to_data_address) == 48);
 
-// transfer.glift:15: runs read_box<ImageLayer<rgba8>, Box<2, float4>> for the given rows.
+// transfer.glift:15: runs kernel read_box<ImageLayer<rgba8>, Box<2, float4>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_9ab1f796_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_9ab1f796_wide_parameters*>(call.parameters);
@@ -1458,7 +1458,7 @@ struct write_box_fc1ef9a5_direct_parameters {
 };
 static_assert(offsetof(write_box_fc1ef9a5_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: runs write_box<Box<2, float4>, ImageLayer<rgba8>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float4>, ImageLayer<rgba8>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_fc1ef9a5_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_fc1ef9a5_direct_parameters*>(call.parameters);
@@ -1497,7 +1497,7 @@ static_assert(offsetof(write_box_fc1ef9a5_general_parameters, from_origin) == 8)
 static_assert(offsetof(write_box_fc1ef9a5_general_parameters, to_origin) == 16);
 static_assert(offsetof(write_box_fc1ef9a5_general_parameters, from_extent_x) == 24);
 
-// transfer.glift:20: runs write_box<Box<2, float4>, ImageLayer<rgba8>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float4>, ImageLayer<rgba8>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_fc1ef9a5_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_fc1ef9a5_general_parameters*>(call.parameters);
@@ -1545,7 +1545,7 @@ static_assert(offsetof(write_box_fc1ef9a5_wide_parameters, base) == 24);
 static_assert(offsetof(write_box_fc1ef9a5_wide_parameters, from_extent_x) == 40);
 static_assert(offsetof(write_box_fc1ef9a5_wide_parameters, from_data_address) == 48);
 
-// transfer.glift:20: runs write_box<Box<2, float4>, ImageLayer<rgba8>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float4>, ImageLayer<rgba8>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_fc1ef9a5_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_fc1ef9a5_wide_parameters*>(call.parameters);
@@ -1610,7 +1610,7 @@ struct fill_box_673f66ca_direct_parameters {
 static_assert(offsetof(fill_box_673f66ca_direct_parameters, to_data_extent) == 0);
 static_assert(offsetof(fill_box_673f66ca_direct_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<ImageLayer<rgba8>, float4> for the given rows.
+// transfer.glift:25: runs kernel fill_box<ImageLayer<rgba8>, float4> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_673f66ca_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_673f66ca_direct_parameters*>(call.parameters);
@@ -1639,7 +1639,7 @@ static_assert(offsetof(fill_box_673f66ca_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_673f66ca_general_parameters, to_origin) == 8);
 static_assert(offsetof(fill_box_673f66ca_general_parameters, value) == 16);
 
-// transfer.glift:25: runs fill_box<ImageLayer<rgba8>, float4> for the given rows.
+// transfer.glift:25: runs kernel fill_box<ImageLayer<rgba8>, float4> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_673f66ca_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_673f66ca_general_parameters*>(call.parameters);
@@ -1673,7 +1673,7 @@ static_assert(offsetof(fill_box_673f66ca_wide_parameters, to_origin) == 8);
 static_assert(offsetof(fill_box_673f66ca_wide_parameters, base) == 16);
 static_assert(offsetof(fill_box_673f66ca_wide_parameters, value) == 28);
 
-// transfer.glift:25: runs fill_box<ImageLayer<rgba8>, float4> for the given rows.
+// transfer.glift:25: runs kernel fill_box<ImageLayer<rgba8>, float4> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_673f66ca_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_673f66ca_wide_parameters*>(call.parameters);

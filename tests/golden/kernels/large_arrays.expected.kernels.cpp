@@ -18,7 +18,7 @@ struct count_digits_direct_parameters {
 };
 static_assert(offsetof(count_digits_direct_parameters, row_extent) == 0);
 
-// large_arrays.glift:9: runs count_digits for the given rows.
+// large_arrays.glift:9: runs kernel count_digits for the given rows.
 GLIFT_HOST_KERNEL
 static void count_digits_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const count_digits_direct_parameters*>(call.parameters);
@@ -94,7 +94,7 @@ static_assert(offsetof(count_digits_general_parameters, from_size) == 8);
 static_assert(offsetof(count_digits_general_parameters, counts_origin) == 12);
 static_assert(offsetof(count_digits_general_parameters, counts_size) == 16);
 
-// large_arrays.glift:9: runs count_digits for the given rows.
+// large_arrays.glift:9: runs kernel count_digits for the given rows.
 GLIFT_HOST_KERNEL
 static void count_digits_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const count_digits_general_parameters*>(call.parameters);
@@ -182,7 +182,7 @@ static_assert(offsetof(count_digits_wide_parameters, counts_size) == 16);
 static_assert(offsetof(count_digits_wide_parameters, from_data_address) == 24);
 static_assert(offsetof(count_digits_wide_parameters, counts_data_address) == 32);
 
-// large_arrays.glift:9: runs count_digits for the given rows.
+// large_arrays.glift:9: runs kernel count_digits for the given rows.
 GLIFT_HOST_KERNEL
 static void count_digits_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const count_digits_wide_parameters*>(call.parameters);
@@ -292,7 +292,7 @@ struct corners_direct_parameters {
 };
 static_assert(offsetof(corners_direct_parameters, i_extent) == 0);
 
-// large_arrays.glift:19: runs corners for the given rows.
+// large_arrays.glift:19: runs kernel corners for the given rows.
 GLIFT_HOST_KERNEL
 static void corners_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     uint* to_data = glift::host::elements<uint>(call.memories[0]);
@@ -334,7 +334,7 @@ static_assert(offsetof(corners_general_parameters, size) == 0);
 static_assert(offsetof(corners_general_parameters, to_origin) == 4);
 static_assert(offsetof(corners_general_parameters, to_size) == 8);
 
-// large_arrays.glift:19: runs corners for the given rows.
+// large_arrays.glift:19: runs kernel corners for the given rows.
 GLIFT_HOST_KERNEL
 static void corners_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const corners_general_parameters*>(call.parameters);
@@ -380,7 +380,7 @@ static_assert(offsetof(corners_wide_parameters, to_origin) == 4);
 static_assert(offsetof(corners_wide_parameters, to_size) == 8);
 static_assert(offsetof(corners_wide_parameters, to_data_address) == 16);
 
-// large_arrays.glift:19: runs corners for the given rows.
+// large_arrays.glift:19: runs kernel corners for the given rows.
 GLIFT_HOST_KERNEL
 static void corners_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const corners_wide_parameters*>(call.parameters);

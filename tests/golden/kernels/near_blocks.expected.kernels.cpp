@@ -30,7 +30,7 @@ static_assert(offsetof(right_direct_parameters, f_table_extent) == 20);
 static_assert(offsetof(right_direct_parameters, f_frames_extent) == 24);
 static_assert(offsetof(right_direct_parameters, f_extent) == 32);
 
-// near_blocks.glift:20: runs right for the given rows.
+// near_blocks.glift:20: runs kernel right for the given rows.
 GLIFT_HOST_KERNEL
 static void right_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const right_direct_parameters*>(call.parameters);
@@ -215,7 +215,7 @@ static_assert(offsetof(right_general_parameters, f_table_extent) == 60);
 static_assert(offsetof(right_general_parameters, f_frames_extent) == 64);
 static_assert(offsetof(right_general_parameters, f_extent) == 72);
 
-// near_blocks.glift:20: runs right for the given rows.
+// near_blocks.glift:20: runs kernel right for the given rows.
 GLIFT_HOST_KERNEL
 static void right_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const right_general_parameters*>(call.parameters);
@@ -428,7 +428,7 @@ static_assert(offsetof(right_wide_parameters, f_frames_data_address) == 112);
 static_assert(offsetof(right_wide_parameters, g_table_data_address) == 120);
 static_assert(offsetof(right_wide_parameters, g_frames_data_address) == 128);
 
-// near_blocks.glift:20: runs right for the given rows.
+// near_blocks.glift:20: runs kernel right for the given rows.
 GLIFT_HOST_KERNEL
 static void right_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const right_wide_parameters*>(call.parameters);

@@ -27,7 +27,7 @@ static_assert(offsetof(read_box_9bb01b1e_direct_parameters, from_table_extent) =
 static_assert(offsetof(read_box_9bb01b1e_direct_parameters, from_frames_extent) == 16);
 static_assert(offsetof(read_box_9bb01b1e_direct_parameters, to_extent_x) == 24);
 
-// transfer.glift:15: runs read_box<Listed, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Listed, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_9bb01b1e_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_9bb01b1e_direct_parameters*>(call.parameters);
@@ -84,7 +84,7 @@ static_assert(offsetof(read_box_9bb01b1e_general_parameters, from_table_extent) 
 static_assert(offsetof(read_box_9bb01b1e_general_parameters, from_frames_extent) == 32);
 static_assert(offsetof(read_box_9bb01b1e_general_parameters, to_extent_x) == 40);
 
-// transfer.glift:15: runs read_box<Listed, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Listed, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_9bb01b1e_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_9bb01b1e_general_parameters*>(call.parameters);
@@ -158,7 +158,7 @@ static_assert(offsetof(read_box_9bb01b1e_wide_parameters, from_table_data_addres
 static_assert(offsetof(read_box_9bb01b1e_wide_parameters, from_frames_data_address) == 80);
 static_assert(offsetof(read_box_9bb01b1e_wide_parameters, to_data_address) == 88);
 
-// transfer.glift:15: runs read_box<Listed, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Listed, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_9bb01b1e_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_9bb01b1e_wide_parameters*>(call.parameters);
@@ -252,7 +252,7 @@ static_assert(offsetof(write_box_bdc9234f_direct_parameters, div_ceil_x) == 8);
 static_assert(offsetof(write_box_bdc9234f_direct_parameters, to_table_extent) == 12);
 static_assert(offsetof(write_box_bdc9234f_direct_parameters, to_frames_extent) == 16);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Listed> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Listed> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_bdc9234f_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_bdc9234f_direct_parameters*>(call.parameters);
@@ -306,7 +306,7 @@ static_assert(offsetof(write_box_bdc9234f_general_parameters, div_ceil_x) == 28)
 static_assert(offsetof(write_box_bdc9234f_general_parameters, to_table_extent) == 32);
 static_assert(offsetof(write_box_bdc9234f_general_parameters, to_frames_extent) == 36);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Listed> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Listed> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_bdc9234f_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_bdc9234f_general_parameters*>(call.parameters);
@@ -377,7 +377,7 @@ static_assert(offsetof(write_box_bdc9234f_wide_parameters, from_data_address) ==
 static_assert(offsetof(write_box_bdc9234f_wide_parameters, to_table_data_address) == 80);
 static_assert(offsetof(write_box_bdc9234f_wide_parameters, to_frames_data_address) == 88);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Listed> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Listed> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_bdc9234f_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_bdc9234f_wide_parameters*>(call.parameters);
@@ -477,7 +477,7 @@ static_assert(offsetof(fill_box_c2b13d34_direct_parameters, to_frames_extent) ==
 static_assert(offsetof(fill_box_c2b13d34_direct_parameters, to_extent) == 32);
 static_assert(offsetof(fill_box_c2b13d34_direct_parameters, value) == 40);
 
-// transfer.glift:25: runs fill_box<Listed, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Listed, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_c2b13d34_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_c2b13d34_direct_parameters*>(call.parameters);
@@ -580,7 +580,7 @@ static_assert(offsetof(fill_box_c2b13d34_general_parameters, to_table_extent) ==
 static_assert(offsetof(fill_box_c2b13d34_general_parameters, to_frames_extent) == 40);
 static_assert(offsetof(fill_box_c2b13d34_general_parameters, value) == 48);
 
-// transfer.glift:25: runs fill_box<Listed, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Listed, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_c2b13d34_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_c2b13d34_general_parameters*>(call.parameters);
@@ -695,7 +695,7 @@ static_assert(offsetof(fill_box_c2b13d34_wide_parameters, to_active_data_address
 static_assert(offsetof(fill_box_c2b13d34_wide_parameters, to_table_data_address) == 72);
 static_assert(offsetof(fill_box_c2b13d34_wide_parameters, to_frames_data_address) == 80);
 
-// transfer.glift:25: runs fill_box<Listed, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Listed, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_c2b13d34_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_c2b13d34_wide_parameters*>(call.parameters);
@@ -858,7 +858,7 @@ static_assert(offsetof(list_there_d7a68012_direct_parameters, translated_table_e
 static_assert(offsetof(list_there_d7a68012_direct_parameters, translated_frames_extent_y) == 68);
 static_assert(offsetof(list_there_d7a68012_direct_parameters, places_extent) == 72);
 
-// transfer.glift:32: runs list_there<Listed, Listed, Box<1, uint2>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
+// transfer.glift:32: runs kernel list_there<Listed, Listed, Box<1, uint2>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_d7a68012_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_d7a68012_direct_parameters*>(call.parameters);
@@ -1175,7 +1175,7 @@ static_assert(offsetof(list_there_d7a68012_general_parameters, div_ceil_x_3) == 
 static_assert(offsetof(list_there_d7a68012_general_parameters, translated_table_extent) == 116);
 static_assert(offsetof(list_there_d7a68012_general_parameters, translated_frames_extent_y) == 120);
 
-// transfer.glift:32: runs list_there<Listed, Listed, Box<1, uint2>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
+// transfer.glift:32: runs kernel list_there<Listed, Listed, Box<1, uint2>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_d7a68012_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_d7a68012_general_parameters*>(call.parameters);
@@ -1536,7 +1536,7 @@ static_assert(offsetof(list_there_d7a68012_wide_parameters, values_data_address)
 static_assert(offsetof(list_there_d7a68012_wide_parameters, translated_table_data_address) == 184);
 static_assert(offsetof(list_there_d7a68012_wide_parameters, places_data_address) == 192);
 
-// transfer.glift:32: runs list_there<Listed, Listed, Box<1, uint2>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
+// transfer.glift:32: runs kernel list_there<Listed, Listed, Box<1, uint2>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_d7a68012_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_d7a68012_wide_parameters*>(call.parameters);
@@ -1910,7 +1910,7 @@ struct read_box_698f90a1_direct_parameters {
 };
 static_assert(offsetof(read_box_698f90a1_direct_parameters, from_extent) == 0);
 
-// transfer.glift:15: runs read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_698f90a1_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
@@ -1942,7 +1942,7 @@ static_assert(offsetof(read_box_698f90a1_general_parameters, size) == 0);
 static_assert(offsetof(read_box_698f90a1_general_parameters, from_origin) == 4);
 static_assert(offsetof(read_box_698f90a1_general_parameters, to_origin) == 8);
 
-// transfer.glift:15: runs read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_698f90a1_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_698f90a1_general_parameters*>(call.parameters);
@@ -1985,7 +1985,7 @@ static_assert(offsetof(read_box_698f90a1_wide_parameters, to_origin) == 8);
 static_assert(offsetof(read_box_698f90a1_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(read_box_698f90a1_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:15: runs read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_698f90a1_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_698f90a1_wide_parameters*>(call.parameters);
@@ -2051,7 +2051,7 @@ struct write_box_920b34ba_direct_parameters {
 };
 static_assert(offsetof(write_box_920b34ba_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: runs write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_920b34ba_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
@@ -2084,7 +2084,7 @@ static_assert(offsetof(write_box_920b34ba_general_parameters, size) == 0);
 static_assert(offsetof(write_box_920b34ba_general_parameters, from_origin) == 4);
 static_assert(offsetof(write_box_920b34ba_general_parameters, to_origin) == 8);
 
-// transfer.glift:20: runs write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_920b34ba_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_920b34ba_general_parameters*>(call.parameters);
@@ -2127,7 +2127,7 @@ static_assert(offsetof(write_box_920b34ba_wide_parameters, to_origin) == 8);
 static_assert(offsetof(write_box_920b34ba_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(write_box_920b34ba_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:20: runs write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_920b34ba_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_920b34ba_wide_parameters*>(call.parameters);
@@ -2195,7 +2195,7 @@ struct fill_box_fbf6ae12_direct_parameters {
 static_assert(offsetof(fill_box_fbf6ae12_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_fbf6ae12_direct_parameters, value) == 4);
 
-// transfer.glift:25: runs fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fbf6ae12_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fbf6ae12_direct_parameters*>(call.parameters);
@@ -2227,7 +2227,7 @@ static_assert(offsetof(fill_box_fbf6ae12_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_fbf6ae12_general_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_fbf6ae12_general_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fbf6ae12_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fbf6ae12_general_parameters*>(call.parameters);
@@ -2265,7 +2265,7 @@ static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, value) == 8);
 static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, to_data_address) == 16);
 
-// transfer.glift:25: runs fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fbf6ae12_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fbf6ae12_wide_parameters*>(call.parameters);
@@ -2327,7 +2327,7 @@ struct read_box_f3d15695_direct_parameters {
 static_assert(offsetof(read_box_f3d15695_direct_parameters, from_extent) == 0);
 static_assert(offsetof(read_box_f3d15695_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:15: runs read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_f3d15695_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_f3d15695_direct_parameters*>(call.parameters);
@@ -2369,7 +2369,7 @@ static_assert(offsetof(read_box_f3d15695_general_parameters, to_origin) == 16);
 static_assert(offsetof(read_box_f3d15695_general_parameters, from_extent_x) == 24);
 static_assert(offsetof(read_box_f3d15695_general_parameters, to_extent_x) == 28);
 
-// transfer.glift:15: runs read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_f3d15695_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_f3d15695_general_parameters*>(call.parameters);
@@ -2425,7 +2425,7 @@ static_assert(offsetof(read_box_f3d15695_wide_parameters, to_extent_x) == 48);
 static_assert(offsetof(read_box_f3d15695_wide_parameters, from_data_address) == 56);
 static_assert(offsetof(read_box_f3d15695_wide_parameters, to_data_address) == 64);
 
-// transfer.glift:15: runs read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_f3d15695_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_f3d15695_wide_parameters*>(call.parameters);
@@ -2496,7 +2496,7 @@ struct write_box_d5801374_direct_parameters {
 static_assert(offsetof(write_box_d5801374_direct_parameters, from_extent) == 0);
 static_assert(offsetof(write_box_d5801374_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_d5801374_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_d5801374_direct_parameters*>(call.parameters);
@@ -2539,7 +2539,7 @@ static_assert(offsetof(write_box_d5801374_general_parameters, to_origin) == 16);
 static_assert(offsetof(write_box_d5801374_general_parameters, from_extent_x) == 24);
 static_assert(offsetof(write_box_d5801374_general_parameters, to_extent_x) == 28);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_d5801374_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_d5801374_general_parameters*>(call.parameters);
@@ -2595,7 +2595,7 @@ static_assert(offsetof(write_box_d5801374_wide_parameters, to_extent_x) == 48);
 static_assert(offsetof(write_box_d5801374_wide_parameters, from_data_address) == 56);
 static_assert(offsetof(write_box_d5801374_wide_parameters, to_data_address) == 64);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_d5801374_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_d5801374_wide_parameters*>(call.parameters);
@@ -2666,7 +2666,7 @@ struct fill_box_902cb707_direct_parameters {
 static_assert(offsetof(fill_box_902cb707_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_902cb707_direct_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<Array<2, float, none, buffer>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<2, float, none, buffer>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_902cb707_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_902cb707_direct_parameters*>(call.parameters);
@@ -2703,7 +2703,7 @@ static_assert(offsetof(fill_box_902cb707_general_parameters, to_origin) == 8);
 static_assert(offsetof(fill_box_902cb707_general_parameters, to_extent_x) == 16);
 static_assert(offsetof(fill_box_902cb707_general_parameters, value) == 20);
 
-// transfer.glift:25: runs fill_box<Array<2, float, none, buffer>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<2, float, none, buffer>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_902cb707_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_902cb707_general_parameters*>(call.parameters);
@@ -2748,7 +2748,7 @@ static_assert(offsetof(fill_box_902cb707_wide_parameters, to_extent_x) == 32);
 static_assert(offsetof(fill_box_902cb707_wide_parameters, value) == 40);
 static_assert(offsetof(fill_box_902cb707_wide_parameters, to_data_address) == 48);
 
-// transfer.glift:25: runs fill_box<Array<2, float, none, buffer>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<2, float, none, buffer>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_902cb707_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_902cb707_wide_parameters*>(call.parameters);

@@ -31,12 +31,8 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Shadows& other) const;
 
-    /// Gives every element, or those of a box, one value.
-    void fill(float value);
-    void fill(float value, const glift::Range<Shadows>& range);
-    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
+    /// Copies a box of elements to a linear buffer, the first axis fastest.
     void copy_out(const glift::Commands& commands, const glift::Range<Shadows>& range, const glift::Memory& box) const;
-    void copy_in(const glift::Commands& commands, const glift::Range<Shadows>& range, const glift::Memory& box) const;
 
     /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
     template <class See> void describe(See&& see) const {
@@ -73,7 +69,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Heights& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Heights>& range);
     /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
@@ -119,7 +115,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_2_uint_none_image2d& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Array_2_uint_none_image2d>& range);
     /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
@@ -173,7 +169,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_float3_none_buffer& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(glift::float3 value);
     void fill(glift::float3 value, const glift::Range<Array_1_float3_none_buffer>& range);
     /// The index of an element in row_memory(): an affine function of the element's address.
@@ -230,7 +226,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_float_none_buffer& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Array_1_float_none_buffer>& range);
     /// The index of an element in row_memory(): an affine function of the element's address.

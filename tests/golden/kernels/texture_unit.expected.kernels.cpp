@@ -28,7 +28,7 @@ static_assert(offsetof(splat_direct_parameters, farthest_extent) == 12);
 static_assert(offsetof(splat_direct_parameters, marks_extent) == 16);
 static_assert(offsetof(splat_direct_parameters, marks_data_extent_x) == 24);
 
-// texture_unit.glift:20: runs splat for the given rows.
+// texture_unit.glift:20: runs kernel splat for the given rows.
 GLIFT_HOST_KERNEL
 static void splat_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const splat_direct_parameters*>(call.parameters);
@@ -96,7 +96,7 @@ static_assert(offsetof(splat_general_parameters, marks_size) == 40);
 static_assert(offsetof(splat_general_parameters, marks_extent_x) == 48);
 static_assert(offsetof(splat_general_parameters, marks_data_extent_x) == 52);
 
-// texture_unit.glift:20: runs splat for the given rows.
+// texture_unit.glift:20: runs kernel splat for the given rows.
 GLIFT_HOST_KERNEL
 static void splat_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const splat_general_parameters*>(call.parameters);
@@ -178,7 +178,7 @@ static_assert(offsetof(splat_wide_parameters, marks_data_extent_x) == 52);
 static_assert(offsetof(splat_wide_parameters, p_data_address) == 56);
 static_assert(offsetof(splat_wide_parameters, farthest_data_address) == 64);
 
-// texture_unit.glift:20: runs splat for the given rows.
+// texture_unit.glift:20: runs kernel splat for the given rows.
 GLIFT_HOST_KERNEL
 static void splat_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const splat_wide_parameters*>(call.parameters);
@@ -284,7 +284,7 @@ static_assert(offsetof(light_direct_parameters, shadows_domain) == 12);
 static_assert(offsetof(light_direct_parameters, shadows_depths_extent_x) == 24);
 static_assert(offsetof(light_direct_parameters, shadows_depths_extent_y) == 28);
 
-// texture_unit.glift:27: runs light for the given rows.
+// texture_unit.glift:27: runs kernel light for the given rows.
 GLIFT_HOST_KERNEL
 static void light_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const light_direct_parameters*>(call.parameters);
@@ -350,7 +350,7 @@ static_assert(offsetof(light_general_parameters, heights_data_extent) == 40);
 static_assert(offsetof(light_general_parameters, shadows_depths_extent_x) == 48);
 static_assert(offsetof(light_general_parameters, shadows_depths_extent_y) == 52);
 
-// texture_unit.glift:27: runs light for the given rows.
+// texture_unit.glift:27: runs kernel light for the given rows.
 GLIFT_HOST_KERNEL
 static void light_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const light_general_parameters*>(call.parameters);
@@ -426,7 +426,7 @@ static_assert(offsetof(light_wide_parameters, shadows_depths_extent_x) == 48);
 static_assert(offsetof(light_wide_parameters, shadows_depths_extent_y) == 52);
 static_assert(offsetof(light_wide_parameters, p_data_address) == 56);
 
-// texture_unit.glift:27: runs light for the given rows.
+// texture_unit.glift:27: runs kernel light for the given rows.
 GLIFT_HOST_KERNEL
 static void light_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const light_wide_parameters*>(call.parameters);

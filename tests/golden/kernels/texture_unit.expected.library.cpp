@@ -88,7 +88,7 @@ inline std::uint64_t linearize_64(uint address, uint extent) {
 GLIFT_SHARED Array_2_uint_none_image2d::Array_2_uint_none_image2d(const glift::Commands& commands, uint2 extent)
     : Structure(commands.device()),
       extent_(extent),
-      data_extent_(glift::fitted(fold_extent_64(volume_64(extent_)), "Array_2_uint_none_image2d.data")),
+      data_extent_(glift::fitted(fold_extent_64(volume_64(extent_)), "Array<2, uint, none, image2d>.data")),
       data_(commands.allocate({.name = "Array<2, uint, none, image2d>.data", .kind = glift::MemoryKind::image2d,
         .format = glift::Format::r32ui, .extent = glift::image_extent(data_extent_)})) {}
 
@@ -96,7 +96,7 @@ GLIFT_SHARED Array_2_uint_none_image2d::Array_2_uint_none_image2d(const glift::C
     glift::Memory data)
     : Structure(commands.device()),
       extent_(extent),
-      data_extent_(glift::fitted(fold_extent_64(volume_64(extent_)), "Array_2_uint_none_image2d.data")),
+      data_extent_(glift::fitted(fold_extent_64(volume_64(extent_)), "Array<2, uint, none, image2d>.data")),
       data_(commands.adopt(std::move(data),
         {.name = "Array<2, uint, none, image2d>.data", .kind = glift::MemoryKind::image2d,
         .format = glift::Format::r32ui, .extent = glift::image_extent(data_extent_)})) {}

@@ -23,7 +23,7 @@ static_assert(offsetof(read_box_89e7a8a0_direct_parameters, from_domain) == 0);
 static_assert(offsetof(read_box_89e7a8a0_direct_parameters, to_extent) == 12);
 static_assert(offsetof(read_box_89e7a8a0_direct_parameters, from_extent_y) == 24);
 
-// transfer.glift:15: runs read_box<Shadows, Box<3, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Shadows, Box<3, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_89e7a8a0_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_89e7a8a0_direct_parameters*>(call.parameters);
@@ -61,7 +61,7 @@ static_assert(offsetof(read_box_89e7a8a0_general_parameters, from_origin) == 12)
 static_assert(offsetof(read_box_89e7a8a0_general_parameters, to_origin) == 24);
 static_assert(offsetof(read_box_89e7a8a0_general_parameters, to_extent) == 36);
 
-// transfer.glift:15: runs read_box<Shadows, Box<3, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Shadows, Box<3, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_89e7a8a0_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_89e7a8a0_general_parameters*>(call.parameters);
@@ -111,7 +111,7 @@ static_assert(offsetof(read_box_89e7a8a0_wide_parameters, to_extent_y) == 48);
 static_assert(offsetof(read_box_89e7a8a0_wide_parameters, to_extent_x) == 56);
 static_assert(offsetof(read_box_89e7a8a0_wide_parameters, to_data_address) == 64);
 
-// transfer.glift:15: runs read_box<Shadows, Box<3, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Shadows, Box<3, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_89e7a8a0_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_89e7a8a0_wide_parameters*>(call.parameters);
@@ -180,7 +180,7 @@ struct read_box_0976d8f6_direct_parameters {
 static_assert(offsetof(read_box_0976d8f6_direct_parameters, from_extent) == 0);
 static_assert(offsetof(read_box_0976d8f6_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:15: runs read_box<Heights, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Heights, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_0976d8f6_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_0976d8f6_direct_parameters*>(call.parameters);
@@ -218,7 +218,7 @@ static_assert(offsetof(read_box_0976d8f6_general_parameters, from_origin) == 8);
 static_assert(offsetof(read_box_0976d8f6_general_parameters, to_origin) == 16);
 static_assert(offsetof(read_box_0976d8f6_general_parameters, to_extent_x) == 24);
 
-// transfer.glift:15: runs read_box<Heights, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Heights, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_0976d8f6_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_0976d8f6_general_parameters*>(call.parameters);
@@ -266,7 +266,7 @@ static_assert(offsetof(read_box_0976d8f6_wide_parameters, base) == 24);
 static_assert(offsetof(read_box_0976d8f6_wide_parameters, to_extent_x) == 40);
 static_assert(offsetof(read_box_0976d8f6_wide_parameters, to_data_address) == 48);
 
-// transfer.glift:15: runs read_box<Heights, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Heights, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_0976d8f6_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_0976d8f6_wide_parameters*>(call.parameters);
@@ -331,7 +331,7 @@ struct write_box_c1315537_direct_parameters {
 };
 static_assert(offsetof(write_box_c1315537_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Heights> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Heights> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_c1315537_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_c1315537_direct_parameters*>(call.parameters);
@@ -370,7 +370,7 @@ static_assert(offsetof(write_box_c1315537_general_parameters, from_origin) == 8)
 static_assert(offsetof(write_box_c1315537_general_parameters, to_origin) == 16);
 static_assert(offsetof(write_box_c1315537_general_parameters, from_extent_x) == 24);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Heights> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Heights> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_c1315537_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_c1315537_general_parameters*>(call.parameters);
@@ -418,7 +418,7 @@ static_assert(offsetof(write_box_c1315537_wide_parameters, base) == 24);
 static_assert(offsetof(write_box_c1315537_wide_parameters, from_extent_x) == 40);
 static_assert(offsetof(write_box_c1315537_wide_parameters, from_data_address) == 48);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Heights> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Heights> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_c1315537_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_c1315537_wide_parameters*>(call.parameters);
@@ -483,7 +483,7 @@ struct fill_box_7c95e848_direct_parameters {
 static_assert(offsetof(fill_box_7c95e848_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_7c95e848_direct_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<Heights, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Heights, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_7c95e848_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_7c95e848_direct_parameters*>(call.parameters);
@@ -512,7 +512,7 @@ static_assert(offsetof(fill_box_7c95e848_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_7c95e848_general_parameters, to_origin) == 8);
 static_assert(offsetof(fill_box_7c95e848_general_parameters, value) == 16);
 
-// transfer.glift:25: runs fill_box<Heights, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Heights, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_7c95e848_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_7c95e848_general_parameters*>(call.parameters);
@@ -546,7 +546,7 @@ static_assert(offsetof(fill_box_7c95e848_wide_parameters, to_origin) == 8);
 static_assert(offsetof(fill_box_7c95e848_wide_parameters, base) == 16);
 static_assert(offsetof(fill_box_7c95e848_wide_parameters, value) == 28);
 
-// transfer.glift:25: runs fill_box<Heights, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Heights, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_7c95e848_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_7c95e848_wide_parameters*>(call.parameters);
@@ -606,7 +606,7 @@ static_assert(offsetof(read_box_92f4ce80_direct_parameters, from_extent) == 0);
 static_assert(offsetof(read_box_92f4ce80_direct_parameters, from_data_extent_x) == 8);
 static_assert(offsetof(read_box_92f4ce80_direct_parameters, to_extent_x) == 12);
 
-// transfer.glift:15: runs read_box<Array<2, uint, none, image2d>, Box<2, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<2, uint, none, image2d>, Box<2, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_92f4ce80_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_92f4ce80_direct_parameters*>(call.parameters);
@@ -654,7 +654,7 @@ static_assert(offsetof(read_box_92f4ce80_general_parameters, from_extent_x) == 2
 static_assert(offsetof(read_box_92f4ce80_general_parameters, from_data_extent_x) == 28);
 static_assert(offsetof(read_box_92f4ce80_general_parameters, to_extent_x) == 32);
 
-// transfer.glift:15: runs read_box<Array<2, uint, none, image2d>, Box<2, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<2, uint, none, image2d>, Box<2, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_92f4ce80_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_92f4ce80_general_parameters*>(call.parameters);
@@ -713,7 +713,7 @@ static_assert(offsetof(read_box_92f4ce80_wide_parameters, from_data_extent_x) ==
 static_assert(offsetof(read_box_92f4ce80_wide_parameters, to_extent_x) == 48);
 static_assert(offsetof(read_box_92f4ce80_wide_parameters, to_data_address) == 56);
 
-// transfer.glift:15: runs read_box<Array<2, uint, none, image2d>, Box<2, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<2, uint, none, image2d>, Box<2, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_92f4ce80_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_92f4ce80_wide_parameters*>(call.parameters);
@@ -789,7 +789,7 @@ static_assert(offsetof(write_box_99148957_direct_parameters, from_extent) == 0);
 static_assert(offsetof(write_box_99148957_direct_parameters, to_extent_x) == 8);
 static_assert(offsetof(write_box_99148957_direct_parameters, to_data_extent_x) == 12);
 
-// transfer.glift:20: runs write_box<Box<2, uint>, Array<2, uint, none, image2d>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, uint>, Array<2, uint, none, image2d>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_99148957_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_99148957_direct_parameters*>(call.parameters);
@@ -838,7 +838,7 @@ static_assert(offsetof(write_box_99148957_general_parameters, from_extent_x) == 
 static_assert(offsetof(write_box_99148957_general_parameters, to_extent_x) == 28);
 static_assert(offsetof(write_box_99148957_general_parameters, to_data_extent_x) == 32);
 
-// transfer.glift:20: runs write_box<Box<2, uint>, Array<2, uint, none, image2d>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, uint>, Array<2, uint, none, image2d>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_99148957_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_99148957_general_parameters*>(call.parameters);
@@ -897,7 +897,7 @@ static_assert(offsetof(write_box_99148957_wide_parameters, to_extent_x) == 48);
 static_assert(offsetof(write_box_99148957_wide_parameters, to_data_extent_x) == 52);
 static_assert(offsetof(write_box_99148957_wide_parameters, from_data_address) == 56);
 
-// transfer.glift:20: runs write_box<Box<2, uint>, Array<2, uint, none, image2d>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, uint>, Array<2, uint, none, image2d>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_99148957_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_99148957_wide_parameters*>(call.parameters);
@@ -973,7 +973,7 @@ static_assert(offsetof(fill_box_1b4fd378_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_1b4fd378_direct_parameters, to_data_extent_x) == 8);
 static_assert(offsetof(fill_box_1b4fd378_direct_parameters, value) == 12);
 
-// transfer.glift:25: runs fill_box<Array<2, uint, none, image2d>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<2, uint, none, image2d>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_1b4fd378_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_1b4fd378_direct_parameters*>(call.parameters);
@@ -1012,7 +1012,7 @@ static_assert(offsetof(fill_box_1b4fd378_general_parameters, to_extent_x) == 16)
 static_assert(offsetof(fill_box_1b4fd378_general_parameters, to_data_extent_x) == 20);
 static_assert(offsetof(fill_box_1b4fd378_general_parameters, value) == 24);
 
-// transfer.glift:25: runs fill_box<Array<2, uint, none, image2d>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<2, uint, none, image2d>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_1b4fd378_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_1b4fd378_general_parameters*>(call.parameters);
@@ -1057,7 +1057,7 @@ static_assert(offsetof(fill_box_1b4fd378_wide_parameters, to_extent_x) == 28);
 static_assert(offsetof(fill_box_1b4fd378_wide_parameters, to_data_extent_x) == 32);
 static_assert(offsetof(fill_box_1b4fd378_wide_parameters, value) == 36);
 
-// transfer.glift:25: runs fill_box<Array<2, uint, none, image2d>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<2, uint, none, image2d>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_1b4fd378_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_1b4fd378_wide_parameters*>(call.parameters);
@@ -1121,7 +1121,7 @@ struct read_box_f0d3f0af_direct_parameters {
 };
 static_assert(offsetof(read_box_f0d3f0af_direct_parameters, from_extent) == 0);
 
-// transfer.glift:15: runs read_box<Array<1, float3, none, buffer>, Box<1, float3>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, float3, none, buffer>, Box<1, float3>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_f0d3f0af_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const float3* from_data = glift::host::elements<const float3>(call.memories[0]);
@@ -1153,7 +1153,7 @@ static_assert(offsetof(read_box_f0d3f0af_general_parameters, size) == 0);
 static_assert(offsetof(read_box_f0d3f0af_general_parameters, from_origin) == 4);
 static_assert(offsetof(read_box_f0d3f0af_general_parameters, to_origin) == 8);
 
-// transfer.glift:15: runs read_box<Array<1, float3, none, buffer>, Box<1, float3>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, float3, none, buffer>, Box<1, float3>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_f0d3f0af_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_f0d3f0af_general_parameters*>(call.parameters);
@@ -1196,7 +1196,7 @@ static_assert(offsetof(read_box_f0d3f0af_wide_parameters, to_origin) == 8);
 static_assert(offsetof(read_box_f0d3f0af_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(read_box_f0d3f0af_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:15: runs read_box<Array<1, float3, none, buffer>, Box<1, float3>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, float3, none, buffer>, Box<1, float3>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_f0d3f0af_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_f0d3f0af_wide_parameters*>(call.parameters);
@@ -1262,7 +1262,7 @@ struct write_box_59b2fb2a_direct_parameters {
 };
 static_assert(offsetof(write_box_59b2fb2a_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: runs write_box<Box<1, float3>, Array<1, float3, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, float3>, Array<1, float3, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_59b2fb2a_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const float3* from_data = glift::host::elements<const float3>(call.memories[0]);
@@ -1295,7 +1295,7 @@ static_assert(offsetof(write_box_59b2fb2a_general_parameters, size) == 0);
 static_assert(offsetof(write_box_59b2fb2a_general_parameters, from_origin) == 4);
 static_assert(offsetof(write_box_59b2fb2a_general_parameters, to_origin) == 8);
 
-// transfer.glift:20: runs write_box<Box<1, float3>, Array<1, float3, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, float3>, Array<1, float3, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_59b2fb2a_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_59b2fb2a_general_parameters*>(call.parameters);
@@ -1338,7 +1338,7 @@ static_assert(offsetof(write_box_59b2fb2a_wide_parameters, to_origin) == 8);
 static_assert(offsetof(write_box_59b2fb2a_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(write_box_59b2fb2a_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:20: runs write_box<Box<1, float3>, Array<1, float3, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, float3>, Array<1, float3, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_59b2fb2a_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_59b2fb2a_wide_parameters*>(call.parameters);
@@ -1406,7 +1406,7 @@ struct fill_box_dfa8b7d0_direct_parameters {
 static_assert(offsetof(fill_box_dfa8b7d0_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_dfa8b7d0_direct_parameters, value) == 4);
 
-// transfer.glift:25: runs fill_box<Array<1, float3, none, buffer>, float3> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, float3, none, buffer>, float3> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_dfa8b7d0_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_dfa8b7d0_direct_parameters*>(call.parameters);
@@ -1438,7 +1438,7 @@ static_assert(offsetof(fill_box_dfa8b7d0_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_dfa8b7d0_general_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_dfa8b7d0_general_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<Array<1, float3, none, buffer>, float3> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, float3, none, buffer>, float3> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_dfa8b7d0_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_dfa8b7d0_general_parameters*>(call.parameters);
@@ -1476,7 +1476,7 @@ static_assert(offsetof(fill_box_dfa8b7d0_wide_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_dfa8b7d0_wide_parameters, value) == 8);
 static_assert(offsetof(fill_box_dfa8b7d0_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:25: runs fill_box<Array<1, float3, none, buffer>, float3> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, float3, none, buffer>, float3> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_dfa8b7d0_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_dfa8b7d0_wide_parameters*>(call.parameters);
@@ -1536,7 +1536,7 @@ struct read_box_679e2ba9_direct_parameters {
 };
 static_assert(offsetof(read_box_679e2ba9_direct_parameters, from_extent) == 0);
 
-// transfer.glift:15: runs read_box<Array<1, float, none, buffer>, Box<1, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, float, none, buffer>, Box<1, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_679e2ba9_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
@@ -1568,7 +1568,7 @@ static_assert(offsetof(read_box_679e2ba9_general_parameters, size) == 0);
 static_assert(offsetof(read_box_679e2ba9_general_parameters, from_origin) == 4);
 static_assert(offsetof(read_box_679e2ba9_general_parameters, to_origin) == 8);
 
-// transfer.glift:15: runs read_box<Array<1, float, none, buffer>, Box<1, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, float, none, buffer>, Box<1, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_679e2ba9_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_679e2ba9_general_parameters*>(call.parameters);
@@ -1611,7 +1611,7 @@ static_assert(offsetof(read_box_679e2ba9_wide_parameters, to_origin) == 8);
 static_assert(offsetof(read_box_679e2ba9_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(read_box_679e2ba9_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:15: runs read_box<Array<1, float, none, buffer>, Box<1, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, float, none, buffer>, Box<1, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_679e2ba9_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_679e2ba9_wide_parameters*>(call.parameters);
@@ -1677,7 +1677,7 @@ struct write_box_7a558d52_direct_parameters {
 };
 static_assert(offsetof(write_box_7a558d52_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: runs write_box<Box<1, float>, Array<1, float, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, float>, Array<1, float, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_7a558d52_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
@@ -1710,7 +1710,7 @@ static_assert(offsetof(write_box_7a558d52_general_parameters, size) == 0);
 static_assert(offsetof(write_box_7a558d52_general_parameters, from_origin) == 4);
 static_assert(offsetof(write_box_7a558d52_general_parameters, to_origin) == 8);
 
-// transfer.glift:20: runs write_box<Box<1, float>, Array<1, float, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, float>, Array<1, float, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_7a558d52_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_7a558d52_general_parameters*>(call.parameters);
@@ -1753,7 +1753,7 @@ static_assert(offsetof(write_box_7a558d52_wide_parameters, to_origin) == 8);
 static_assert(offsetof(write_box_7a558d52_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(write_box_7a558d52_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:20: runs write_box<Box<1, float>, Array<1, float, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, float>, Array<1, float, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_7a558d52_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_7a558d52_wide_parameters*>(call.parameters);
@@ -1821,7 +1821,7 @@ struct fill_box_4fb0cc86_direct_parameters {
 static_assert(offsetof(fill_box_4fb0cc86_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_4fb0cc86_direct_parameters, value) == 4);
 
-// transfer.glift:25: runs fill_box<Array<1, float, none, buffer>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, float, none, buffer>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_4fb0cc86_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_4fb0cc86_direct_parameters*>(call.parameters);
@@ -1853,7 +1853,7 @@ static_assert(offsetof(fill_box_4fb0cc86_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_4fb0cc86_general_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_4fb0cc86_general_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<Array<1, float, none, buffer>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, float, none, buffer>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_4fb0cc86_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_4fb0cc86_general_parameters*>(call.parameters);
@@ -1891,7 +1891,7 @@ static_assert(offsetof(fill_box_4fb0cc86_wide_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_4fb0cc86_wide_parameters, value) == 8);
 static_assert(offsetof(fill_box_4fb0cc86_wide_parameters, to_data_address) == 16);
 
-// transfer.glift:25: runs fill_box<Array<1, float, none, buffer>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, float, none, buffer>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_4fb0cc86_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_4fb0cc86_wide_parameters*>(call.parameters);

@@ -20,7 +20,7 @@ struct scale_direct_parameters {
 static_assert(offsetof(scale_direct_parameters, a_extent) == 0);
 static_assert(offsetof(scale_direct_parameters, by) == 4);
 
-// device_values.glift:8: runs scale for the given rows.
+// device_values.glift:8: runs kernel scale for the given rows.
 GLIFT_HOST_KERNEL
 static void scale_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const scale_direct_parameters*>(call.parameters);
@@ -53,7 +53,7 @@ static_assert(offsetof(scale_general_parameters, size) == 0);
 static_assert(offsetof(scale_general_parameters, a_origin) == 4);
 static_assert(offsetof(scale_general_parameters, by) == 8);
 
-// device_values.glift:8: runs scale for the given rows.
+// device_values.glift:8: runs kernel scale for the given rows.
 GLIFT_HOST_KERNEL
 static void scale_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const scale_general_parameters*>(call.parameters);
@@ -91,7 +91,7 @@ static_assert(offsetof(scale_wide_parameters, a_origin) == 4);
 static_assert(offsetof(scale_wide_parameters, by) == 8);
 static_assert(offsetof(scale_wide_parameters, a_data_address) == 16);
 
-// device_values.glift:8: runs scale for the given rows.
+// device_values.glift:8: runs kernel scale for the given rows.
 GLIFT_HOST_KERNEL
 static void scale_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const scale_wide_parameters*>(call.parameters);
@@ -158,7 +158,7 @@ static_assert(offsetof(value_843f6281_2_direct_parameters, element_2_index) == 4
 static_assert(offsetof(value_843f6281_2_direct_parameters, result_extent) == 8);
 static_assert(offsetof(value_843f6281_2_direct_parameters, by) == 12);
 
-// device_values.glift:14: runs value for the given rows.
+// device_values.glift:14: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_843f6281_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_843f6281_2_direct_parameters*>(call.parameters);
@@ -200,7 +200,7 @@ static_assert(offsetof(value_843f6281_2_general_parameters, element_2_index) == 
 static_assert(offsetof(value_843f6281_2_general_parameters, result_origin) == 12);
 static_assert(offsetof(value_843f6281_2_general_parameters, by) == 16);
 
-// device_values.glift:14: runs value for the given rows.
+// device_values.glift:14: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_843f6281_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_843f6281_2_general_parameters*>(call.parameters);
@@ -251,7 +251,7 @@ static_assert(offsetof(value_843f6281_2_wide_parameters, element_data_address) =
 static_assert(offsetof(value_843f6281_2_wide_parameters, element_2_data_address) == 32);
 static_assert(offsetof(value_843f6281_2_wide_parameters, result_data_address) == 40);
 
-// device_values.glift:14: runs value for the given rows.
+// device_values.glift:14: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_843f6281_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_843f6281_2_wide_parameters*>(call.parameters);
@@ -323,7 +323,7 @@ struct value_823d20c4_2_direct_parameters {
 static_assert(offsetof(value_823d20c4_2_direct_parameters, n_index) == 0);
 static_assert(offsetof(value_823d20c4_2_direct_parameters, result_extent) == 4);
 
-// device_values.glift:16: runs value for the given rows.
+// device_values.glift:16: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_823d20c4_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_823d20c4_2_direct_parameters*>(call.parameters);
@@ -357,7 +357,7 @@ static_assert(offsetof(value_823d20c4_2_general_parameters, size) == 0);
 static_assert(offsetof(value_823d20c4_2_general_parameters, n_index) == 4);
 static_assert(offsetof(value_823d20c4_2_general_parameters, result_origin) == 8);
 
-// device_values.glift:16: runs value for the given rows.
+// device_values.glift:16: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_823d20c4_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_823d20c4_2_general_parameters*>(call.parameters);
@@ -398,7 +398,7 @@ static_assert(offsetof(value_823d20c4_2_wide_parameters, result_origin) == 8);
 static_assert(offsetof(value_823d20c4_2_wide_parameters, n_data_address) == 16);
 static_assert(offsetof(value_823d20c4_2_wide_parameters, result_data_address) == 24);
 
-// device_values.glift:16: runs value for the given rows.
+// device_values.glift:16: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_823d20c4_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_823d20c4_2_wide_parameters*>(call.parameters);
@@ -462,7 +462,7 @@ struct scale_device_by_direct_parameters {
 static_assert(offsetof(scale_device_by_direct_parameters, by_index) == 0);
 static_assert(offsetof(scale_device_by_direct_parameters, a_extent) == 4);
 
-// device_values.glift:8: runs scale for the given rows.
+// device_values.glift:8: runs kernel scale for the given rows.
 GLIFT_HOST_KERNEL
 static void scale_device_by_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const scale_device_by_direct_parameters*>(call.parameters);
@@ -497,7 +497,7 @@ static_assert(offsetof(scale_device_by_general_parameters, size) == 0);
 static_assert(offsetof(scale_device_by_general_parameters, by_index) == 4);
 static_assert(offsetof(scale_device_by_general_parameters, a_origin) == 8);
 
-// device_values.glift:8: runs scale for the given rows.
+// device_values.glift:8: runs kernel scale for the given rows.
 GLIFT_HOST_KERNEL
 static void scale_device_by_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const scale_device_by_general_parameters*>(call.parameters);
@@ -539,7 +539,7 @@ static_assert(offsetof(scale_device_by_wide_parameters, a_origin) == 8);
 static_assert(offsetof(scale_device_by_wide_parameters, by_data_address) == 16);
 static_assert(offsetof(scale_device_by_wide_parameters, a_data_address) == 24);
 
-// device_values.glift:8: runs scale for the given rows.
+// device_values.glift:8: runs kernel scale for the given rows.
 GLIFT_HOST_KERNEL
 static void scale_device_by_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const scale_device_by_wide_parameters*>(call.parameters);
@@ -604,7 +604,7 @@ struct value_043a1bd3_2_direct_parameters {
 };
 static_assert(offsetof(value_043a1bd3_2_direct_parameters, result_extent) == 0);
 
-// device_values.glift:22: runs value for the given rows.
+// device_values.glift:22: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_043a1bd3_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     glift::Bool* result_data = glift::host::elements<glift::Bool>(call.memories[0]);
@@ -632,7 +632,7 @@ struct value_043a1bd3_2_general_parameters {
 static_assert(offsetof(value_043a1bd3_2_general_parameters, size) == 0);
 static_assert(offsetof(value_043a1bd3_2_general_parameters, result_origin) == 4);
 
-// device_values.glift:22: runs value for the given rows.
+// device_values.glift:22: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_043a1bd3_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_043a1bd3_2_general_parameters*>(call.parameters);
@@ -666,7 +666,7 @@ static_assert(offsetof(value_043a1bd3_2_wide_parameters, size) == 0);
 static_assert(offsetof(value_043a1bd3_2_wide_parameters, result_origin) == 4);
 static_assert(offsetof(value_043a1bd3_2_wide_parameters, result_data_address) == 8);
 
-// device_values.glift:22: runs value for the given rows.
+// device_values.glift:22: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_043a1bd3_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_043a1bd3_2_wide_parameters*>(call.parameters);
@@ -722,7 +722,7 @@ struct value_04359ea5_2_direct_parameters {
 };
 static_assert(offsetof(value_04359ea5_2_direct_parameters, result_extent) == 0);
 
-// device_values.glift:15: runs value for the given rows.
+// device_values.glift:15: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_04359ea5_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     uint* result_data = glift::host::elements<uint>(call.memories[0]);
@@ -750,7 +750,7 @@ struct value_04359ea5_2_general_parameters {
 static_assert(offsetof(value_04359ea5_2_general_parameters, size) == 0);
 static_assert(offsetof(value_04359ea5_2_general_parameters, result_origin) == 4);
 
-// device_values.glift:15: runs value for the given rows.
+// device_values.glift:15: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_04359ea5_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_04359ea5_2_general_parameters*>(call.parameters);
@@ -784,7 +784,7 @@ static_assert(offsetof(value_04359ea5_2_wide_parameters, size) == 0);
 static_assert(offsetof(value_04359ea5_2_wide_parameters, result_origin) == 4);
 static_assert(offsetof(value_04359ea5_2_wide_parameters, result_data_address) == 8);
 
-// device_values.glift:15: runs value for the given rows.
+// device_values.glift:15: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_04359ea5_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_04359ea5_2_wide_parameters*>(call.parameters);
@@ -844,7 +844,7 @@ static_assert(offsetof(value_02335ce8_2_direct_parameters, condition_index) == 0
 static_assert(offsetof(value_02335ce8_2_direct_parameters, times_index) == 4);
 static_assert(offsetof(value_02335ce8_2_direct_parameters, result_extent) == 8);
 
-// device_values.glift:18: runs value for the given rows.
+// device_values.glift:18: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_02335ce8_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_02335ce8_2_direct_parameters*>(call.parameters);
@@ -883,7 +883,7 @@ static_assert(offsetof(value_02335ce8_2_general_parameters, condition_index) == 
 static_assert(offsetof(value_02335ce8_2_general_parameters, times_index) == 8);
 static_assert(offsetof(value_02335ce8_2_general_parameters, result_origin) == 12);
 
-// device_values.glift:18: runs value for the given rows.
+// device_values.glift:18: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_02335ce8_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_02335ce8_2_general_parameters*>(call.parameters);
@@ -931,7 +931,7 @@ static_assert(offsetof(value_02335ce8_2_wide_parameters, condition_data_address)
 static_assert(offsetof(value_02335ce8_2_wide_parameters, times_data_address) == 24);
 static_assert(offsetof(value_02335ce8_2_wide_parameters, result_data_address) == 32);
 
-// device_values.glift:18: runs value for the given rows.
+// device_values.glift:18: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_02335ce8_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_02335ce8_2_wide_parameters*>(call.parameters);
@@ -1005,7 +1005,7 @@ static_assert(offsetof(value_843057f7_2_direct_parameters, element_index) == 4);
 static_assert(offsetof(value_843057f7_2_direct_parameters, times_index) == 8);
 static_assert(offsetof(value_843057f7_2_direct_parameters, result_extent) == 12);
 
-// device_values.glift:22: runs value for the given rows.
+// device_values.glift:22: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_843057f7_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_843057f7_2_direct_parameters*>(call.parameters);
@@ -1049,7 +1049,7 @@ static_assert(offsetof(value_843057f7_2_general_parameters, element_index) == 8)
 static_assert(offsetof(value_843057f7_2_general_parameters, times_index) == 12);
 static_assert(offsetof(value_843057f7_2_general_parameters, result_origin) == 16);
 
-// device_values.glift:22: runs value for the given rows.
+// device_values.glift:22: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_843057f7_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_843057f7_2_general_parameters*>(call.parameters);
@@ -1104,7 +1104,7 @@ static_assert(offsetof(value_843057f7_2_wide_parameters, element_data_address) =
 static_assert(offsetof(value_843057f7_2_wide_parameters, times_data_address) == 40);
 static_assert(offsetof(value_843057f7_2_wide_parameters, result_data_address) == 48);
 
-// device_values.glift:22: runs value for the given rows.
+// device_values.glift:22: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_843057f7_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_843057f7_2_wide_parameters*>(call.parameters);
@@ -1182,7 +1182,7 @@ static_assert(offsetof(value_822e163a_2_direct_parameters, running_index) == 0);
 static_assert(offsetof(value_822e163a_2_direct_parameters, times_index) == 4);
 static_assert(offsetof(value_822e163a_2_direct_parameters, result_extent) == 8);
 
-// device_values.glift:24: runs value for the given rows.
+// device_values.glift:24: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_822e163a_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_822e163a_2_direct_parameters*>(call.parameters);
@@ -1221,7 +1221,7 @@ static_assert(offsetof(value_822e163a_2_general_parameters, running_index) == 4)
 static_assert(offsetof(value_822e163a_2_general_parameters, times_index) == 8);
 static_assert(offsetof(value_822e163a_2_general_parameters, result_origin) == 12);
 
-// device_values.glift:24: runs value for the given rows.
+// device_values.glift:24: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_822e163a_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_822e163a_2_general_parameters*>(call.parameters);
@@ -1269,7 +1269,7 @@ static_assert(offsetof(value_822e163a_2_wide_parameters, running_data_address) =
 static_assert(offsetof(value_822e163a_2_wide_parameters, times_data_address) == 24);
 static_assert(offsetof(value_822e163a_2_wide_parameters, result_data_address) == 32);
 
-// device_values.glift:24: runs value for the given rows.
+// device_values.glift:24: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
 static void value_822e163a_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_822e163a_2_wide_parameters*>(call.parameters);

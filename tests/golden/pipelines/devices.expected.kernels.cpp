@@ -18,7 +18,7 @@ struct on_any_direct_parameters {
 };
 static_assert(offsetof(on_any_direct_parameters, to_extent) == 0);
 
-// devices.glift:8: runs on_any for the given rows.
+// devices.glift:8: runs kernel on_any for the given rows.
 GLIFT_HOST_KERNEL
 static void on_any_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     uint* to_data = glift::host::elements<uint>(call.memories[0]);
@@ -46,7 +46,7 @@ struct on_any_general_parameters {
 static_assert(offsetof(on_any_general_parameters, size) == 0);
 static_assert(offsetof(on_any_general_parameters, to_origin) == 4);
 
-// devices.glift:8: runs on_any for the given rows.
+// devices.glift:8: runs kernel on_any for the given rows.
 GLIFT_HOST_KERNEL
 static void on_any_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const on_any_general_parameters*>(call.parameters);
@@ -80,7 +80,7 @@ static_assert(offsetof(on_any_wide_parameters, size) == 0);
 static_assert(offsetof(on_any_wide_parameters, to_origin) == 4);
 static_assert(offsetof(on_any_wide_parameters, to_data_address) == 8);
 
-// devices.glift:8: runs on_any for the given rows.
+// devices.glift:8: runs kernel on_any for the given rows.
 GLIFT_HOST_KERNEL
 static void on_any_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const on_any_wide_parameters*>(call.parameters);
@@ -138,7 +138,7 @@ struct on_host_direct_parameters {
 };
 static_assert(offsetof(on_host_direct_parameters, to_extent) == 0);
 
-// devices.glift:12: runs on_host for the given rows.
+// devices.glift:12: runs kernel on_host for the given rows.
 GLIFT_HOST_KERNEL
 static void on_host_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     uint* to_data = glift::host::elements<uint>(call.memories[0]);
@@ -166,7 +166,7 @@ struct on_host_general_parameters {
 static_assert(offsetof(on_host_general_parameters, size) == 0);
 static_assert(offsetof(on_host_general_parameters, to_origin) == 4);
 
-// devices.glift:12: runs on_host for the given rows.
+// devices.glift:12: runs kernel on_host for the given rows.
 GLIFT_HOST_KERNEL
 static void on_host_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const on_host_general_parameters*>(call.parameters);
@@ -200,7 +200,7 @@ static_assert(offsetof(on_host_wide_parameters, size) == 0);
 static_assert(offsetof(on_host_wide_parameters, to_origin) == 4);
 static_assert(offsetof(on_host_wide_parameters, to_data_address) == 8);
 
-// devices.glift:12: runs on_host for the given rows.
+// devices.glift:12: runs kernel on_host for the given rows.
 GLIFT_HOST_KERNEL
 static void on_host_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const on_host_wide_parameters*>(call.parameters);

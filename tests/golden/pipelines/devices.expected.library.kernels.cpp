@@ -18,7 +18,7 @@ struct read_box_698f90a1_direct_parameters {
 };
 static_assert(offsetof(read_box_698f90a1_direct_parameters, from_extent) == 0);
 
-// transfer.glift:15: runs read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_698f90a1_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
@@ -50,7 +50,7 @@ static_assert(offsetof(read_box_698f90a1_general_parameters, size) == 0);
 static_assert(offsetof(read_box_698f90a1_general_parameters, from_origin) == 4);
 static_assert(offsetof(read_box_698f90a1_general_parameters, to_origin) == 8);
 
-// transfer.glift:15: runs read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_698f90a1_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_698f90a1_general_parameters*>(call.parameters);
@@ -93,7 +93,7 @@ static_assert(offsetof(read_box_698f90a1_wide_parameters, to_origin) == 8);
 static_assert(offsetof(read_box_698f90a1_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(read_box_698f90a1_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:15: runs read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_698f90a1_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_698f90a1_wide_parameters*>(call.parameters);
@@ -159,7 +159,7 @@ struct write_box_920b34ba_direct_parameters {
 };
 static_assert(offsetof(write_box_920b34ba_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: runs write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_920b34ba_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
@@ -192,7 +192,7 @@ static_assert(offsetof(write_box_920b34ba_general_parameters, size) == 0);
 static_assert(offsetof(write_box_920b34ba_general_parameters, from_origin) == 4);
 static_assert(offsetof(write_box_920b34ba_general_parameters, to_origin) == 8);
 
-// transfer.glift:20: runs write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_920b34ba_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_920b34ba_general_parameters*>(call.parameters);
@@ -235,7 +235,7 @@ static_assert(offsetof(write_box_920b34ba_wide_parameters, to_origin) == 8);
 static_assert(offsetof(write_box_920b34ba_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(write_box_920b34ba_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:20: runs write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_920b34ba_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_920b34ba_wide_parameters*>(call.parameters);
@@ -303,7 +303,7 @@ struct fill_box_fbf6ae12_direct_parameters {
 static_assert(offsetof(fill_box_fbf6ae12_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_fbf6ae12_direct_parameters, value) == 4);
 
-// transfer.glift:25: runs fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fbf6ae12_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fbf6ae12_direct_parameters*>(call.parameters);
@@ -335,7 +335,7 @@ static_assert(offsetof(fill_box_fbf6ae12_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_fbf6ae12_general_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_fbf6ae12_general_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fbf6ae12_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fbf6ae12_general_parameters*>(call.parameters);
@@ -373,7 +373,7 @@ static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, value) == 8);
 static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, to_data_address) == 16);
 
-// transfer.glift:25: runs fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fbf6ae12_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fbf6ae12_wide_parameters*>(call.parameters);

@@ -18,7 +18,7 @@ struct ramp_direct_parameters {
 };
 static_assert(offsetof(ramp_direct_parameters, a_extent) == 0);
 
-// steps.glift:8: runs ramp for the given rows.
+// steps.glift:8: runs kernel ramp for the given rows.
 GLIFT_HOST_KERNEL
 static void ramp_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     float* f_data = glift::host::elements<float>(call.memories[0]);
@@ -49,7 +49,7 @@ static_assert(offsetof(ramp_general_parameters, size) == 0);
 static_assert(offsetof(ramp_general_parameters, a_origin) == 4);
 static_assert(offsetof(ramp_general_parameters, f_origin) == 8);
 
-// steps.glift:8: runs ramp for the given rows.
+// steps.glift:8: runs kernel ramp for the given rows.
 GLIFT_HOST_KERNEL
 static void ramp_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const ramp_general_parameters*>(call.parameters);
@@ -88,7 +88,7 @@ static_assert(offsetof(ramp_wide_parameters, a_origin) == 4);
 static_assert(offsetof(ramp_wide_parameters, f_origin) == 8);
 static_assert(offsetof(ramp_wide_parameters, f_data_address) == 16);
 
-// steps.glift:8: runs ramp for the given rows.
+// steps.glift:8: runs kernel ramp for the given rows.
 GLIFT_HOST_KERNEL
 static void ramp_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const ramp_wide_parameters*>(call.parameters);
@@ -146,7 +146,7 @@ struct smooth_direct_parameters {
 };
 static_assert(offsetof(smooth_direct_parameters, f_extent) == 0);
 
-// steps.glift:9: runs smooth for the given rows.
+// steps.glift:9: runs kernel smooth for the given rows.
 GLIFT_HOST_KERNEL
 static void smooth_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const smooth_direct_parameters*>(call.parameters);
@@ -215,7 +215,7 @@ static_assert(offsetof(smooth_general_parameters, f_origin) == 4);
 static_assert(offsetof(smooth_general_parameters, g_origin) == 8);
 static_assert(offsetof(smooth_general_parameters, f_extent) == 12);
 
-// steps.glift:9: runs smooth for the given rows.
+// steps.glift:9: runs kernel smooth for the given rows.
 GLIFT_HOST_KERNEL
 static void smooth_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const smooth_general_parameters*>(call.parameters);
@@ -297,7 +297,7 @@ static_assert(offsetof(smooth_wide_parameters, f_extent) == 12);
 static_assert(offsetof(smooth_wide_parameters, f_data_address) == 16);
 static_assert(offsetof(smooth_wide_parameters, g_data_address) == 24);
 
-// steps.glift:9: runs smooth for the given rows.
+// steps.glift:9: runs kernel smooth for the given rows.
 GLIFT_HOST_KERNEL
 static void smooth_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const smooth_wide_parameters*>(call.parameters);

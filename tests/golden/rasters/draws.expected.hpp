@@ -32,7 +32,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_float3_none_buffer& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(glift::float3 value);
     void fill(glift::float3 value, const glift::Range<Array_1_float3_none_buffer>& range);
     /// The index of an element in row_memory(): an affine function of the element's address.
@@ -89,7 +89,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_uint_none_buffer& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Array_1_uint_none_buffer>& range);
     /// The index of an element in row_memory(): an affine function of the element's address.
@@ -146,7 +146,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Image_rgba8& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(glift::float4 value);
     void fill(glift::float4 value, const glift::Range<Image_rgba8>& range);
     /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
@@ -200,13 +200,9 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Image_d32& other) const;
 
-    /// Gives every element, or those of a box, one value.
-    void fill(float value);
-    void fill(float value, const glift::Range<Image_d32>& range);
-    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
+    /// Copies a box of elements to a linear buffer, the first axis fastest.
     void copy_out(const glift::Commands& commands, const glift::Range<Image_d32>& range,
         const glift::Memory& box) const;
-    void copy_in(const glift::Commands& commands, const glift::Range<Image_d32>& range, const glift::Memory& box) const;
 
     /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
     template <class See> void describe(See&& see) const {
@@ -253,7 +249,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_2_uint_none_buffer& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Array_2_uint_none_buffer>& range);
     /// The index of an element in row_memory(): an affine function of the element's address.

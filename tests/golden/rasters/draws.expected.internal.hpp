@@ -25,7 +25,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Box_1_float3& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(glift::float3 value);
     void fill(glift::float3 value, const glift::Range<Box_1_float3>& range);
     /// The index of an element in row_memory(): an affine function of the element's address.
@@ -70,7 +70,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Box_1_uint& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Box_1_uint>& range);
     /// The index of an element in row_memory(): an affine function of the element's address.
@@ -115,7 +115,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Box_2_float4& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(glift::float4 value);
     void fill(glift::float4 value, const glift::Range<Box_2_float4>& range);
     /// The index of an element in row_memory(): an affine function of the element's address.
@@ -160,7 +160,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Box_2_float& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Box_2_float>& range);
     /// The index of an element in row_memory(): an affine function of the element's address.
@@ -205,7 +205,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Box_2_uint& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Box_2_uint>& range);
     /// The index of an element in row_memory(): an affine function of the element's address.

@@ -134,7 +134,7 @@ struct read_box_9d8f71b4_direct_parameters {
 static_assert(offsetof(read_box_9d8f71b4_direct_parameters, from_extent) == 0);
 static_assert(offsetof(read_box_9d8f71b4_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:15: runs read_box<Image<d32>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Image<d32>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_9d8f71b4_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_9d8f71b4_direct_parameters*>(call.parameters);
@@ -172,7 +172,7 @@ static_assert(offsetof(read_box_9d8f71b4_general_parameters, from_origin) == 8);
 static_assert(offsetof(read_box_9d8f71b4_general_parameters, to_origin) == 16);
 static_assert(offsetof(read_box_9d8f71b4_general_parameters, to_extent_x) == 24);
 
-// transfer.glift:15: runs read_box<Image<d32>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Image<d32>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_9d8f71b4_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_9d8f71b4_general_parameters*>(call.parameters);
@@ -220,7 +220,7 @@ static_assert(offsetof(read_box_9d8f71b4_wide_parameters, base) == 24);
 static_assert(offsetof(read_box_9d8f71b4_wide_parameters, to_extent_x) == 40);
 static_assert(offsetof(read_box_9d8f71b4_wide_parameters, to_data_address) == 48);
 
-// transfer.glift:15: runs read_box<Image<d32>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Image<d32>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_9d8f71b4_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_9d8f71b4_wide_parameters*>(call.parameters);
@@ -284,7 +284,7 @@ struct read_box_698f90a1_direct_parameters {
 };
 static_assert(offsetof(read_box_698f90a1_direct_parameters, from_extent) == 0);
 
-// transfer.glift:15: runs read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_698f90a1_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
@@ -316,7 +316,7 @@ static_assert(offsetof(read_box_698f90a1_general_parameters, size) == 0);
 static_assert(offsetof(read_box_698f90a1_general_parameters, from_origin) == 4);
 static_assert(offsetof(read_box_698f90a1_general_parameters, to_origin) == 8);
 
-// transfer.glift:15: runs read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_698f90a1_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_698f90a1_general_parameters*>(call.parameters);
@@ -359,7 +359,7 @@ static_assert(offsetof(read_box_698f90a1_wide_parameters, to_origin) == 8);
 static_assert(offsetof(read_box_698f90a1_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(read_box_698f90a1_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:15: runs read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_698f90a1_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_698f90a1_wide_parameters*>(call.parameters);
@@ -425,7 +425,7 @@ struct write_box_920b34ba_direct_parameters {
 };
 static_assert(offsetof(write_box_920b34ba_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: runs write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_920b34ba_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
@@ -458,7 +458,7 @@ static_assert(offsetof(write_box_920b34ba_general_parameters, size) == 0);
 static_assert(offsetof(write_box_920b34ba_general_parameters, from_origin) == 4);
 static_assert(offsetof(write_box_920b34ba_general_parameters, to_origin) == 8);
 
-// transfer.glift:20: runs write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_920b34ba_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_920b34ba_general_parameters*>(call.parameters);
@@ -501,7 +501,7 @@ static_assert(offsetof(write_box_920b34ba_wide_parameters, to_origin) == 8);
 static_assert(offsetof(write_box_920b34ba_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(write_box_920b34ba_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:20: runs write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_920b34ba_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_920b34ba_wide_parameters*>(call.parameters);
@@ -569,7 +569,7 @@ struct fill_box_fbf6ae12_direct_parameters {
 static_assert(offsetof(fill_box_fbf6ae12_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_fbf6ae12_direct_parameters, value) == 4);
 
-// transfer.glift:25: runs fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fbf6ae12_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fbf6ae12_direct_parameters*>(call.parameters);
@@ -601,7 +601,7 @@ static_assert(offsetof(fill_box_fbf6ae12_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_fbf6ae12_general_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_fbf6ae12_general_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fbf6ae12_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fbf6ae12_general_parameters*>(call.parameters);
@@ -639,7 +639,7 @@ static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, value) == 8);
 static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, to_data_address) == 16);
 
-// transfer.glift:25: runs fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fbf6ae12_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fbf6ae12_wide_parameters*>(call.parameters);
@@ -699,7 +699,7 @@ struct read_box_f0d3f0af_direct_parameters {
 };
 static_assert(offsetof(read_box_f0d3f0af_direct_parameters, from_extent) == 0);
 
-// transfer.glift:15: runs read_box<Array<1, float3, none, buffer>, Box<1, float3>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, float3, none, buffer>, Box<1, float3>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_f0d3f0af_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const float3* from_data = glift::host::elements<const float3>(call.memories[0]);
@@ -731,7 +731,7 @@ static_assert(offsetof(read_box_f0d3f0af_general_parameters, size) == 0);
 static_assert(offsetof(read_box_f0d3f0af_general_parameters, from_origin) == 4);
 static_assert(offsetof(read_box_f0d3f0af_general_parameters, to_origin) == 8);
 
-// transfer.glift:15: runs read_box<Array<1, float3, none, buffer>, Box<1, float3>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, float3, none, buffer>, Box<1, float3>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_f0d3f0af_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_f0d3f0af_general_parameters*>(call.parameters);
@@ -774,7 +774,7 @@ static_assert(offsetof(read_box_f0d3f0af_wide_parameters, to_origin) == 8);
 static_assert(offsetof(read_box_f0d3f0af_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(read_box_f0d3f0af_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:15: runs read_box<Array<1, float3, none, buffer>, Box<1, float3>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, float3, none, buffer>, Box<1, float3>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_f0d3f0af_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_f0d3f0af_wide_parameters*>(call.parameters);
@@ -840,7 +840,7 @@ struct write_box_59b2fb2a_direct_parameters {
 };
 static_assert(offsetof(write_box_59b2fb2a_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: runs write_box<Box<1, float3>, Array<1, float3, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, float3>, Array<1, float3, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_59b2fb2a_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const float3* from_data = glift::host::elements<const float3>(call.memories[0]);
@@ -873,7 +873,7 @@ static_assert(offsetof(write_box_59b2fb2a_general_parameters, size) == 0);
 static_assert(offsetof(write_box_59b2fb2a_general_parameters, from_origin) == 4);
 static_assert(offsetof(write_box_59b2fb2a_general_parameters, to_origin) == 8);
 
-// transfer.glift:20: runs write_box<Box<1, float3>, Array<1, float3, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, float3>, Array<1, float3, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_59b2fb2a_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_59b2fb2a_general_parameters*>(call.parameters);
@@ -916,7 +916,7 @@ static_assert(offsetof(write_box_59b2fb2a_wide_parameters, to_origin) == 8);
 static_assert(offsetof(write_box_59b2fb2a_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(write_box_59b2fb2a_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:20: runs write_box<Box<1, float3>, Array<1, float3, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, float3>, Array<1, float3, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_59b2fb2a_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_59b2fb2a_wide_parameters*>(call.parameters);
@@ -984,7 +984,7 @@ struct fill_box_dfa8b7d0_direct_parameters {
 static_assert(offsetof(fill_box_dfa8b7d0_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_dfa8b7d0_direct_parameters, value) == 4);
 
-// transfer.glift:25: runs fill_box<Array<1, float3, none, buffer>, float3> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, float3, none, buffer>, float3> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_dfa8b7d0_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_dfa8b7d0_direct_parameters*>(call.parameters);
@@ -1016,7 +1016,7 @@ static_assert(offsetof(fill_box_dfa8b7d0_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_dfa8b7d0_general_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_dfa8b7d0_general_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<Array<1, float3, none, buffer>, float3> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, float3, none, buffer>, float3> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_dfa8b7d0_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_dfa8b7d0_general_parameters*>(call.parameters);
@@ -1054,7 +1054,7 @@ static_assert(offsetof(fill_box_dfa8b7d0_wide_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_dfa8b7d0_wide_parameters, value) == 8);
 static_assert(offsetof(fill_box_dfa8b7d0_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:25: runs fill_box<Array<1, float3, none, buffer>, float3> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, float3, none, buffer>, float3> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_dfa8b7d0_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_dfa8b7d0_wide_parameters*>(call.parameters);
@@ -1116,7 +1116,7 @@ struct read_box_d09c6321_direct_parameters {
 static_assert(offsetof(read_box_d09c6321_direct_parameters, from_extent) == 0);
 static_assert(offsetof(read_box_d09c6321_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:15: runs read_box<Image<rgba8>, Box<2, float4>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Image<rgba8>, Box<2, float4>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_d09c6321_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_d09c6321_direct_parameters*>(call.parameters);
@@ -1154,7 +1154,7 @@ static_assert(offsetof(read_box_d09c6321_general_parameters, from_origin) == 8);
 static_assert(offsetof(read_box_d09c6321_general_parameters, to_origin) == 16);
 static_assert(offsetof(read_box_d09c6321_general_parameters, to_extent_x) == 24);
 
-// transfer.glift:15: runs read_box<Image<rgba8>, Box<2, float4>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Image<rgba8>, Box<2, float4>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_d09c6321_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_d09c6321_general_parameters*>(call.parameters);
@@ -1202,7 +1202,7 @@ static_assert(offsetof(read_box_d09c6321_wide_parameters, base) == 24);
 static_assert(offsetof(read_box_d09c6321_wide_parameters, to_extent_x) == 40);
 static_assert(offsetof(read_box_d09c6321_wide_parameters, to_data_address) == 48);
 
-// transfer.glift:15: runs read_box<Image<rgba8>, Box<2, float4>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Image<rgba8>, Box<2, float4>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_d09c6321_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_d09c6321_wide_parameters*>(call.parameters);
@@ -1267,7 +1267,7 @@ struct write_box_c92d8b24_direct_parameters {
 };
 static_assert(offsetof(write_box_c92d8b24_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: runs write_box<Box<2, float4>, Image<rgba8>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float4>, Image<rgba8>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_c92d8b24_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_c92d8b24_direct_parameters*>(call.parameters);
@@ -1306,7 +1306,7 @@ static_assert(offsetof(write_box_c92d8b24_general_parameters, from_origin) == 8)
 static_assert(offsetof(write_box_c92d8b24_general_parameters, to_origin) == 16);
 static_assert(offsetof(write_box_c92d8b24_general_parameters, from_extent_x) == 24);
 
-// transfer.glift:20: runs write_box<Box<2, float4>, Image<rgba8>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float4>, Image<rgba8>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_c92d8b24_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_c92d8b24_general_parameters*>(call.parameters);
@@ -1354,7 +1354,7 @@ static_assert(offsetof(write_box_c92d8b24_wide_parameters, base) == 24);
 static_assert(offsetof(write_box_c92d8b24_wide_parameters, from_extent_x) == 40);
 static_assert(offsetof(write_box_c92d8b24_wide_parameters, from_data_address) == 48);
 
-// transfer.glift:20: runs write_box<Box<2, float4>, Image<rgba8>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float4>, Image<rgba8>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_c92d8b24_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_c92d8b24_wide_parameters*>(call.parameters);
@@ -1419,7 +1419,7 @@ struct fill_box_9f341825_direct_parameters {
 static_assert(offsetof(fill_box_9f341825_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_9f341825_direct_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<Image<rgba8>, float4> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Image<rgba8>, float4> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_9f341825_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_9f341825_direct_parameters*>(call.parameters);
@@ -1448,7 +1448,7 @@ static_assert(offsetof(fill_box_9f341825_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_9f341825_general_parameters, to_origin) == 8);
 static_assert(offsetof(fill_box_9f341825_general_parameters, value) == 16);
 
-// transfer.glift:25: runs fill_box<Image<rgba8>, float4> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Image<rgba8>, float4> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_9f341825_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_9f341825_general_parameters*>(call.parameters);
@@ -1482,7 +1482,7 @@ static_assert(offsetof(fill_box_9f341825_wide_parameters, to_origin) == 8);
 static_assert(offsetof(fill_box_9f341825_wide_parameters, base) == 16);
 static_assert(offsetof(fill_box_9f341825_wide_parameters, value) == 28);
 
-// transfer.glift:25: runs fill_box<Image<rgba8>, float4> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Image<rgba8>, float4> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_9f341825_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_9f341825_wide_parameters*>(call.parameters);
@@ -1540,7 +1540,7 @@ struct read_box_61c1abfb_direct_parameters {
 static_assert(offsetof(read_box_61c1abfb_direct_parameters, from_extent) == 0);
 static_assert(offsetof(read_box_61c1abfb_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:15: runs read_box<Array<2, uint, none, buffer>, Box<2, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<2, uint, none, buffer>, Box<2, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_61c1abfb_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_61c1abfb_direct_parameters*>(call.parameters);
@@ -1582,7 +1582,7 @@ static_assert(offsetof(read_box_61c1abfb_general_parameters, to_origin) == 16);
 static_assert(offsetof(read_box_61c1abfb_general_parameters, from_extent_x) == 24);
 static_assert(offsetof(read_box_61c1abfb_general_parameters, to_extent_x) == 28);
 
-// transfer.glift:15: runs read_box<Array<2, uint, none, buffer>, Box<2, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<2, uint, none, buffer>, Box<2, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_61c1abfb_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_61c1abfb_general_parameters*>(call.parameters);
@@ -1638,7 +1638,7 @@ static_assert(offsetof(read_box_61c1abfb_wide_parameters, to_extent_x) == 48);
 static_assert(offsetof(read_box_61c1abfb_wide_parameters, from_data_address) == 56);
 static_assert(offsetof(read_box_61c1abfb_wide_parameters, to_data_address) == 64);
 
-// transfer.glift:15: runs read_box<Array<2, uint, none, buffer>, Box<2, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<2, uint, none, buffer>, Box<2, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_61c1abfb_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_61c1abfb_wide_parameters*>(call.parameters);
@@ -1709,7 +1709,7 @@ struct write_box_522c64c2_direct_parameters {
 static_assert(offsetof(write_box_522c64c2_direct_parameters, from_extent) == 0);
 static_assert(offsetof(write_box_522c64c2_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:20: runs write_box<Box<2, uint>, Array<2, uint, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, uint>, Array<2, uint, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_522c64c2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_522c64c2_direct_parameters*>(call.parameters);
@@ -1752,7 +1752,7 @@ static_assert(offsetof(write_box_522c64c2_general_parameters, to_origin) == 16);
 static_assert(offsetof(write_box_522c64c2_general_parameters, from_extent_x) == 24);
 static_assert(offsetof(write_box_522c64c2_general_parameters, to_extent_x) == 28);
 
-// transfer.glift:20: runs write_box<Box<2, uint>, Array<2, uint, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, uint>, Array<2, uint, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_522c64c2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_522c64c2_general_parameters*>(call.parameters);
@@ -1808,7 +1808,7 @@ static_assert(offsetof(write_box_522c64c2_wide_parameters, to_extent_x) == 48);
 static_assert(offsetof(write_box_522c64c2_wide_parameters, from_data_address) == 56);
 static_assert(offsetof(write_box_522c64c2_wide_parameters, to_data_address) == 64);
 
-// transfer.glift:20: runs write_box<Box<2, uint>, Array<2, uint, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, uint>, Array<2, uint, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_522c64c2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_522c64c2_wide_parameters*>(call.parameters);
@@ -1879,7 +1879,7 @@ struct fill_box_fa7e631f_direct_parameters {
 static_assert(offsetof(fill_box_fa7e631f_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_fa7e631f_direct_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<Array<2, uint, none, buffer>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<2, uint, none, buffer>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fa7e631f_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fa7e631f_direct_parameters*>(call.parameters);
@@ -1916,7 +1916,7 @@ static_assert(offsetof(fill_box_fa7e631f_general_parameters, to_origin) == 8);
 static_assert(offsetof(fill_box_fa7e631f_general_parameters, to_extent_x) == 16);
 static_assert(offsetof(fill_box_fa7e631f_general_parameters, value) == 20);
 
-// transfer.glift:25: runs fill_box<Array<2, uint, none, buffer>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<2, uint, none, buffer>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fa7e631f_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fa7e631f_general_parameters*>(call.parameters);
@@ -1961,7 +1961,7 @@ static_assert(offsetof(fill_box_fa7e631f_wide_parameters, to_extent_x) == 32);
 static_assert(offsetof(fill_box_fa7e631f_wide_parameters, value) == 40);
 static_assert(offsetof(fill_box_fa7e631f_wide_parameters, to_data_address) == 48);
 
-// transfer.glift:25: runs fill_box<Array<2, uint, none, buffer>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<2, uint, none, buffer>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fa7e631f_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fa7e631f_wide_parameters*>(call.parameters);

@@ -25,7 +25,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Box_2_float& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Box_2_float>& range);
     /// The index of an element in row_memory(): an affine function of the element's address.

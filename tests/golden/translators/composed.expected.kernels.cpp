@@ -18,7 +18,7 @@ struct copy_direct_parameters {
 };
 static_assert(offsetof(copy_direct_parameters, f_extent) == 0);
 
-// composed.glift:24: runs copy for the given rows.
+// composed.glift:24: runs kernel copy for the given rows.
 GLIFT_HOST_KERNEL
 static void copy_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const copy_direct_parameters*>(call.parameters);
@@ -53,7 +53,7 @@ static_assert(offsetof(copy_general_parameters, g_origin) == 16);
 static_assert(offsetof(copy_general_parameters, f_extent_y) == 24);
 static_assert(offsetof(copy_general_parameters, g_extent_y) == 28);
 
-// composed.glift:24: runs copy for the given rows.
+// composed.glift:24: runs kernel copy for the given rows.
 GLIFT_HOST_KERNEL
 static void copy_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const copy_general_parameters*>(call.parameters);
@@ -101,7 +101,7 @@ static_assert(offsetof(copy_wide_parameters, g_extent_y) == 48);
 static_assert(offsetof(copy_wide_parameters, f_data_address) == 56);
 static_assert(offsetof(copy_wide_parameters, g_data_address) == 64);
 
-// composed.glift:24: runs copy for the given rows.
+// composed.glift:24: runs kernel copy for the given rows.
 GLIFT_HOST_KERNEL
 static void copy_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const copy_wide_parameters*>(call.parameters);

@@ -20,7 +20,7 @@ struct read_box_fa044b2c_direct_parameters {
 static_assert(offsetof(read_box_fa044b2c_direct_parameters, from_extent) == 0);
 static_assert(offsetof(read_box_fa044b2c_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:15: runs read_box<Turned, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Turned, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_fa044b2c_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_fa044b2c_direct_parameters*>(call.parameters);
@@ -63,7 +63,7 @@ static_assert(offsetof(read_box_fa044b2c_general_parameters, to_origin) == 16);
 static_assert(offsetof(read_box_fa044b2c_general_parameters, from_extent_y) == 24);
 static_assert(offsetof(read_box_fa044b2c_general_parameters, to_extent_x) == 28);
 
-// transfer.glift:15: runs read_box<Turned, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Turned, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_fa044b2c_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_fa044b2c_general_parameters*>(call.parameters);
@@ -119,7 +119,7 @@ static_assert(offsetof(read_box_fa044b2c_wide_parameters, to_extent_x) == 48);
 static_assert(offsetof(read_box_fa044b2c_wide_parameters, from_data_address) == 56);
 static_assert(offsetof(read_box_fa044b2c_wide_parameters, to_data_address) == 64);
 
-// transfer.glift:15: runs read_box<Turned, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Turned, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_fa044b2c_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_fa044b2c_wide_parameters*>(call.parameters);
@@ -190,7 +190,7 @@ struct write_box_1eb09855_direct_parameters {
 static_assert(offsetof(write_box_1eb09855_direct_parameters, from_extent) == 0);
 static_assert(offsetof(write_box_1eb09855_direct_parameters, to_extent_y) == 8);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Turned> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Turned> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_1eb09855_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_1eb09855_direct_parameters*>(call.parameters);
@@ -234,7 +234,7 @@ static_assert(offsetof(write_box_1eb09855_general_parameters, to_origin) == 16);
 static_assert(offsetof(write_box_1eb09855_general_parameters, from_extent_x) == 24);
 static_assert(offsetof(write_box_1eb09855_general_parameters, to_extent_y) == 28);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Turned> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Turned> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_1eb09855_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_1eb09855_general_parameters*>(call.parameters);
@@ -290,7 +290,7 @@ static_assert(offsetof(write_box_1eb09855_wide_parameters, to_extent_y) == 48);
 static_assert(offsetof(write_box_1eb09855_wide_parameters, from_data_address) == 56);
 static_assert(offsetof(write_box_1eb09855_wide_parameters, to_data_address) == 64);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Turned> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Turned> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_1eb09855_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_1eb09855_wide_parameters*>(call.parameters);
@@ -361,7 +361,7 @@ struct fill_box_composed_Turned_float_direct_parameters {
 static_assert(offsetof(fill_box_composed_Turned_float_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_composed_Turned_float_direct_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<Turned, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Turned, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_composed_Turned_float_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_composed_Turned_float_direct_parameters*>(call.parameters);
@@ -395,7 +395,7 @@ static_assert(offsetof(fill_box_composed_Turned_float_general_parameters, to_ori
 static_assert(offsetof(fill_box_composed_Turned_float_general_parameters, to_extent_y) == 16);
 static_assert(offsetof(fill_box_composed_Turned_float_general_parameters, value) == 20);
 
-// transfer.glift:25: runs fill_box<Turned, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Turned, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_composed_Turned_float_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_composed_Turned_float_general_parameters*>(call.parameters);
@@ -436,7 +436,7 @@ static_assert(offsetof(fill_box_composed_Turned_float_wide_parameters, to_extent
 static_assert(offsetof(fill_box_composed_Turned_float_wide_parameters, value) == 40);
 static_assert(offsetof(fill_box_composed_Turned_float_wide_parameters, to_data_address) == 48);
 
-// transfer.glift:25: runs fill_box<Turned, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Turned, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_composed_Turned_float_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_composed_Turned_float_wide_parameters*>(call.parameters);

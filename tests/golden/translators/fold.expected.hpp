@@ -30,7 +30,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Field& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Field>& range);
     /// Copy a box of elements to a linear buffer, the first axis fastest, and back.

@@ -19,7 +19,7 @@ struct twice_direct_parameters {
 };
 static_assert(offsetof(twice_direct_parameters, f_extent) == 0);
 
-// fold.glift:31: runs twice for the given rows.
+// fold.glift:31: runs kernel twice for the given rows.
 GLIFT_HOST_KERNEL
 static void twice_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const twice_direct_parameters*>(call.parameters);
@@ -52,7 +52,7 @@ static_assert(offsetof(twice_general_parameters, size) == 0);
 static_assert(offsetof(twice_general_parameters, f_origin) == 12);
 static_assert(offsetof(twice_general_parameters, f_extent) == 24);
 
-// fold.glift:31: runs twice for the given rows.
+// fold.glift:31: runs kernel twice for the given rows.
 GLIFT_HOST_KERNEL
 static void twice_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const twice_general_parameters*>(call.parameters);
@@ -89,7 +89,7 @@ static_assert(offsetof(twice_wide_parameters, f_origin) == 12);
 static_assert(offsetof(twice_wide_parameters, base) == 24);
 static_assert(offsetof(twice_wide_parameters, f_extent) == 36);
 
-// fold.glift:31: runs twice for the given rows.
+// fold.glift:31: runs kernel twice for the given rows.
 GLIFT_HOST_KERNEL
 static void twice_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const twice_wide_parameters*>(call.parameters);

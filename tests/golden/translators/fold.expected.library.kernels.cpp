@@ -21,7 +21,7 @@ struct read_box_0059b9f4_direct_parameters {
 static_assert(offsetof(read_box_0059b9f4_direct_parameters, from_extent) == 0);
 static_assert(offsetof(read_box_0059b9f4_direct_parameters, to_extent) == 12);
 
-// transfer.glift:15: runs read_box<Field, Box<3, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Field, Box<3, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_0059b9f4_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_0059b9f4_direct_parameters*>(call.parameters);
@@ -65,7 +65,7 @@ static_assert(offsetof(read_box_0059b9f4_general_parameters, to_origin) == 24);
 static_assert(offsetof(read_box_0059b9f4_general_parameters, from_extent) == 36);
 static_assert(offsetof(read_box_0059b9f4_general_parameters, to_extent) == 48);
 
-// transfer.glift:15: runs read_box<Field, Box<3, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Field, Box<3, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_0059b9f4_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_0059b9f4_general_parameters*>(call.parameters);
@@ -122,7 +122,7 @@ static_assert(offsetof(read_box_0059b9f4_wide_parameters, to_extent_y) == 64);
 static_assert(offsetof(read_box_0059b9f4_wide_parameters, to_extent_x) == 72);
 static_assert(offsetof(read_box_0059b9f4_wide_parameters, to_data_address) == 80);
 
-// transfer.glift:15: runs read_box<Field, Box<3, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Field, Box<3, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_0059b9f4_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_0059b9f4_wide_parameters*>(call.parameters);
@@ -195,7 +195,7 @@ struct write_box_16a1dc11_direct_parameters {
 static_assert(offsetof(write_box_16a1dc11_direct_parameters, from_extent) == 0);
 static_assert(offsetof(write_box_16a1dc11_direct_parameters, to_extent) == 12);
 
-// transfer.glift:20: runs write_box<Box<3, float>, Field> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<3, float>, Field> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_16a1dc11_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_16a1dc11_direct_parameters*>(call.parameters);
@@ -240,7 +240,7 @@ static_assert(offsetof(write_box_16a1dc11_general_parameters, to_origin) == 24);
 static_assert(offsetof(write_box_16a1dc11_general_parameters, from_extent) == 36);
 static_assert(offsetof(write_box_16a1dc11_general_parameters, to_extent) == 48);
 
-// transfer.glift:20: runs write_box<Box<3, float>, Field> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<3, float>, Field> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_16a1dc11_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_16a1dc11_general_parameters*>(call.parameters);
@@ -297,7 +297,7 @@ static_assert(offsetof(write_box_16a1dc11_wide_parameters, from_extent_x) == 56)
 static_assert(offsetof(write_box_16a1dc11_wide_parameters, to_extent) == 64);
 static_assert(offsetof(write_box_16a1dc11_wide_parameters, from_data_address) == 80);
 
-// transfer.glift:20: runs write_box<Box<3, float>, Field> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<3, float>, Field> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_16a1dc11_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_16a1dc11_wide_parameters*>(call.parameters);
@@ -370,7 +370,7 @@ struct fill_box_fold_Field_float_direct_parameters {
 static_assert(offsetof(fill_box_fold_Field_float_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_fold_Field_float_direct_parameters, value) == 12);
 
-// transfer.glift:25: runs fill_box<Field, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Field, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fold_Field_float_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fold_Field_float_direct_parameters*>(call.parameters);
@@ -406,7 +406,7 @@ static_assert(offsetof(fill_box_fold_Field_float_general_parameters, to_origin) 
 static_assert(offsetof(fill_box_fold_Field_float_general_parameters, to_extent) == 24);
 static_assert(offsetof(fill_box_fold_Field_float_general_parameters, value) == 36);
 
-// transfer.glift:25: runs fill_box<Field, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Field, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fold_Field_float_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fold_Field_float_general_parameters*>(call.parameters);
@@ -447,7 +447,7 @@ static_assert(offsetof(fill_box_fold_Field_float_wide_parameters, base) == 24);
 static_assert(offsetof(fill_box_fold_Field_float_wide_parameters, to_extent) == 36);
 static_assert(offsetof(fill_box_fold_Field_float_wide_parameters, value) == 48);
 
-// transfer.glift:25: runs fill_box<Field, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Field, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fold_Field_float_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fold_Field_float_wide_parameters*>(call.parameters);

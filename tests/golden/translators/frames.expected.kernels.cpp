@@ -20,7 +20,7 @@ struct double_there_direct_parameters {
 static_assert(offsetof(double_there_direct_parameters, s_frames_n) == 0);
 static_assert(offsetof(double_there_direct_parameters, s_data_extent) == 4);
 
-// frames.glift:34: runs double_there for the given rows.
+// frames.glift:34: runs kernel double_there for the given rows.
 GLIFT_HOST_KERNEL
 static void double_there_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const double_there_direct_parameters*>(call.parameters);
@@ -78,7 +78,7 @@ static_assert(offsetof(double_there_general_parameters, g_data_extent) == 16);
 static_assert(offsetof(double_there_general_parameters, s_frames_n) == 20);
 static_assert(offsetof(double_there_general_parameters, s_data_extent) == 24);
 
-// frames.glift:34: runs double_there for the given rows.
+// frames.glift:34: runs kernel double_there for the given rows.
 GLIFT_HOST_KERNEL
 static void double_there_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const double_there_general_parameters*>(call.parameters);
@@ -150,7 +150,7 @@ static_assert(offsetof(double_there_wide_parameters, g_data_address) == 48);
 static_assert(offsetof(double_there_wide_parameters, s_frames_data_address) == 56);
 static_assert(offsetof(double_there_wide_parameters, s_data_address) == 64);
 
-// frames.glift:34: runs double_there for the given rows.
+// frames.glift:34: runs kernel double_there for the given rows.
 GLIFT_HOST_KERNEL
 static void double_there_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const double_there_wide_parameters*>(call.parameters);
@@ -174,7 +174,7 @@ static void double_there_wide_rows(const glift::HostCall& call, const glift::hos
             const bool g_frames_value_inside = g_frames_address < g_frames_n;
             const uint g_frames_value = g_frames_data[std::uint64_t(g_frames_value_inside ? g_frames_address : 0u)];
             const uint g_frame = g_frames_value_inside ? g_frames_value : 0u;
-            const std::uint64_t g_place = std::uint64_t(g_frame - 1u) * std::uint64_t{4u}
+            const std::uint64_t g_place = (std::uint64_t(g_frame) - std::uint64_t{1u}) * std::uint64_t{4u}
                 + std::uint64_t(g_address % 4u);
             const bool g_found = !(g_frame == 0u) && g_place < g_data_extent;
             const float g_value = g_data[g_found ? g_place : std::uint64_t{0u}];
@@ -184,7 +184,7 @@ static void double_there_wide_rows(const glift::HostCall& call, const glift::hos
             const bool s_frames_value_inside = s_frames_address < s_frames_n;
             const uint s_frames_value = s_frames_data[std::uint64_t(s_frames_value_inside ? s_frames_address : 0u)];
             const uint s_frame = s_frames_value_inside ? s_frames_value : 0u;
-            const std::uint64_t s_place = std::uint64_t(s_frame - 1u) * std::uint64_t{4u}
+            const std::uint64_t s_place = (std::uint64_t(s_frame) - std::uint64_t{1u}) * std::uint64_t{4u}
                 + std::uint64_t(s_virtual % 4u);
             const bool s_value_inside = !(s_frame == 0u) && s_place < s_data_extent;
             const float s_value = s_data[s_value_inside ? s_place : std::uint64_t{0u}];

@@ -21,7 +21,7 @@ struct read_box_1f848e0d_direct_parameters {
 static_assert(offsetof(read_box_1f848e0d_direct_parameters, from_frames_n) == 0);
 static_assert(offsetof(read_box_1f848e0d_direct_parameters, from_data_extent) == 4);
 
-// transfer.glift:15: runs read_box<Pool, Box<1, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Pool, Box<1, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_1f848e0d_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_1f848e0d_direct_parameters*>(call.parameters);
@@ -69,7 +69,7 @@ static_assert(offsetof(read_box_1f848e0d_general_parameters, to_origin) == 8);
 static_assert(offsetof(read_box_1f848e0d_general_parameters, from_frames_n) == 12);
 static_assert(offsetof(read_box_1f848e0d_general_parameters, from_data_extent) == 16);
 
-// transfer.glift:15: runs read_box<Pool, Box<1, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Pool, Box<1, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_1f848e0d_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_1f848e0d_general_parameters*>(call.parameters);
@@ -130,7 +130,7 @@ static_assert(offsetof(read_box_1f848e0d_wide_parameters, from_frames_data_addre
 static_assert(offsetof(read_box_1f848e0d_wide_parameters, from_data_address) == 32);
 static_assert(offsetof(read_box_1f848e0d_wide_parameters, to_data_address) == 40);
 
-// transfer.glift:15: runs read_box<Pool, Box<1, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Pool, Box<1, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_1f848e0d_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_1f848e0d_wide_parameters*>(call.parameters);
@@ -153,7 +153,7 @@ static void read_box_1f848e0d_wide_rows(const glift::HostCall& call, const glift
             const uint from_frames_value = from_frames_data[std::uint64_t(from_frames_value_inside ? from_frames_address
                 : 0u)];
             const uint from_frame = from_frames_value_inside ? from_frames_value : 0u;
-            const std::uint64_t from_place = std::uint64_t(from_frame - 1u) * std::uint64_t{4u}
+            const std::uint64_t from_place = (std::uint64_t(from_frame) - std::uint64_t{1u}) * std::uint64_t{4u}
                 + std::uint64_t(from_address % 4u);
             const bool from_found = !(from_frame == 0u) && from_place < from_data_extent;
             // transfer.glift:16
@@ -214,7 +214,7 @@ static_assert(offsetof(write_box_31432b0a_direct_parameters, from_extent) == 0);
 static_assert(offsetof(write_box_31432b0a_direct_parameters, to_frames_n) == 4);
 static_assert(offsetof(write_box_31432b0a_direct_parameters, to_data_extent) == 8);
 
-// transfer.glift:20: runs write_box<Box<1, float>, Pool> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, float>, Pool> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_31432b0a_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_31432b0a_direct_parameters*>(call.parameters);
@@ -260,7 +260,7 @@ static_assert(offsetof(write_box_31432b0a_general_parameters, to_origin) == 8);
 static_assert(offsetof(write_box_31432b0a_general_parameters, to_frames_n) == 12);
 static_assert(offsetof(write_box_31432b0a_general_parameters, to_data_extent) == 16);
 
-// transfer.glift:20: runs write_box<Box<1, float>, Pool> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, float>, Pool> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_31432b0a_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_31432b0a_general_parameters*>(call.parameters);
@@ -317,7 +317,7 @@ static_assert(offsetof(write_box_31432b0a_wide_parameters, from_data_address) ==
 static_assert(offsetof(write_box_31432b0a_wide_parameters, to_frames_data_address) == 32);
 static_assert(offsetof(write_box_31432b0a_wide_parameters, to_data_address) == 40);
 
-// transfer.glift:20: runs write_box<Box<1, float>, Pool> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, float>, Pool> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_31432b0a_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_31432b0a_wide_parameters*>(call.parameters);
@@ -343,7 +343,7 @@ static void write_box_31432b0a_wide_rows(const glift::HostCall& call, const glif
             const bool to_frames_value_inside = to_frames_address < to_frames_n;
             const uint to_frames_value = to_frames_data[std::uint64_t(to_frames_value_inside ? to_frames_address : 0u)];
             const uint to_frame = to_frames_value_inside ? to_frames_value : 0u;
-            const std::uint64_t to_place = std::uint64_t(to_frame - 1u) * std::uint64_t{4u}
+            const std::uint64_t to_place = (std::uint64_t(to_frame) - std::uint64_t{1u}) * std::uint64_t{4u}
                 + std::uint64_t(to_address % 4u);
             const bool to_found = !(to_frame == 0u) && to_place < to_data_extent;
             // transfer.glift:21
@@ -402,7 +402,7 @@ static_assert(offsetof(fill_box_frames_Pool_float_direct_parameters, to_frames_n
 static_assert(offsetof(fill_box_frames_Pool_float_direct_parameters, to_data_extent) == 4);
 static_assert(offsetof(fill_box_frames_Pool_float_direct_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<Pool, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Pool, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_frames_Pool_float_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_frames_Pool_float_direct_parameters*>(call.parameters);
@@ -448,7 +448,7 @@ static_assert(offsetof(fill_box_frames_Pool_float_general_parameters, to_frames_
 static_assert(offsetof(fill_box_frames_Pool_float_general_parameters, to_data_extent) == 12);
 static_assert(offsetof(fill_box_frames_Pool_float_general_parameters, value) == 16);
 
-// transfer.glift:25: runs fill_box<Pool, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Pool, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_frames_Pool_float_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_frames_Pool_float_general_parameters*>(call.parameters);
@@ -501,7 +501,7 @@ static_assert(offsetof(fill_box_frames_Pool_float_wide_parameters, value) == 24)
 static_assert(offsetof(fill_box_frames_Pool_float_wide_parameters, to_frames_data_address) == 32);
 static_assert(offsetof(fill_box_frames_Pool_float_wide_parameters, to_data_address) == 40);
 
-// transfer.glift:25: runs fill_box<Pool, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Pool, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_frames_Pool_float_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_frames_Pool_float_wide_parameters*>(call.parameters);
@@ -522,7 +522,7 @@ static void fill_box_frames_Pool_float_wide_rows(const glift::HostCall& call, co
             const bool to_frames_value_inside = to_frames_address < to_frames_n;
             const uint to_frames_value = to_frames_data[std::uint64_t(to_frames_value_inside ? to_frames_address : 0u)];
             const uint to_frame = to_frames_value_inside ? to_frames_value : 0u;
-            const std::uint64_t to_place = std::uint64_t(to_frame - 1u) * std::uint64_t{4u}
+            const std::uint64_t to_place = (std::uint64_t(to_frame) - std::uint64_t{1u}) * std::uint64_t{4u}
                 + std::uint64_t(to_address % 4u);
             const bool to_found = !(to_frame == 0u) && to_place < to_data_extent;
             // transfer.glift:26
@@ -590,7 +590,7 @@ static_assert(offsetof(list_there_d62ad97a_direct_parameters, translated_frames_
 static_assert(offsetof(list_there_d62ad97a_direct_parameters, translated_data_extent) == 24);
 static_assert(offsetof(list_there_d62ad97a_direct_parameters, places_extent) == 28);
 
-// transfer.glift:32: runs list_there<Pool, Pool, Box<1, uint>, Box<1, uint>, Box<1, float>, Box<1, uint>> for the given rows.
+// transfer.glift:32: runs kernel list_there<Pool, Pool, Box<1, uint>, Box<1, uint>, Box<1, float>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_d62ad97a_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_d62ad97a_direct_parameters*>(call.parameters);
@@ -704,7 +704,7 @@ static_assert(offsetof(list_there_d62ad97a_general_parameters, from_data_extent)
 static_assert(offsetof(list_there_d62ad97a_general_parameters, translated_frames_n) == 56);
 static_assert(offsetof(list_there_d62ad97a_general_parameters, translated_data_extent) == 60);
 
-// transfer.glift:32: runs list_there<Pool, Pool, Box<1, uint>, Box<1, uint>, Box<1, float>, Box<1, uint>> for the given rows.
+// transfer.glift:32: runs kernel list_there<Pool, Pool, Box<1, uint>, Box<1, uint>, Box<1, float>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_d62ad97a_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_d62ad97a_general_parameters*>(call.parameters);
@@ -845,7 +845,7 @@ static_assert(offsetof(list_there_d62ad97a_wide_parameters, values_data_address)
 static_assert(offsetof(list_there_d62ad97a_wide_parameters, translated_frames_data_address) == 120);
 static_assert(offsetof(list_there_d62ad97a_wide_parameters, places_data_address) == 128);
 
-// transfer.glift:32: runs list_there<Pool, Pool, Box<1, uint>, Box<1, uint>, Box<1, float>, Box<1, uint>> for the given rows.
+// transfer.glift:32: runs kernel list_there<Pool, Pool, Box<1, uint>, Box<1, uint>, Box<1, float>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_d62ad97a_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_d62ad97a_wide_parameters*>(call.parameters);
@@ -882,7 +882,7 @@ static void list_there_d62ad97a_wide_rows(const glift::HostCall& call, const gli
             const uint from_frames_value = from_frames_data[std::uint64_t(from_frames_value_inside ? from_frames_address
                 : 0u)];
             const uint from_frame = from_frames_value_inside ? from_frames_value : 0u;
-            const std::uint64_t from_place = std::uint64_t(from_frame - 1u) * std::uint64_t{4u}
+            const std::uint64_t from_place = (std::uint64_t(from_frame) - std::uint64_t{1u}) * std::uint64_t{4u}
                 + std::uint64_t(from_virtual % 4u);
             float result{};
             bool found{};
@@ -920,8 +920,7 @@ static void list_there_d62ad97a_wide_rows(const glift::HostCall& call, const gli
                 const uint translated_frames_value = translated_frames_data[std::uint64_t(translated_frames_value_inside
                     ? translated_frames_address : 0u)];
                 const uint translated_frame = translated_frames_value_inside ? translated_frames_value : 0u;
-                const std::uint64_t translated_place = std::uint64_t(translated_frame - 1u) * std::uint64_t{4u}
-                    + std::uint64_t(value % 4u);
+                const std::uint64_t translated_place = (std::uint64_t(translated_frame) - std::uint64_t{1u}) * std::uint64_t{4u} + std::uint64_t(value % 4u);
                 const uint found_3 = uint(translated_place);
                 const bool found_found_2 = !(translated_frame == 0u) && translated_place < translated_data_extent;
                 if (found_found_2) {
@@ -993,7 +992,7 @@ struct read_box_c62e930d_direct_parameters {
 };
 static_assert(offsetof(read_box_c62e930d_direct_parameters, from_n) == 0);
 
-// transfer.glift:15: runs read_box<Frames, Box<1, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Frames, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_c62e930d_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
@@ -1025,7 +1024,7 @@ static_assert(offsetof(read_box_c62e930d_general_parameters, size) == 0);
 static_assert(offsetof(read_box_c62e930d_general_parameters, from_origin) == 4);
 static_assert(offsetof(read_box_c62e930d_general_parameters, to_origin) == 8);
 
-// transfer.glift:15: runs read_box<Frames, Box<1, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Frames, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_c62e930d_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_c62e930d_general_parameters*>(call.parameters);
@@ -1068,7 +1067,7 @@ static_assert(offsetof(read_box_c62e930d_wide_parameters, to_origin) == 8);
 static_assert(offsetof(read_box_c62e930d_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(read_box_c62e930d_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:15: runs read_box<Frames, Box<1, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Frames, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_c62e930d_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_c62e930d_wide_parameters*>(call.parameters);
@@ -1131,7 +1130,7 @@ struct write_box_32448ca0_direct_parameters {
 };
 static_assert(offsetof(write_box_32448ca0_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: runs write_box<Box<1, uint>, Frames> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, uint>, Frames> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_32448ca0_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
@@ -1164,7 +1163,7 @@ static_assert(offsetof(write_box_32448ca0_general_parameters, size) == 0);
 static_assert(offsetof(write_box_32448ca0_general_parameters, from_origin) == 4);
 static_assert(offsetof(write_box_32448ca0_general_parameters, to_origin) == 8);
 
-// transfer.glift:20: runs write_box<Box<1, uint>, Frames> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, uint>, Frames> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_32448ca0_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_32448ca0_general_parameters*>(call.parameters);
@@ -1207,7 +1206,7 @@ static_assert(offsetof(write_box_32448ca0_wide_parameters, to_origin) == 8);
 static_assert(offsetof(write_box_32448ca0_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(write_box_32448ca0_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:20: runs write_box<Box<1, uint>, Frames> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, uint>, Frames> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_32448ca0_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_32448ca0_wide_parameters*>(call.parameters);
@@ -1272,7 +1271,7 @@ struct fill_box_frames_Frames_uint_direct_parameters {
 static_assert(offsetof(fill_box_frames_Frames_uint_direct_parameters, to_n) == 0);
 static_assert(offsetof(fill_box_frames_Frames_uint_direct_parameters, value) == 4);
 
-// transfer.glift:25: runs fill_box<Frames, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Frames, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_frames_Frames_uint_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_frames_Frames_uint_direct_parameters*>(call.parameters);
@@ -1305,7 +1304,7 @@ static_assert(offsetof(fill_box_frames_Frames_uint_general_parameters, size) == 
 static_assert(offsetof(fill_box_frames_Frames_uint_general_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_frames_Frames_uint_general_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<Frames, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Frames, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_frames_Frames_uint_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_frames_Frames_uint_general_parameters*>(call.parameters);
@@ -1343,7 +1342,7 @@ static_assert(offsetof(fill_box_frames_Frames_uint_wide_parameters, to_origin) =
 static_assert(offsetof(fill_box_frames_Frames_uint_wide_parameters, value) == 8);
 static_assert(offsetof(fill_box_frames_Frames_uint_wide_parameters, to_data_address) == 16);
 
-// transfer.glift:25: runs fill_box<Frames, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Frames, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_frames_Frames_uint_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_frames_Frames_uint_wide_parameters*>(call.parameters);
@@ -1411,7 +1410,7 @@ static_assert(offsetof(list_there_ba0d4190_direct_parameters, values_extent) == 
 static_assert(offsetof(list_there_ba0d4190_direct_parameters, translated_n) == 16);
 static_assert(offsetof(list_there_ba0d4190_direct_parameters, places_extent) == 20);
 
-// transfer.glift:32: runs list_there<Frames, Frames, Box<1, uint>, Box<1, uint>, Box<1, uint>, Box<1, uint>> for the given rows.
+// transfer.glift:32: runs kernel list_there<Frames, Frames, Box<1, uint>, Box<1, uint>, Box<1, uint>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_ba0d4190_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_ba0d4190_direct_parameters*>(call.parameters);
@@ -1504,7 +1503,7 @@ static_assert(offsetof(list_there_ba0d4190_general_parameters, translated_size) 
 static_assert(offsetof(list_there_ba0d4190_general_parameters, places_origin) == 48);
 static_assert(offsetof(list_there_ba0d4190_general_parameters, places_size) == 52);
 
-// transfer.glift:32: runs list_there<Frames, Frames, Box<1, uint>, Box<1, uint>, Box<1, uint>, Box<1, uint>> for the given rows.
+// transfer.glift:32: runs kernel list_there<Frames, Frames, Box<1, uint>, Box<1, uint>, Box<1, uint>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_ba0d4190_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_ba0d4190_general_parameters*>(call.parameters);
@@ -1622,7 +1621,7 @@ static_assert(offsetof(list_there_ba0d4190_wide_parameters, addresses_data_addre
 static_assert(offsetof(list_there_ba0d4190_wide_parameters, values_data_address) == 80);
 static_assert(offsetof(list_there_ba0d4190_wide_parameters, places_data_address) == 88);
 
-// transfer.glift:32: runs list_there<Frames, Frames, Box<1, uint>, Box<1, uint>, Box<1, uint>, Box<1, uint>> for the given rows.
+// transfer.glift:32: runs kernel list_there<Frames, Frames, Box<1, uint>, Box<1, uint>, Box<1, uint>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_ba0d4190_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_ba0d4190_wide_parameters*>(call.parameters);

@@ -33,7 +33,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_uint_none_buffer& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Array_1_uint_none_buffer>& range);
     /// The index of an element in row_memory(): an affine function of the element's address.
@@ -90,7 +90,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Array_2_float_none_buffer& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Array_2_float_none_buffer>& range);
     /// The index of an element in row_memory(): an affine function of the element's address.
@@ -144,7 +144,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Paged& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Paged>& range);
     /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
@@ -195,7 +195,7 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Same& other) const;
 
-    /// Gives every element, or those of a box, one value.
+    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Same>& range);
     /// Copy a box of elements to a linear buffer, the first axis fastest, and back.

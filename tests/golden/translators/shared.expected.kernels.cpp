@@ -28,7 +28,7 @@ static_assert(offsetof(add_direct_parameters, g_field_extent) == 16);
 static_assert(offsetof(add_direct_parameters, g_field_table_extent) == 20);
 static_assert(offsetof(add_direct_parameters, g_field_frames_extent) == 24);
 
-// shared.glift:37: runs add for the given rows.
+// shared.glift:37: runs kernel add for the given rows.
 GLIFT_HOST_KERNEL
 static void add_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const add_direct_parameters*>(call.parameters);
@@ -162,7 +162,7 @@ static_assert(offsetof(add_general_parameters, g_field_extent) == 48);
 static_assert(offsetof(add_general_parameters, g_field_table_extent) == 52);
 static_assert(offsetof(add_general_parameters, g_field_frames_extent) == 56);
 
-// shared.glift:37: runs add for the given rows.
+// shared.glift:37: runs kernel add for the given rows.
 GLIFT_HOST_KERNEL
 static void add_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const add_general_parameters*>(call.parameters);
@@ -325,7 +325,7 @@ static_assert(offsetof(add_wide_parameters, g_field_frames_data_address) == 104)
 static_assert(offsetof(add_wide_parameters, to_table_data_address) == 112);
 static_assert(offsetof(add_wide_parameters, to_frames_data_address) == 120);
 
-// shared.glift:37: runs add for the given rows.
+// shared.glift:37: runs kernel add for the given rows.
 GLIFT_HOST_KERNEL
 static void add_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const add_wide_parameters*>(call.parameters);
@@ -507,7 +507,7 @@ static_assert(offsetof(move_direct_parameters, from_extent) == 0);
 static_assert(offsetof(move_direct_parameters, from_table_extent) == 4);
 static_assert(offsetof(move_direct_parameters, from_frames_extent) == 8);
 
-// shared.glift:42: runs move for the given rows.
+// shared.glift:42: runs kernel move for the given rows.
 GLIFT_HOST_KERNEL
 static void move_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const move_direct_parameters*>(call.parameters);
@@ -604,7 +604,7 @@ static_assert(offsetof(move_general_parameters, from_extent) == 32);
 static_assert(offsetof(move_general_parameters, from_table_extent) == 36);
 static_assert(offsetof(move_general_parameters, from_frames_extent) == 40);
 
-// shared.glift:42: runs move for the given rows.
+// shared.glift:42: runs kernel move for the given rows.
 GLIFT_HOST_KERNEL
 static void move_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const move_general_parameters*>(call.parameters);
@@ -723,7 +723,7 @@ static_assert(offsetof(move_wide_parameters, from_frames_data_address) == 64);
 static_assert(offsetof(move_wide_parameters, to_table_data_address) == 72);
 static_assert(offsetof(move_wide_parameters, to_frames_data_address) == 80);
 
-// shared.glift:42: runs move for the given rows.
+// shared.glift:42: runs kernel move for the given rows.
 GLIFT_HOST_KERNEL
 static void move_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const move_wide_parameters*>(call.parameters);

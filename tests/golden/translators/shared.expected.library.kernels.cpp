@@ -23,7 +23,7 @@ static_assert(offsetof(read_box_b7c9e6e7_direct_parameters, from_extent) == 0);
 static_assert(offsetof(read_box_b7c9e6e7_direct_parameters, from_table_extent) == 4);
 static_assert(offsetof(read_box_b7c9e6e7_direct_parameters, from_frames_extent) == 8);
 
-// transfer.glift:15: runs read_box<Paged, Box<1, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Paged, Box<1, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_b7c9e6e7_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_b7c9e6e7_direct_parameters*>(call.parameters);
@@ -90,7 +90,7 @@ static_assert(offsetof(read_box_b7c9e6e7_general_parameters, from_extent) == 12)
 static_assert(offsetof(read_box_b7c9e6e7_general_parameters, from_table_extent) == 16);
 static_assert(offsetof(read_box_b7c9e6e7_general_parameters, from_frames_extent) == 20);
 
-// transfer.glift:15: runs read_box<Paged, Box<1, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Paged, Box<1, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_b7c9e6e7_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_b7c9e6e7_general_parameters*>(call.parameters);
@@ -172,7 +172,7 @@ static_assert(offsetof(read_box_b7c9e6e7_wide_parameters, from_table_data_addres
 static_assert(offsetof(read_box_b7c9e6e7_wide_parameters, from_frames_data_address) == 48);
 static_assert(offsetof(read_box_b7c9e6e7_wide_parameters, to_data_address) == 56);
 
-// transfer.glift:15: runs read_box<Paged, Box<1, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Paged, Box<1, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_b7c9e6e7_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_b7c9e6e7_wide_parameters*>(call.parameters);
@@ -280,7 +280,7 @@ static_assert(offsetof(write_box_a6c67e1e_direct_parameters, to_extent) == 4);
 static_assert(offsetof(write_box_a6c67e1e_direct_parameters, to_table_extent) == 8);
 static_assert(offsetof(write_box_a6c67e1e_direct_parameters, to_frames_extent) == 12);
 
-// transfer.glift:20: runs write_box<Box<1, float>, Paged> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, float>, Paged> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_a6c67e1e_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_a6c67e1e_direct_parameters*>(call.parameters);
@@ -345,7 +345,7 @@ static_assert(offsetof(write_box_a6c67e1e_general_parameters, to_extent) == 12);
 static_assert(offsetof(write_box_a6c67e1e_general_parameters, to_table_extent) == 16);
 static_assert(offsetof(write_box_a6c67e1e_general_parameters, to_frames_extent) == 20);
 
-// transfer.glift:20: runs write_box<Box<1, float>, Paged> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, float>, Paged> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_a6c67e1e_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_a6c67e1e_general_parameters*>(call.parameters);
@@ -423,7 +423,7 @@ static_assert(offsetof(write_box_a6c67e1e_wide_parameters, from_data_address) ==
 static_assert(offsetof(write_box_a6c67e1e_wide_parameters, to_table_data_address) == 48);
 static_assert(offsetof(write_box_a6c67e1e_wide_parameters, to_frames_data_address) == 56);
 
-// transfer.glift:20: runs write_box<Box<1, float>, Paged> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, float>, Paged> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_a6c67e1e_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_a6c67e1e_wide_parameters*>(call.parameters);
@@ -532,7 +532,7 @@ static_assert(offsetof(fill_box_shared_Paged_float_direct_parameters, to_table_e
 static_assert(offsetof(fill_box_shared_Paged_float_direct_parameters, to_frames_extent) == 8);
 static_assert(offsetof(fill_box_shared_Paged_float_direct_parameters, value) == 16);
 
-// transfer.glift:25: runs fill_box<Paged, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Paged, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_shared_Paged_float_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_shared_Paged_float_direct_parameters*>(call.parameters);
@@ -597,7 +597,7 @@ static_assert(offsetof(fill_box_shared_Paged_float_general_parameters, to_table_
 static_assert(offsetof(fill_box_shared_Paged_float_general_parameters, to_frames_extent) == 16);
 static_assert(offsetof(fill_box_shared_Paged_float_general_parameters, value) == 24);
 
-// transfer.glift:25: runs fill_box<Paged, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Paged, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_shared_Paged_float_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_shared_Paged_float_general_parameters*>(call.parameters);
@@ -671,7 +671,7 @@ static_assert(offsetof(fill_box_shared_Paged_float_wide_parameters, value) == 28
 static_assert(offsetof(fill_box_shared_Paged_float_wide_parameters, to_table_data_address) == 32);
 static_assert(offsetof(fill_box_shared_Paged_float_wide_parameters, to_frames_data_address) == 40);
 
-// transfer.glift:25: runs fill_box<Paged, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Paged, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_shared_Paged_float_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_shared_Paged_float_wide_parameters*>(call.parameters);
@@ -786,7 +786,7 @@ static_assert(offsetof(list_there_2c6db734_direct_parameters, translated_table_e
 static_assert(offsetof(list_there_2c6db734_direct_parameters, translated_frames_extent_y) == 36);
 static_assert(offsetof(list_there_2c6db734_direct_parameters, places_extent) == 40);
 
-// transfer.glift:32: runs list_there<Paged, Paged, Box<1, uint>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
+// transfer.glift:32: runs kernel list_there<Paged, Paged, Box<1, uint>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_2c6db734_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_2c6db734_direct_parameters*>(call.parameters);
@@ -982,7 +982,7 @@ static_assert(offsetof(list_there_2c6db734_general_parameters, translated_extent
 static_assert(offsetof(list_there_2c6db734_general_parameters, translated_table_extent) == 68);
 static_assert(offsetof(list_there_2c6db734_general_parameters, translated_frames_extent_y) == 72);
 
-// transfer.glift:32: runs list_there<Paged, Paged, Box<1, uint>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
+// transfer.glift:32: runs kernel list_there<Paged, Paged, Box<1, uint>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_2c6db734_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_2c6db734_general_parameters*>(call.parameters);
@@ -1207,7 +1207,7 @@ static_assert(offsetof(list_there_2c6db734_wide_parameters, values_data_address)
 static_assert(offsetof(list_there_2c6db734_wide_parameters, translated_table_data_address) == 128);
 static_assert(offsetof(list_there_2c6db734_wide_parameters, places_data_address) == 136);
 
-// transfer.glift:32: runs list_there<Paged, Paged, Box<1, uint>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
+// transfer.glift:32: runs kernel list_there<Paged, Paged, Box<1, uint>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_2c6db734_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_2c6db734_wide_parameters*>(call.parameters);
@@ -1445,7 +1445,7 @@ struct read_box_698f90a1_direct_parameters {
 };
 static_assert(offsetof(read_box_698f90a1_direct_parameters, from_extent) == 0);
 
-// transfer.glift:15: runs read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_698f90a1_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
@@ -1477,7 +1477,7 @@ static_assert(offsetof(read_box_698f90a1_general_parameters, size) == 0);
 static_assert(offsetof(read_box_698f90a1_general_parameters, from_origin) == 4);
 static_assert(offsetof(read_box_698f90a1_general_parameters, to_origin) == 8);
 
-// transfer.glift:15: runs read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_698f90a1_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_698f90a1_general_parameters*>(call.parameters);
@@ -1520,7 +1520,7 @@ static_assert(offsetof(read_box_698f90a1_wide_parameters, to_origin) == 8);
 static_assert(offsetof(read_box_698f90a1_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(read_box_698f90a1_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:15: runs read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<1, uint, none, buffer>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_698f90a1_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_698f90a1_wide_parameters*>(call.parameters);
@@ -1586,7 +1586,7 @@ struct write_box_920b34ba_direct_parameters {
 };
 static_assert(offsetof(write_box_920b34ba_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: runs write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_920b34ba_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
@@ -1619,7 +1619,7 @@ static_assert(offsetof(write_box_920b34ba_general_parameters, size) == 0);
 static_assert(offsetof(write_box_920b34ba_general_parameters, from_origin) == 4);
 static_assert(offsetof(write_box_920b34ba_general_parameters, to_origin) == 8);
 
-// transfer.glift:20: runs write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_920b34ba_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_920b34ba_general_parameters*>(call.parameters);
@@ -1662,7 +1662,7 @@ static_assert(offsetof(write_box_920b34ba_wide_parameters, to_origin) == 8);
 static_assert(offsetof(write_box_920b34ba_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(write_box_920b34ba_wide_parameters, to_data_address) == 24);
 
-// transfer.glift:20: runs write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, uint>, Array<1, uint, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_920b34ba_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_920b34ba_wide_parameters*>(call.parameters);
@@ -1730,7 +1730,7 @@ struct fill_box_fbf6ae12_direct_parameters {
 static_assert(offsetof(fill_box_fbf6ae12_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_fbf6ae12_direct_parameters, value) == 4);
 
-// transfer.glift:25: runs fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fbf6ae12_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fbf6ae12_direct_parameters*>(call.parameters);
@@ -1762,7 +1762,7 @@ static_assert(offsetof(fill_box_fbf6ae12_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_fbf6ae12_general_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_fbf6ae12_general_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fbf6ae12_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fbf6ae12_general_parameters*>(call.parameters);
@@ -1800,7 +1800,7 @@ static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, value) == 8);
 static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, to_data_address) == 16);
 
-// transfer.glift:25: runs fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<1, uint, none, buffer>, uint> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_fbf6ae12_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_fbf6ae12_wide_parameters*>(call.parameters);
@@ -1862,7 +1862,7 @@ struct read_box_f3d15695_direct_parameters {
 static_assert(offsetof(read_box_f3d15695_direct_parameters, from_extent) == 0);
 static_assert(offsetof(read_box_f3d15695_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:15: runs read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_f3d15695_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_f3d15695_direct_parameters*>(call.parameters);
@@ -1904,7 +1904,7 @@ static_assert(offsetof(read_box_f3d15695_general_parameters, to_origin) == 16);
 static_assert(offsetof(read_box_f3d15695_general_parameters, from_extent_x) == 24);
 static_assert(offsetof(read_box_f3d15695_general_parameters, to_extent_x) == 28);
 
-// transfer.glift:15: runs read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_f3d15695_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_f3d15695_general_parameters*>(call.parameters);
@@ -1960,7 +1960,7 @@ static_assert(offsetof(read_box_f3d15695_wide_parameters, to_extent_x) == 48);
 static_assert(offsetof(read_box_f3d15695_wide_parameters, from_data_address) == 56);
 static_assert(offsetof(read_box_f3d15695_wide_parameters, to_data_address) == 64);
 
-// transfer.glift:15: runs read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Array<2, float, none, buffer>, Box<2, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_f3d15695_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_f3d15695_wide_parameters*>(call.parameters);
@@ -2031,7 +2031,7 @@ struct write_box_d5801374_direct_parameters {
 static_assert(offsetof(write_box_d5801374_direct_parameters, from_extent) == 0);
 static_assert(offsetof(write_box_d5801374_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_d5801374_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_d5801374_direct_parameters*>(call.parameters);
@@ -2074,7 +2074,7 @@ static_assert(offsetof(write_box_d5801374_general_parameters, to_origin) == 16);
 static_assert(offsetof(write_box_d5801374_general_parameters, from_extent_x) == 24);
 static_assert(offsetof(write_box_d5801374_general_parameters, to_extent_x) == 28);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_d5801374_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_d5801374_general_parameters*>(call.parameters);
@@ -2130,7 +2130,7 @@ static_assert(offsetof(write_box_d5801374_wide_parameters, to_extent_x) == 48);
 static_assert(offsetof(write_box_d5801374_wide_parameters, from_data_address) == 56);
 static_assert(offsetof(write_box_d5801374_wide_parameters, to_data_address) == 64);
 
-// transfer.glift:20: runs write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<2, float>, Array<2, float, none, buffer>> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_d5801374_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_d5801374_wide_parameters*>(call.parameters);
@@ -2201,7 +2201,7 @@ struct fill_box_902cb707_direct_parameters {
 static_assert(offsetof(fill_box_902cb707_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_902cb707_direct_parameters, value) == 8);
 
-// transfer.glift:25: runs fill_box<Array<2, float, none, buffer>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<2, float, none, buffer>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_902cb707_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_902cb707_direct_parameters*>(call.parameters);
@@ -2238,7 +2238,7 @@ static_assert(offsetof(fill_box_902cb707_general_parameters, to_origin) == 8);
 static_assert(offsetof(fill_box_902cb707_general_parameters, to_extent_x) == 16);
 static_assert(offsetof(fill_box_902cb707_general_parameters, value) == 20);
 
-// transfer.glift:25: runs fill_box<Array<2, float, none, buffer>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<2, float, none, buffer>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_902cb707_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_902cb707_general_parameters*>(call.parameters);
@@ -2283,7 +2283,7 @@ static_assert(offsetof(fill_box_902cb707_wide_parameters, to_extent_x) == 32);
 static_assert(offsetof(fill_box_902cb707_wide_parameters, value) == 40);
 static_assert(offsetof(fill_box_902cb707_wide_parameters, to_data_address) == 48);
 
-// transfer.glift:25: runs fill_box<Array<2, float, none, buffer>, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Array<2, float, none, buffer>, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_902cb707_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_902cb707_wide_parameters*>(call.parameters);
@@ -2348,7 +2348,7 @@ static_assert(offsetof(read_box_a62f9606_direct_parameters, from_field_extent) =
 static_assert(offsetof(read_box_a62f9606_direct_parameters, from_field_table_extent) == 4);
 static_assert(offsetof(read_box_a62f9606_direct_parameters, from_field_frames_extent) == 8);
 
-// transfer.glift:15: runs read_box<Same, Box<1, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Same, Box<1, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_a62f9606_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_a62f9606_direct_parameters*>(call.parameters);
@@ -2418,7 +2418,7 @@ static_assert(offsetof(read_box_a62f9606_general_parameters, from_field_extent) 
 static_assert(offsetof(read_box_a62f9606_general_parameters, from_field_table_extent) == 16);
 static_assert(offsetof(read_box_a62f9606_general_parameters, from_field_frames_extent) == 20);
 
-// transfer.glift:15: runs read_box<Same, Box<1, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Same, Box<1, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_a62f9606_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_a62f9606_general_parameters*>(call.parameters);
@@ -2503,7 +2503,7 @@ static_assert(offsetof(read_box_a62f9606_wide_parameters, from_field_table_data_
 static_assert(offsetof(read_box_a62f9606_wide_parameters, from_field_frames_data_address) == 48);
 static_assert(offsetof(read_box_a62f9606_wide_parameters, to_data_address) == 56);
 
-// transfer.glift:15: runs read_box<Same, Box<1, float>> for the given rows.
+// transfer.glift:15: runs kernel read_box<Same, Box<1, float>> for the given rows.
 GLIFT_HOST_KERNEL
 static void read_box_a62f9606_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_a62f9606_wide_parameters*>(call.parameters);
@@ -2612,7 +2612,7 @@ static_assert(offsetof(write_box_416982b9_direct_parameters, to_field_extent) ==
 static_assert(offsetof(write_box_416982b9_direct_parameters, to_field_table_extent) == 8);
 static_assert(offsetof(write_box_416982b9_direct_parameters, to_field_frames_extent) == 12);
 
-// transfer.glift:20: runs write_box<Box<1, float>, Same> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, float>, Same> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_416982b9_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_416982b9_direct_parameters*>(call.parameters);
@@ -2679,7 +2679,7 @@ static_assert(offsetof(write_box_416982b9_general_parameters, to_field_extent) =
 static_assert(offsetof(write_box_416982b9_general_parameters, to_field_table_extent) == 16);
 static_assert(offsetof(write_box_416982b9_general_parameters, to_field_frames_extent) == 20);
 
-// transfer.glift:20: runs write_box<Box<1, float>, Same> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, float>, Same> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_416982b9_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_416982b9_general_parameters*>(call.parameters);
@@ -2760,7 +2760,7 @@ static_assert(offsetof(write_box_416982b9_wide_parameters, from_data_address) ==
 static_assert(offsetof(write_box_416982b9_wide_parameters, to_field_table_data_address) == 48);
 static_assert(offsetof(write_box_416982b9_wide_parameters, to_field_frames_data_address) == 56);
 
-// transfer.glift:20: runs write_box<Box<1, float>, Same> for the given rows.
+// transfer.glift:20: runs kernel write_box<Box<1, float>, Same> for the given rows.
 GLIFT_HOST_KERNEL
 static void write_box_416982b9_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_416982b9_wide_parameters*>(call.parameters);
@@ -2871,7 +2871,7 @@ static_assert(offsetof(fill_box_shared_Same_float_direct_parameters, to_field_ta
 static_assert(offsetof(fill_box_shared_Same_float_direct_parameters, to_field_frames_extent) == 8);
 static_assert(offsetof(fill_box_shared_Same_float_direct_parameters, value) == 16);
 
-// transfer.glift:25: runs fill_box<Same, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Same, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_shared_Same_float_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_shared_Same_float_direct_parameters*>(call.parameters);
@@ -2938,7 +2938,7 @@ static_assert(offsetof(fill_box_shared_Same_float_general_parameters, to_field_t
 static_assert(offsetof(fill_box_shared_Same_float_general_parameters, to_field_frames_extent) == 16);
 static_assert(offsetof(fill_box_shared_Same_float_general_parameters, value) == 24);
 
-// transfer.glift:25: runs fill_box<Same, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Same, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_shared_Same_float_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_shared_Same_float_general_parameters*>(call.parameters);
@@ -3015,7 +3015,7 @@ static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, value) == 28)
 static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_table_data_address) == 32);
 static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_frames_data_address) == 40);
 
-// transfer.glift:25: runs fill_box<Same, float> for the given rows.
+// transfer.glift:25: runs kernel fill_box<Same, float> for the given rows.
 GLIFT_HOST_KERNEL
 static void fill_box_shared_Same_float_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_shared_Same_float_wide_parameters*>(call.parameters);
@@ -3132,7 +3132,7 @@ static_assert(offsetof(list_there_ac7b7783_direct_parameters, translated_table_e
 static_assert(offsetof(list_there_ac7b7783_direct_parameters, translated_frames_extent_y) == 36);
 static_assert(offsetof(list_there_ac7b7783_direct_parameters, places_extent) == 40);
 
-// transfer.glift:32: runs list_there<Same, Paged, Box<1, uint>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
+// transfer.glift:32: runs kernel list_there<Same, Paged, Box<1, uint>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_ac7b7783_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_ac7b7783_direct_parameters*>(call.parameters);
@@ -3334,7 +3334,7 @@ static_assert(offsetof(list_there_ac7b7783_general_parameters, translated_extent
 static_assert(offsetof(list_there_ac7b7783_general_parameters, translated_table_extent) == 68);
 static_assert(offsetof(list_there_ac7b7783_general_parameters, translated_frames_extent_y) == 72);
 
-// transfer.glift:32: runs list_there<Same, Paged, Box<1, uint>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
+// transfer.glift:32: runs kernel list_there<Same, Paged, Box<1, uint>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_ac7b7783_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_ac7b7783_general_parameters*>(call.parameters);
@@ -3565,7 +3565,7 @@ static_assert(offsetof(list_there_ac7b7783_wide_parameters, values_data_address)
 static_assert(offsetof(list_there_ac7b7783_wide_parameters, translated_table_data_address) == 128);
 static_assert(offsetof(list_there_ac7b7783_wide_parameters, places_data_address) == 136);
 
-// transfer.glift:32: runs list_there<Same, Paged, Box<1, uint>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
+// transfer.glift:32: runs kernel list_there<Same, Paged, Box<1, uint>, Box<1, uint2>, Box<1, float>, Box<1, uint>> for the given rows.
 GLIFT_HOST_KERNEL
 static void list_there_ac7b7783_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const list_there_ac7b7783_wide_parameters*>(call.parameters);
