@@ -217,7 +217,8 @@ private:
             const auto first = frames.begin() + pages_.frames().at(page) * nodes * nodes;
             found.insert(found.end(), first, first + nodes * nodes);
         }
-        return property::near(round_, expected, std::vector<double>(expected.size(), bound_on(device_)), found, "values");
+        return property::near(round_, expected, std::vector<double>(expected.size(), bound_on(device_)), found,
+                              "values");
     }
 
     /// Samples in the pages that were asked for, at their levels, and anywhere.
