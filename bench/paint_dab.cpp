@@ -1,6 +1,7 @@
 #include "paint_dab.h"
 
 #include "median.h"
+#include "timing.h"
 
 #include <algorithm>
 #include <chrono>
@@ -61,15 +62,6 @@ struct Part {
     DabTime found{};
 };
 
-double device_seconds(const glift::Device& device, const glift::Recording& recording) {
-    const glift::Commands commands = device.commands();
-    const glift::Timestamp before = commands.timestamp();
-    recording.submit();
-    const glift::Timestamp after = commands.timestamp();
-    device.wait();
-    return after - before;
-}
-
 /// The time that a person waits, and what it costs in submissions; timestamps would add submissions of their own.
 void note_wall(const glift::Device& device, Part& part) {
     const glift::Statistics before = device.statistics();
@@ -121,7 +113,7 @@ std::vector<DabTime> dab_times(const glift::Device& device, const mesh::Mesh& me
                                const DabCase& one) {
     Easel easel(device, mesh, octree, one);
     std::vector<Part> parts = parts_of(easel, one);
-    const auto by_device = [&](Part& part) { part.device.push_back(device_seconds(device, part.recording)); };
+    const auto by_device = [&](Part& part) { part.device.push_back(seconds_of(device, part.recording)); };
     const auto by_wall = [&](Part& part) { note_wall(device, part); };
     warm_up(easel, parts);
     for (int run = 0; run < one.runs; ++run) {

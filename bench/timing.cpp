@@ -8,8 +8,6 @@
 
 namespace bench {
 
-namespace {
-
 double seconds_of(const glift::Device& device, const glift::Recording& recording) {
     const glift::Commands commands = device.commands();
     const glift::Timestamp before = commands.timestamp();
@@ -18,6 +16,8 @@ double seconds_of(const glift::Device& device, const glift::Recording& recording
     device.wait();
     return after - before;
 }
+
+namespace {
 
 /// A GPU that idled while pipelines were compiled takes a while to raise its clocks again.
 void warm_up(const glift::Device& device, const glift::Recording& recording) {

@@ -34,19 +34,6 @@ mesh::Mesh square() {
     return made;
 }
 
-Stroke before_square() {
-    Stroke stroke;
-    stroke.camera = {{0.5f, 0.5f, 1.75f}, {0.5f, 0.5f, 0.25f}, {0, 1, 0}, 0.8f, 0.05f, 5};
-    stroke.size = {200, 200};
-    stroke.brush.radius = 30;
-    stroke.brush.hardness = 0.5f;
-    stroke.brush.flow = 0.6f;
-    stroke.brush.cells = 8;
-    stroke.brush.colour = {1, 0, 0.2f};
-    stroke.path = {{float2(100, 100), 1}};
-    return stroke;
-}
-
 struct Range {
     double low = 2, high = -1;
 };
@@ -70,7 +57,7 @@ TEST_P(PaintBrush, StopsAtItsOpacity) {
     OctreeSize size = small();
     size.ground = {0.6f, 0.8f, 0.2f};
     Canvas canvas(device, square(), size);
-    Stroke stroke = before_square();
+    Stroke stroke = paint_model::one_dab();
     stroke.brush.opacity = 0.5f;
     stroke.path = {{float2(60, 100), 1}, {float2(140, 100), 0.9f}, {float2(60, 100), 0.2f}, {float2(140, 100), 0.1f}};
     const float3 ground = size.ground;
@@ -94,7 +81,7 @@ TEST_P(PaintBrush, MultipliesOnceAStroke) {
     OctreeSize size = small();
     size.ground = {0.8f, 0.8f, 0.8f};
     Canvas canvas(device, square(), size);
-    Stroke stroke = before_square();
+    Stroke stroke = paint_model::one_dab();
     stroke.brush.colour = {0.5f, 1, 1};
     stroke.brush.blend = 1;
     stroke.brush.flow = 1;
@@ -111,7 +98,7 @@ TEST_P(PaintBrush, IsAPicture) {
         for (unsigned x = 0; x < 8; ++x) tip.values.push_back(x < 4 && y >= 4 ? 1.0f : 0.0f);
     png::write(file("tip.png"), tip);
     Canvas canvas(device, square(), small());
-    Stroke stroke = before_square();
+    Stroke stroke = paint_model::one_dab();
     stroke.brush.picture = file("tip.png");
     stroke.brush.flow = 1;
     stroke.brush.cells = 20;
@@ -141,7 +128,7 @@ TEST_P(PaintBrush, IsAPicture) {
 
 TEST_P(PaintBrush, SaysWhatIsWrongWithAPicture) {
     Canvas canvas(device, square(), small());
-    Stroke stroke = before_square();
+    Stroke stroke = paint_model::one_dab();
     stroke.brush.picture = file("missing.png");
     EXPECT_THROW(canvas.paint(stroke), std::runtime_error);
     png::write(file("dot.png"), {1, 1, {1}});
@@ -164,7 +151,7 @@ TEST_P(PaintBrush, SaysWhatIsWrongWithAPicture) {
 /// none, neither where the outline hides a part of what a node lies beside, nor where the surface is seen edge-on.
 TEST_P(PaintBrush, ColoursAllThatItSees) {
     Canvas canvas(device, model(), small());
-    Stroke stroke = before_square();
+    Stroke stroke = paint_model::one_dab();
     stroke.size = {300, 300};
     stroke.brush.radius = 60;
     stroke.brush.hardness = stroke.brush.flow = 1;
@@ -191,7 +178,7 @@ TEST_P(PaintBrush, ColoursAllThatItSees) {
 /// stripe.
 TEST_P(PaintBrush, HasNoColourFromBesideAtAFlatAngle) {
     Canvas canvas(device, square(), small());
-    Stroke stroke = before_square();
+    Stroke stroke = paint_model::one_dab();
     stroke.brush.hardness = stroke.brush.flow = 1;
     stroke.brush.radius = 80;
     stroke.brush.colour = {0, 1, 0};
@@ -225,7 +212,7 @@ TEST_P(PaintBrush, ShowsAllFramesAndTheTable) {
     const State state = state_of(canvas);
     painted::Layers layers{};
     layers.pool = layers.table = true;
-    const picture::Picture seen = canvas.render(before_square().camera, {218, 218}, layers);
+    const picture::Picture seen = canvas.render(paint_model::one_dab().camera, {218, 218}, layers);
     const auto pixel = [&](Word x, Word y) { return seen.pixels[218 * y + x + 218 - 136]; };
     for (Word y = 0; y < 136; ++y)
         for (Word x = 0; x < 136; ++x) {

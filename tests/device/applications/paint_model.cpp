@@ -60,6 +60,18 @@ std::vector<Stroke> random_strokes(unsigned count, unsigned seed) {
     return made;
 }
 
+Stroke one_dab() {
+    Stroke stroke;
+    stroke.camera = {{0.5f, 0.5f, 1.75f}, {0.5f, 0.5f, 0.25f}, {0, 1, 0}, 0.8f, 0.05f, 5};
+    stroke.size = {200, 200};
+    stroke.brush.radius = 30;
+    stroke.brush.flow = 0.6f;
+    stroke.brush.cells = 8;
+    stroke.brush.colour = {1, 0, 0.2f};
+    stroke.path = {{float2(100, 100), 1}};
+    return stroke;
+}
+
 OctreeSize small(Word pages) {
     OctreeSize size;
     size.resolution = 128;

@@ -20,6 +20,9 @@ mesh::Mesh model();
 /// Strokes on that model from random directions: the first by a large brush, the others by smaller ones.
 std::vector<strokes::Stroke> random_strokes(unsigned count, unsigned seed);
 
+/// A stroke of one dab in the middle of the square [0, 1]^2 at z = 0.25, seen from before it.
+strokes::Stroke one_dab();
+
 /// The settings of an octree of 128^3 cells with a pool of so many pages.
 OctreeSize small(Word pages = 1500);
 

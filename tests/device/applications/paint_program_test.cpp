@@ -44,20 +44,8 @@ struct PaintProgram : testing::Test {
     }
 };
 
-Stroke before_sheet() {
-    Stroke stroke;
-    stroke.camera = {{0.5f, 0.5f, 1.75f}, {0.5f, 0.5f, 0.25f}, {0, 1, 0}, 0.8f, 0.05f, 5};
-    stroke.size = {200, 200};
-    stroke.brush.radius = 30;
-    stroke.brush.flow = 0.6f;
-    stroke.brush.cells = 8;
-    stroke.brush.colour = {1, 0, 0.2f};
-    stroke.path = {{float2(100, 100), 1}};
-    return stroke;
-}
-
 TEST_F(PaintProgram, ExportsSamples) {
-    const Stroke stroke = before_sheet();
+    const Stroke stroke = paint_model::one_dab();
     strokes::write(file("one.strokes"), {stroke});
     painted({"--strokes", file("one.strokes"), "--npy", file("out.npy"), "--npy-side", "9"});
     // The header is that of NumPy's format, version 1.
@@ -82,10 +70,10 @@ TEST(PaintedModel, IsMadeByName) {
 }
 
 TEST_F(PaintProgram, UndoesTheLastStrokeAlsoIfItMissed) {
-    Stroke beside = before_sheet();
+    Stroke beside = paint_model::one_dab();
     beside.path = {{float2(-500, 100), 1}};
-    strokes::write(file("hit.strokes"), {before_sheet()});
-    strokes::write(file("both.strokes"), {before_sheet(), beside});
+    strokes::write(file("hit.strokes"), {paint_model::one_dab()});
+    strokes::write(file("both.strokes"), {paint_model::one_dab(), beside});
     const std::vector<float> blank = painted({}).values, hit = painted({"--strokes", file("hit.strokes")}).values;
     EXPECT_NE(hit, blank);
     EXPECT_EQ(painted({"--strokes", file("both.strokes"), "--undo", "1"}).values, hit);
@@ -102,7 +90,7 @@ TEST_F(PaintProgram, TakesASizeInOneWord) {
 }
 
 TEST_F(PaintProgram, RefusesWhatItWouldIgnore) {
-    strokes::write(file("one.strokes"), {before_sheet()});
+    strokes::write(file("one.strokes"), {paint_model::one_dab()});
     const std::string one = file("one.strokes");
     EXPECT_THAT(refused({"--window", "--bend", "1"}), HasSubstr("--window excludes --bend"));
     EXPECT_THAT(refused({"--window", "--strokes", one, "--undo", "1"}), HasSubstr("--window excludes --undo"));
@@ -112,7 +100,7 @@ TEST_F(PaintProgram, RefusesWhatItWouldIgnore) {
 }
 
 TEST_F(PaintProgram, RefusesBeforeItPaints) {
-    strokes::write(file("one.strokes"), {before_sheet()});
+    strokes::write(file("one.strokes"), {paint_model::one_dab()});
     glift::test::write_file(file("no.png"), "no picture");
     const auto said = [&](std::vector<std::string> options) {
         options.insert(options.end(), {"--strokes", file("one.strokes")});
