@@ -15,10 +15,9 @@ namespace {
 /// The pixels of a frame and a standard map, which is drawn as the example draws its own.
 class Pixels {
 public:
-    Pixels(const Frame& frame, const Settings& settings)
-        : frame_(frame), bias_(settings.bias), surface_(frame.device(), frame.size()),
-          slopes_(frame.device(), frame.size()), lit_(frame.device(), frame.size()),
-          map_(frame.device(), {frame.standard_side(), frame.standard_side()}) {}
+    explicit Pixels(const Frame& frame)
+        : frame_(frame), surface_(frame.device(), frame.size()), slopes_(frame.device(), frame.size()),
+          lit_(frame.device(), frame.size()), map_(frame.device(), {frame.standard_side(), frame.standard_side()}) {}
 
     void take() {
         const glift::Device& device = frame_.device();
@@ -36,11 +35,9 @@ public:
         device.wait();
     }
     void by_gather(glift::uint filter) const {
-        shadow_lookups::look_up_by_gather(frame_.device(), surface_, slopes_, map_, bias_, filter, lit_);
+        shadow_lookups::look_up_by_gather(frame_.device(), surface_, slopes_, map_, filter, lit_);
     }
-    void by_compare() const {
-        shadow_lookups::look_up_by_compare(frame_.device(), surface_, slopes_, map_, bias_, lit_);
-    }
+    void by_compare() const { shadow_lookups::look_up_by_compare(frame_.device(), surface_, slopes_, map_, lit_); }
     double mean_lit() const {
         const std::vector<float> lit = lit_.read();
         return std::accumulate(lit.begin(), lit.end(), 0.0) / static_cast<double>(lit.size());
@@ -48,7 +45,6 @@ public:
 
 private:
     const Frame& frame_;
-    float bias_;
     eye::Surface surface_;
     eye::Slopes slopes_;
     shadow_lookups::Lit lit_;
@@ -77,7 +73,7 @@ LookupTimes lookup_times(const glift::Device& device, const Settings& settings,
     for (const scenes::Scene& scene : scenes) {
         frame.set_scene(scene);
         frame.draw(Method::standard);
-        if (!pixels) pixels.emplace(frame, settings);
+        if (!pixels) pixels.emplace(frame);
         pixels->take();
         const double share = 1 / static_cast<double>(scenes.size());
         found.nearest += share * seconds_of(timer, [&] { pixels->by_gather(shadow_map::Filter::nearest); });

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <tuple>
 
@@ -18,33 +17,6 @@ Choice choice_of(const std::string& name, std::initializer_list<std::pair<const 
         known += (known.empty() ? "" : ", ") + std::string(word);
     }
     throw std::runtime_error("there is no '" + name + "'; there are " + known);
-}
-
-/// The least and the largest distance of a scene's points from its light, along the axis of the face that sees each.
-std::pair<float, float> distances_of(const scenes::Scene& scene, LightKind kind) {
-    const camera::Camera& light = scene.light;
-    const glift::float3 forward = glift::normalize(light.target - light.eye);
-    std::pair range(std::numeric_limits<float>::max(), std::numeric_limits<float>::lowest());
-    for (const glift::float3& point : scene.mesh.points) {
-        const glift::float3 way = point - light.eye;
-        const float away = kind == LightKind::point ? std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z)})
-                                                    : glift::dot(forward, way);
-        range = {std::min(range.first, away), std::max(range.second, away)};
-    }
-    return range;
-}
-
-/// The scene's light with the range that Frame::light() says, a little more for rounding.
-camera::Camera fitted(const scenes::Scene& scene, LightKind kind) {
-    camera::Camera light = scene.light;
-    const auto [least, most] = distances_of(scene, kind);
-    if (kind == LightKind::directional) {
-        const float more = 0.001f * (most - least + scene.light_half_size);
-        light.near = least - more, light.far = most + more;
-    } else {
-        light.far = std::max(light.far, 1.001f * most);
-    }
-    return light;
 }
 
 }  // namespace
@@ -104,7 +76,7 @@ void Frame::set_scene(const scenes::Scene& scene) {
     scene_.view = scene.view, scene_.light = scene.light;
     scene_.light_half_size = scene.light_half_size, scene_.sky = scene.sky;
     if (!has_moved && !is_lit_anew) return;
-    light_ = fitted(scene_, settings_.light);
+    light_ = fitted_light(scene_, settings_.light, opening());
     for (Made& made : made_) made.is_stale = true;
 }
 
@@ -124,13 +96,17 @@ void Frame::write_mesh(const mesh::Mesh& mesh) {
 }
 
 void Frame::set_knobs(const Settings& settings) {
-    const auto knobs = [](const Settings& s) {
-        return std::tie(s.bias, s.step, s.finest, s.filter, s.cached, s.rounds);
-    };
+    const auto knobs = [](const Settings& s) { return std::tie(s.step, s.finest, s.filter, s.cached, s.rounds); };
+    settings_.bias = settings.bias;
     if (knobs(settings) == knobs(settings_)) return;
-    settings_.bias = settings.bias, settings_.step = settings.step, settings_.finest = settings.finest;
+    settings_.step = settings.step, settings_.finest = settings.finest;
     settings_.filter = settings.filter, settings_.cached = settings.cached, settings_.rounds = settings.rounds;
     for (Made& made : made_) made.recorded = {};
+}
+
+float Frame::opening() const {
+    if (settings_.light == LightKind::spot) return std::tan(scene_.light.height_angle / 2);
+    return 1 + 2.0f / static_cast<float>(standard_side() - 2);
 }
 
 std::vector<glift::float4x4> Frame::lights() const {
@@ -147,8 +123,12 @@ eye::Viewpoint Frame::viewpoint() const {
     const float aspect = static_cast<float>(size_.x) / static_cast<float>(size_.y);
     const bool is_far = settings_.light == LightKind::directional;
     const glift::float3 at = is_far ? glift::normalize(scene_.light.eye - scene_.light.target) : scene_.light.eye;
-    return {camera::projection_of(scene_.view, aspect), glift::float4(at.x, at.y, at.z, is_far ? 0.0f : 1.0f),
-            scene_.view.eye, scene_.sky, 0.3f};
+    return {camera::projection_of(scene_.view, aspect),
+            glift::float4(at.x, at.y, at.z, is_far ? 0.0f : 1.0f),
+            scene_.view.eye,
+            scene_.sky,
+            0.3f,
+            settings_.bias * (is_far ? 1.0f : light_.near * light_.far)};
 }
 
 Frame::Structures Frame::make_structures() const {
@@ -175,8 +155,7 @@ void Frame::prepare(Method method) {
 }
 
 glift::Recording Frame::record(Method method, bool keeps) const {
-    const shadows::Settings settings{.bias = settings_.bias,
-                                     .step = settings_.step,
+    const shadows::Settings settings{.step = settings_.step,
                                      .finest = std::min(settings_.finest, coarsest()),
                                      .filter = static_cast<glift::uint>(settings_.filter),
                                      .is_cached = keeps,

@@ -2,6 +2,7 @@
 // draw one.
 #pragma once
 
+#include "fitted_light.h"
 #include "shadows.glift.hpp"
 
 #include "examples/common/picture.h"
@@ -20,7 +21,6 @@ enum class Method { standard, adaptive, matched };
 enum class View { picture, levels, borders, map, pool };
 
 enum class Filter { nearest, bilinear, trilinear };
-enum class LightKind { directional, spot, point };
 
 /// The method of a name: standard, asm or rmsm. Like the three functions below, throws std::runtime_error, which lists
 /// the names, if there is none.
@@ -45,7 +45,7 @@ struct Settings {
 struct Lighting {
     /// s, t, depth, and the level whose cells are as large as the pixel; level -1: nothing that the light can reach.
     std::vector<glift::float4> surface;
-    std::vector<glift::float2> slopes;   ///< derivatives of the surface's depth by s and by t
+    std::vector<glift::float3> slopes;   ///< derivatives of the surface's depth by s and by t; the bias of that depth
     std::vector<glift::float4> colours;  ///< colours in ambient light; w: light multiplies them by up to 1 + w
     std::vector<float> lit;              ///< the share of the light that gets there, 0 to 1
 };
@@ -75,8 +75,7 @@ public:
 
     const glift::Device& device() const { return device_; }
     const scenes::Scene& scene() const { return scene_; }
-    /// The scene's light, whose range is made to hold all points: of a parallel one from the nearest to the farthest,
-    /// on whichever side of its eye; of others from their own near plane to the farthest, or their own far plane.
+    /// The scene's light, with its range made to hold the scene.
     const camera::Camera& light() const { return light_; }
     glift::uint2 size() const { return size_; }
     LightKind light_kind() const { return settings_.light; }
@@ -84,8 +83,9 @@ public:
     std::uint32_t standard_side() const {
         return settings_.light == LightKind::point ? settings_.standard / 2 : settings_.standard;
     }
-    /// The tangent of half the angle that a face of a point light sees: 90 degrees, and a texel of the standard map.
-    float opening() const { return 1 + 2.0f / static_cast<float>(standard_side() - 2); }
+    /// The tangent of half the angle that a spot sees, or a face of a point light: 90 degrees, and a texel of the
+    /// standard map.
+    float opening() const;
     /// Of each of the light's faces.
     std::vector<glift::float4x4> lights() const;
     eye::Viewpoint viewpoint() const;

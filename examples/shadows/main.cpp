@@ -189,7 +189,11 @@ void add_knobs(CLI::App& app, Settings& s) {
                    "texels along each side of the standard map; of each of a point light's six half as many")
         ->check(CLI::Range(16u, 16384u))
         ->capture_default_str();
-    app.add_option("--bias", s.bias, "of depths, a part of the light's range")->check(finite)->capture_default_str();
+    app.add_option(
+           "--bias", s.bias,
+           "A distance, as a part of the light's range: so much nearer to the light is what it shines on taken to be")
+        ->check(finite)
+        ->capture_default_str();
     app.add_option("--analysis", s.step, "every so many pixels along each axis ask for pages")
         ->check(CLI::IsMember({1, 2, 4, 8}))
         ->capture_default_str();

@@ -145,7 +145,7 @@ private:
     /// The answer at the point of the plane that a pixel shows which is seen so many pixels beside the pixel's centre.
     Light light_beside(std::size_t pixel, double x, double y) const {
         const glift::float4& s = lighting_.surface[pixel];
-        const glift::float2& slope = lighting_.slopes[pixel];
+        const glift::float3& slope = lighting_.slopes[pixel];
         constexpr double step = 1e-4;
         const double s0 = s.x, t0 = s.y, z0 = s.z;
         const std::size_t face = face_at(s0, t0);

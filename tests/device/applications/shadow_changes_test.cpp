@@ -71,6 +71,24 @@ TEST_P(ShadowChanges, MayComeFromStraightAbove) {
     }
 }
 
+/// Narrow boards a little before a wall, far from a light that has a place: their shadows are as long as the distance
+/// between them, which is a small part of the range of depths there.
+TEST_P(ShadowChanges, OfWhatStandsOutALittleFarAway) {
+    scenes::Scene scene = posts();
+    scene.mesh = {};
+    add_quad(scene.mesh, {-4, -4, 0}, {8, 0, 0}, {0, 8, 0});
+    for (int i = 0; i < 12; ++i)
+        add_quad(scene.mesh, {-4, -3.3f + 0.6f * static_cast<float>(i), 0.1f}, {8, 0, 0}, {0, 0.1f, 0});
+    scene.view = {float3(0.3f, 0.4f, 5), float3(0, 0, 0), float3(0, 1, 0), 0.8f, 0.1f, 20};
+    scene.light = {float3(4, 24, 32), float3(0, 0, 0), float3(0, 1, 0), 0.3f, 1, 120};
+    for (const LightKind kind : {LightKind::spot, LightKind::point}) {
+        Settings settings = small();
+        settings.light = kind;
+        settings.levels = kind == LightKind::point ? 12 : 8, settings.standard = 2048;
+        expect_agreement(settings, scene, std::to_string(static_cast<int>(kind)));
+    }
+}
+
 /// Whatever the pool, ASM ends before its last round, says what it did without, and shows each pixel the light of some
 /// level.
 TEST_P(ShadowChanges, OfAsmDegradeByCoarserLevelsAlone) {
