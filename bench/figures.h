@@ -1,4 +1,4 @@
-// Results of the algorithm benches and of bench_depth_of_field: rows, grouped by device, in the format that
+// Results of bench_algorithms, bench_rivals and bench_depth_of_field: rows, grouped by device, in the JSON format that
 // bench/figures.py reads.
 #pragma once
 
@@ -14,8 +14,8 @@ struct Figure {
     std::string by;  ///< who made the implementation: `Glift`, or the name of a rival
     std::string algorithm, variant;
     std::uint64_t elements = 0;
-    double seconds = 0;             ///< median
-    std::uint64_t bytes_moved = 0;  ///< the least memory traffic of the algorithm, as each bench says
+    double seconds = 0;             ///< of one execution of the algorithm: the median of the runs
+    std::uint64_t bytes_moved = 0;  ///< what the algorithm reads and writes at least, as its bench counts it
     int runs = 0;
     double error = -1;  ///< largest relative error; negative: it was not measured (most results are exact)
 };

@@ -1,5 +1,7 @@
-// bench_host: times a generated kernel on the host device and a hand-written loop, alternately; this for both forms of
-// the loop (handwritten/diffusion.h).
+// bench_host: compares the generated kernel of examples/heat on the host device with a hand-written loop. Each run
+// times both; which of them goes first alternates. The comparison is made twice: with a loop compiled for several
+// vector widths, of which the widest that the CPU has is used, and with one compiled for the compiler's flags alone
+// (handwritten/diffusion.h).
 //
 //     bench_host [--runs N] [--size N] [--steps N] [--json FILE]
 #include "handwritten/diffusion.h"
@@ -77,7 +79,7 @@ using Twin = void (*)(const float* u, float* v, handwritten::Extent3 extent, flo
 
 struct Measured {
     const char* name;
-    double generated, handwritten, ratio;  ///< median seconds of one step; median of the runs' ratios
+    double generated, handwritten, ratio;  ///< medians of the runs: seconds of one step, and generated / handwritten
     bool agree;
 };
 

@@ -1,12 +1,12 @@
-// `gliftc explain unknown-name`: prints the text of a diagnostic with an example.
+// `gliftc explain ID`: prints the text of the diagnostic with this id (`unknown-name`, for instance) and an example.
 #pragma once
 
 #include "driver/options.h"
 
 namespace gliftc {
 
-/// Whether there is one argument, which can be the id of a diagnostic: it is not '-', has no '.' and no '/', and there
-/// is no such file.
+/// Whether `gliftc explain` has one argument that is meant as the id of a diagnostic, not as a file: it is not '-', has
+/// no '.' and no '/', and no file of that name exists.
 bool names_diagnostic(const Options& options);
 
 /// Prints the diagnostic's text and its example, which is its test in tests/errors. Returns the exit code.

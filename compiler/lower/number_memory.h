@@ -1,5 +1,5 @@
-// The tables of value numbering (number.h). Every pass numbers a body anew and reuses the tables: entries have the time
-// at which they were made, so that old ones count as absent and nothing has to be cleared.
+// The tables of value numbering (number.h). Every pass numbers a body anew and reuses the tables: each entry has a time
+// stamp, by which old ones count as absent, so that nothing has to be cleared.
 #pragma once
 
 #include "ir/ir.h"
@@ -11,8 +11,8 @@
 
 namespace gliftc::lower {
 
-/// The shape of a node (its operation and the numbers of its operands), hashed to 128 bits: collisions are taken not to
-/// happen.
+/// A hash, of 128 bits, of the shape of a node: its operation, type and constants, the version of the local or memory
+/// that it reads, and the value numbers of its operands. Equal hashes are taken to mean equal shapes.
 struct ShapeKey {
     std::uint64_t high = 0, low = 0;
     bool operator==(const ShapeKey&) const = default;
@@ -37,7 +37,7 @@ public:
     /// Says that a local or a memory has changed: forgets the numbers of nodes whose values may change.
     void note_change() { ++time_; }
 
-    /// The number of a shape, to be set by the caller; 0 where it has none yet.
+    /// The number of a shape. 0: it has none yet, and the caller must set one.
     std::uint32_t& number_of(const ShapeKey& key) {
         if (++shapes_ * 2 > slots_.size()) grow();
         Slot& slot = slots_[place(key)];
@@ -62,7 +62,8 @@ private:
         std::uint32_t number = 0, time = 0;
     };
 
-    /// Open addressing, never more than half full.
+    /// The index of the key's slot, or of the free slot where it belongs. Open addressing with linear probing; the
+    /// table is never more than half full, so that there is a free slot.
     std::size_t place(const ShapeKey& key) const {
         const std::size_t mask = slots_.size() - 1;
         std::size_t at = key.low & mask;

@@ -24,7 +24,7 @@ struct Record {
 struct Decision {
     enum Kind : std::uint8_t {
         operands,  // keep the node; its operands have decisions of their own
-        truth,     // replace a condition whose value is known by `number`, 1 or 0
+        truth,     // replace a condition whose value is known: by true if `number` is 1, by false if it is 0
         first,     // first use of the value of record `number`
         repeated,  // replace by the local of record `number`
         renamed,   // drop a `let` whose value is another local: uses name that local
@@ -118,7 +118,8 @@ bool Counting::assume(ValueNumber number, bool holds) {
     return true;
 }
 
-/// Walks a body in which the condition is known to hold or not to, unless it may change within the body.
+/// Walks a body in which the condition is known to hold, or known not to. A condition that may change within the pass
+/// is not noted, nor is a constant.
 void Counting::run_knowing(const std::vector<StmtId>& body, ExprId condition, bool holds) {
     if (body.empty()) return;
     const bool is_new =
@@ -145,7 +146,9 @@ void Counting::visit(ExprId id, Where where) {
             ++plan_.records[found].uses;
             return decide(Decision::repeated, found);
         }
-        // An expression that is evaluated conditionally must not be made a local if it loads.
+        // A local is declared before the statement, so that its value is always computed, and once. A load under a
+        // condition must not be, since its address may be invalid; nor what the condition of a while loop computes anew
+        // in each round.
         if (where == Where::before || (where == Where::conditional && !numbers_.has_load(id))) {
             begin_record(number);
             plan_.records.back().name = name_in_source(id);
@@ -175,7 +178,9 @@ void Counting::visit_target(ExprId id) {
     if (node.op == Op::index) visit(node.operands[1], Where::before);
 }
 
-/// A `let` of a value that has a local already is dropped; otherwise its local holds the value from here on.
+/// Drops a `let` whose value was computed before: uses then name the local of the earlier one. Otherwise later uses of
+/// the value name the local of this `let`, unless the value needs no local (is_leaf). Mutable locals and values with
+/// effects are kept as they are.
 void Counting::let_(const Stmt& stmt) {
     const Local& local = cx.p.locals[stmt.local];
     if (!stmt.value || local.is_mutable || !numbers_.is_pure(stmt.value)) {

@@ -45,7 +45,8 @@ public:
     }
 
 private:
-    /// A while loop with a derivative in its condition: the body begins with the condition's statements and a break.
+    /// A while loop with a derivative in its condition becomes `while true`. Its body begins with the statements that
+    /// the condition needs, then `if !condition { break; }`.
     StmtId run_while(StmtId id, const Stmt& stmt) {
         Make::Parts parts{{}, cx.make.truth(true), {}, {}, {}};
         const ExprId condition = visit(stmt.value, parts.body);
@@ -70,7 +71,9 @@ private:
         return cx.make.again(node, {operand});
     }
 
-    /// Whether the expression is an immutable local that the fragment part declares: it needs no copy.
+    /// Whether the expression is an immutable local that the fragment part declares. The derivative uses it behind a
+    /// barrier, so that `keep` makes it an array with the values of all fragments: it needs no copy. An interpolated
+    /// value does, since each loop over fragments computes it anew.
     bool is_kept_anyway(ExprId id) const {
         const Expr& node = cx.p.exprs[id];
         return node.op == Op::local && !cx.p.locals[node.local].is_mutable &&
@@ -103,7 +106,8 @@ private:
     bool waits_ = false;               ///< a barrier is needed before the statement, since it has a derivative
 };
 
-/// Whether the rasteriser sets the local or reads it: it has a value for each fragment already.
+/// Whether the local passes a value from or to the rasteriser: an interpolated value, a colour or the depth. emit/host
+/// declares these by itself, so that they need no `keep`.
 bool is_given(const Raster& raster, LocalId local) {
     const auto is_target = [&](const ColourTarget& target) { return target.value == local; };
     const auto is_varying = [&](const Varying& varying) { return varying.read == local; };

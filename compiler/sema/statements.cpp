@@ -115,7 +115,9 @@ void check_assign(Body& body, const ast::Stmt& stmt) {
     }
     if (body.kind == BodyKind::pipeline && body.program().exprs[target].op == ir::Op::local)
         return check_variable(body, stmt, target);
-    // The host goes through the arm in any case: only whole variables keep their values where it does not run.
+    // The host executes the statements of an arm whether or not its condition is true. An assignment to a whole
+    // variable becomes a `select`, which keeps the old value if it is false (check_variable). An assignment to a part
+    // of one does not, so the variable must be declared in the innermost arm.
     if (body.kind == BodyKind::pipeline && !is_of_innermost_arm(body, root->local) &&
         is_refused_in_arm(body, "a change of a part of a variable", stmt.span, "assign the whole variable"))
         return;
@@ -170,20 +172,21 @@ void check_if_let(Body& body, const ast::Stmt& stmt) {
     emit(body, id);
 }
 
-/// A side of a constant `if` in a function with a workgroup. It may end in a return: only the selected side is kept.
-std::vector<ir::StmtId> check_arm(Body& body, const std::vector<ast::StmtId>& arm) {
-    Span outer = std::exchange(body.last, arm.empty() ? Span{} : body.context[arm.back()].span);
-    auto result = check_nested(body, arm);
+/// Checks one branch of an `if` with a constant condition, in a function with a workgroup. The branch may end in a
+/// return: only the branch that is selected is kept, so that all invocations return together.
+std::vector<ir::StmtId> check_branch(Body& body, const std::vector<ast::StmtId>& branch) {
+    Span outer = std::exchange(body.last, branch.empty() ? Span{} : body.context[branch.back()].span);
+    auto result = check_nested(body, branch);
     body.last = outer;
     return result;
 }
 
-/// The side of a constant `if` in a pipeline that never runs: it may wait for the device, since no arm counts as around
-/// it and host_needed is left as it was.
-std::vector<ir::StmtId> check_dead_arm(Body& body, const std::vector<ast::StmtId>& arm) {
+/// Checks the branch that never runs of an `if` with a constant condition, in a pipeline. Even in an arm (sema/arms.h)
+/// it may wait for the device or return, and what it needs of the host is not recorded in Body::host_needed.
+std::vector<ir::StmtId> check_dead_branch(Body& body, const std::vector<ast::StmtId>& branch) {
     const Span host_needed = body.host_needed;
     auto arms = std::exchange(body.arms, {});
-    auto result = check_nested(body, arm);
+    auto result = check_nested(body, branch);
     body.arms = std::move(arms);
     body.host_needed = host_needed;
     return result;
@@ -198,15 +201,16 @@ void check_if(Body& body, const ast::Stmt& stmt) {
     condition = coerce(body, condition, body.types().bool_, body.context[stmt.value].span);
     if (body.kind == BodyKind::function && body.grouped()) {
         if (auto known = known_value(body, condition)) {
-            auto then_body = check_arm(body, stmt.body), otherwise = check_arm(body, stmt.otherwise);
+            auto then_body = check_branch(body, stmt.body), otherwise = check_branch(body, stmt.otherwise);
             for (ir::StmtId id : known->bits() ? then_body : otherwise) emit(body, id);
             return;
         }
     }
     ir::StmtId id = add(body.program(), ir::StmtOp::if_, stmt.span);
     const auto known = body.kind == BodyKind::pipeline ? known_value(body, condition) : std::nullopt;
-    auto then_body = known && !known->bits() ? check_dead_arm(body, stmt.body) : check_nested(body, stmt.body);
-    auto otherwise = known && known->bits() ? check_dead_arm(body, stmt.otherwise) : check_nested(body, stmt.otherwise);
+    auto then_body = known && !known->bits() ? check_dead_branch(body, stmt.body) : check_nested(body, stmt.body);
+    auto otherwise =
+        known && known->bits() ? check_dead_branch(body, stmt.otherwise) : check_nested(body, stmt.otherwise);
     ir::Stmt& node = body.program().stmts[id];
     node.value = condition;
     node.body = std::move(then_body);
@@ -214,7 +218,8 @@ void check_if(Body& body, const ast::Stmt& stmt) {
     emit(body, id);
 }
 
-/// A bound of a range, whose type is that of the other bound. A value on the device is an error.
+/// Checks a bound of a range without an expected type; its type is then expected of the other bound. A value on the
+/// device is an error.
 ir::ExprId check_bound(Body& body, ast::ExprId bound) {
     const ir::ExprId value = check_value(body, bound);
     const ir::TypeId type = body.program().exprs[value].type;
@@ -222,7 +227,9 @@ ir::ExprId check_bound(Body& body, ast::ExprId bound) {
     return is_on_device ? coerce(body, value, body.types()[type].element, body.context[bound].span) : value;
 }
 
-/// Both bounds of `a..b`; a literal takes the other's type; if both are literals, uint, or int where one is negative.
+/// Checks both bounds of `a..b`, which have one type. A bound made of literals without suffix takes the type of the
+/// other one. If both are made of such literals, the type is int if one of them is a unary operation, as `-1` is, else
+/// uint.
 std::pair<ir::ExprId, ir::ExprId> check_range(Body& body, const ast::Expr& range) {
     Context& c = body.context;
     bool low_flexible = is_flexible(c, range.operands[0]), high_flexible = is_flexible(c, range.operands[1]);
@@ -251,7 +258,8 @@ void check_for(Body& body, const ast::Stmt& stmt) {
         return;
     }
     auto [low, high] = check_range(body, range);
-    ir::TypeId type = body.program().exprs[is_error(body, high) ? high : low].type;  // an error is reported once
+    // If a bound has an error, the loop variable gets the error type, so that its uses report nothing more.
+    ir::TypeId type = body.program().exprs[is_error(body, high) ? high : low].type;
     bool wrong =
         !is_error(body, low) && !is_error(body, high) && type != body.types().int_ && type != body.types().uint;
     if (wrong) c.error(Diag::index_type, range.span, {c.text(type)});
@@ -378,7 +386,8 @@ void check_expression_statement(Body& body, const ast::Stmt& stmt) {
     Operand operand = check(body, stmt.value);
     if (operand.kind == OperandKind::error || !operand.expr) return;
     const ir::Expr& node = body.program().exprs[operand.expr];
-    if (node.op == ir::Op::constant && node.type == body.types().void_) return;  // such as s.store(…): emitted already
+    // A call without a value, such as s.store(…), whose statement check() has emitted.
+    if (node.op == ir::Op::constant && node.type == body.types().void_) return;
     bool atomic = node.op == ir::Op::intrinsic && node.intrinsic >= ir::Intrinsic::atomicStore;
     if (node.op != ir::Op::call && node.op != ir::Op::pipeline_call && !atomic) {
         c.error(Diag::no_effect, c[stmt.value].span);

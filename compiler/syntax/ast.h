@@ -1,5 +1,6 @@
 // The syntax tree: made by the parser, read by sema. No names are resolved. Comments of enumerators show the syntax or
-// say which fields of the node are used; words before a colon in the comment of a field name the kinds that use it.
+// say which fields of the node are used; words behind the syntax say where it is allowed, or what it means. The comment
+// of a field that only some kinds use begins with these kinds; what it holds there follows after a colon.
 //
 // Types are expressions: `Array<4, float>`, `float4`, `T[8]`, `vec<N, uint>?` use the same nodes as values, and sema
 // interprets an expression as a type or as a value by its context.
@@ -96,7 +97,7 @@ struct Expr {
 
 enum class StmtKind : std::uint8_t {
     error,
-    let,         // let/var/const name [: type] [= value]   (which in `binding`; only `var name: type;` has no value)
+    let,         // let/var/const name [: type] [= value]   (`binding`: which word; only `var name: type;` has no value)
     shared,      // shared name: type;                     kernels and functions with a group
     temp,        // [uninitialized] temp name [: type] = value;            pipelines
     assign,      // target op= value; op absent for plain `=`
@@ -132,18 +133,19 @@ struct Stmt {
 
 // --------------------------------------------------------------------------------------------------- declarations
 
-/// `<N: uint, T: type = float, S: Structure<uint3, float>>`
+/// One of the parameters in `<N: uint, T: type = float, S: Structure<uint3, float>>`.
 struct GenericParam {
     Identifier name;
     ExprId constraint;     ///< `uint`, `type`, `Texel`, `Structure<…>`, an enum; absent only after an error
     ExprId default_value;  ///< or absent
 };
 
-/// Whether a parameter is read, written or both.
+/// Whether a parameter is read, written or both. `none`: the source does not say.
 enum class Direction : std::uint8_t { none, in, out, inout };
 
 /// The access pattern of a parameter: how it may be accessed, and which elements (docs/language.md, "Kernels and
-/// iterators"). `range` is no pattern of kernels: a pipeline's parameter or result `range<N, T>`.
+/// iterators" and "Draws"). `none`: no pattern is written. `range` is for pipelines, not for kernels: a parameter
+/// `range<N, T>` takes any structure or slice with N-dimensional addresses and elements T, and a result may be one.
 enum class Pattern : std::uint8_t { none, each, near, any, at, scatter, coherent, calls, target, instance, range };
 
 /// `name: [in|out|inout] (each|near|any|at|scatter|coherent|calls|target|instance|range)<type, extra…>`,
@@ -155,8 +157,9 @@ struct Param {
     Pattern pattern = Pattern::none;
     Span pattern_span;
     ExprId type;
-    std::vector<ExprId> extra;  ///< what follows the type: near: the radius; scatter, target: the operation or test;
-                                ///< at: how many elements; range<N, T>: type is N, extra[0] is T
+    /// What follows the type. near: the radius; scatter: the operation that combines writes; target: how colours are
+    /// blended, or the depth test; at: how many elements an invocation takes; range<N, T>: `type` is N, extra[0] is T.
+    std::vector<ExprId> extra;
 };
 
 /// `@name(arguments)` before a declaration or method.
@@ -166,8 +169,9 @@ struct Attribute {
     Span span;
 };
 
-/// `scatter<member, op>` after `with`: a member of its container that a function writes, or (`calls`) whose functions
-/// it calls.
+/// One pattern after a function's `with`, such as `scatter<member, op>`. It names a member of the structure or adaptor
+/// that the function belongs to, and says that the function writes it (scatter), reads and writes it (coherent) or
+/// calls functions of it that say so themselves (calls).
 struct MemberPattern {
     Pattern pattern = Pattern::none;
     Span pattern_span;
@@ -179,7 +183,7 @@ struct MemberPattern {
 /// domain, at, …), are functions too.
 struct Function {
     std::vector<Param> params;
-    std::vector<ExprId> group;  ///< the workgroup that its callers must have; empty: any or none
+    std::vector<ExprId> group;  ///< extents of the workgroup that its callers must have; empty: any or none
     std::vector<MemberPattern> with;
     ExprId result;  ///< or absent
     std::vector<StmtId> body;
@@ -294,7 +298,7 @@ struct Varying {
     ExprId type;
 };
 
-/// The parts of a raster that other kernels do not have. Its vertex part is the kernel's body.
+/// The parts of a raster that other kernels do not have. Its vertex part is Kernel::body.
 struct Raster {
     std::vector<RasterState> states;
     std::vector<Varying> varyings;

@@ -93,8 +93,9 @@ void Parser::skip_balanced() {
     } while (open > 0 && !at_end() && !at_declaration_in_first_column());
 }
 
-/// Skips past the next `;` or `{ … }` (but for one before `else`, and that of a `do … while`), or to a `}`, to a line
-/// that begins a statement or item, or to a declaration in the first column.
+/// Skips past the next `;` or `{ … }`, or to a `}`, to a line that begins a statement or item, or to a declaration in
+/// the first column, whichever comes first. A `{ … }` before `else` does not end the skipping, nor does that of a
+/// `do … while`, which C has and the language does not.
 void Parser::recover_in_list() {
     lost_ = false;
     while (!at_end() && !at(close_brace) && !at_declaration_in_first_column()) {
@@ -131,7 +132,7 @@ bool Parser::at_statement_keyword() const {
     return statement_keywords.has(peek().kind) || (item_words.has(peek().word) && peek(1).kind == identifier);
 }
 
-/// Whether the token is a contextual keyword that begins declarations.
+/// Whether the token is a contextual keyword that begins declarations, other than `test`: callers check that one.
 bool Parser::at_declaration_word() const { return declaration_words.has(peek().word); }
 
 bool Parser::at_declaration() const {

@@ -16,16 +16,16 @@ namespace strokes {
 struct Brush {
     float radius = 24;      ///< in pixels of the stroke's picture
     float hardness = 0.5f;  ///< 0 soft, 1 hard
-    float grain = 0;        ///< how much a pattern takes away, 0 to 1
+    float grain = 0;        ///< how much a noise pattern weakens the paint: 0 not at all, 1 down to nothing in places
     float opacity = 1;      ///< how much of the colour a stroke leaves, however often it passes, 0 to 1
-    float flow = 0.5f;      ///< how much of that one dab leaves, 0 to 1
-    float cells = 24;       ///< least number of the octree's cells along the radius: it picks the level
+    float flow = 0.5f;      ///< how much of the stroke's colour one dab leaves at its middle, 0 to 1
+    float cells = 24;       ///< a dab paints on the octree's coarsest level whose cells fit into the radius so often
     glift::float3 colour{0.8f, 0.2f, 0.1f};
     glift::uint blend = paint::Blend::over;
     std::string picture;  ///< a PNG: white leaves all of the colour, black none; empty: the brush is round
 };
 
-/// The brush with each number moved into what files of strokes allow.
+/// Returns the brush with each number clamped to the range that files of strokes allow. NaN becomes the least number.
 Brush allowed(Brush brush);
 
 struct Touch {
@@ -57,10 +57,11 @@ private:
     double left_ = -1;  ///< distance from `last_` to the next dab, in pixels; below 0: there was no touch yet
 };
 
-/// The dabs along a stroke's whole path.
+/// The dabs along a stroke's whole path. If they are more than most_dabs, only the first ones: still more than
+/// most_dabs.
 std::vector<paint::Brush> dabs_of(const Stroke& stroke);
 
-/// The camera as surface.glift takes it, for pictures of a size.
+/// Converts the camera to the Viewpoint of surface.glift, for pictures of this size.
 surface::Viewpoint viewpoint_of(const camera::Camera& camera, glift::uint2 size);
 
 /// Reads a file. A line may leave out all members but the path: they are then as in the line before it, and in the
@@ -72,8 +73,8 @@ std::vector<Stroke> read(const std::string& path, Stroke before = {});
 /// Throws std::runtime_error if the name of a brush's picture is not in UTF-8.
 std::string text_of(const std::vector<Stroke>& strokes);
 
-/// Writes a file of these lines, in place of an old one once it is whole (NewFile). Throws std::runtime_error if it
-/// cannot be written.
+/// Writes the text of these strokes to a file. An old file of that name stays as it is until the new one is complete,
+/// and is then replaced (NewFile). Throws std::runtime_error if the file cannot be written, or as text_of does.
 void write(const std::string& path, const std::vector<Stroke>& strokes);
 
 }  // namespace strokes

@@ -50,7 +50,7 @@ TEST_P(Inspect, AnAdaptorAndItsParts) {
     const std::string text = glift::inspect(grid(), "grid").text();
     EXPECT_THAT(text, HasSubstr("\"name\": \"grid\""));
     EXPECT_THAT(text, HasSubstr("\"text\": \"requested 3, granted 3, refused 0, resident 3, capacity 20\""));
-    EXPECT_THAT(text, HasSubstr("\"elements\": 34"));  // of the field: what of three pages lies in the domain
+    EXPECT_THAT(text, HasSubstr("\"elements\": 34"));  // grid.field: of three pages' 48 elements, 34 are in the domain
     EXPECT_THAT(text, HasSubstr("\"domain\": [18, 9, 7]"));
     EXPECT_THAT(text, HasSubstr("\"bytes_of_elements\": 1280"));  // 20 frames of 16 floats
     EXPECT_THAT(text, HasSubstr("\"role\": \"memory\""));

@@ -18,12 +18,6 @@ template <class T> void atomic_replace(T& target, T value) {
     std::atomic_ref<T>(target).store(value, std::memory_order_relaxed);
 }
 
-template <class T, class Combine> T atomic_update(T& target, const Combine& combine) {
-    std::atomic_ref<T> shared(target);
-    T old = shared.load(std::memory_order_relaxed);
-    while (!shared.compare_exchange_weak(old, combine(old), std::memory_order_relaxed)) {}
-    return old;
-}
 template <class T> void atomic_min(T& target, T value) {
     std::atomic_ref<T> shared(target);
     T old = shared.load(std::memory_order_relaxed);
@@ -40,7 +34,8 @@ inline std::int32_t ordered_bits(float value) {
     const std::int32_t bits = std::bit_cast<std::int32_t>(value);
     return bits < 0 ? bits ^ 0x7fffffff : bits;
 }
-/// A value that is NaN is not written; a NaN that is there gives way to any number.
+/// The minimum if `before` is less, the maximum if it is greater. A NaN is not written; any number replaces a NaN that
+/// is there.
 template <class Before> void atomic_extremum(float& target, float value, const Before& before) {
     if (value != value) return;
     std::atomic_ref<float> shared(target);
@@ -67,8 +62,8 @@ template <class T> void atomic_bit_xor(T& target, T value) {
 // Accesses to elements that workgroups share within a pass (`coherent` parameters).
 namespace memory {
 
-/// The unit of one atomic access to an element: a number that C++ has is accessed as a whole, any other value (a
-/// compound, a half) by 32-bit words if it is aligned to them, else by bytes.
+/// The unit of one atomic access to an element. An element of an arithmetic type of C++ is accessed as a whole; any
+/// other (a vector, a struct, a half) by 32-bit words if its type is aligned to four bytes, else by bytes.
 template <class T> using Piece =
     std::conditional_t<std::is_arithmetic_v<T>, T,
                        std::conditional_t<alignof(T) % sizeof(std::uint32_t) == 0, std::uint32_t, unsigned char>>;

@@ -7,7 +7,8 @@
 
 namespace glift {
 
-/// How a reference is compared with a texel of level 0, before the filter; `none`: texels themselves are filtered.
+/// How `s.compare(x, reference)` compares: `less` is reference < texel, and so on. Texels of level 0 are compared, then
+/// the results are filtered. `none`: the sampler does not compare; it filters the texels themselves.
 enum class Compare : std::uint8_t { none, less, less_equal, greater, greater_equal };
 
 enum class MemoryKind : std::uint8_t { buffer, image1d, image2d, image3d, imagecube, image2darray };

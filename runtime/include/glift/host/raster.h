@@ -24,7 +24,9 @@ struct DepthTarget {
     std::size_t row = 0;      ///< texels from one row to the next
     DepthTest test = DepthTest::less;
     bool is_written = true;
-    bool is_early = true;  ///< tested before the fragment shader; else the fragment shader calls Fragments::test
+    /// Tested before the fragment shader runs. Else the fragment shader calls Fragments::test, or test_depth
+    /// (fragments.h) with depths of its own.
+    bool is_early = true;
 };
 
 /// The fragments of one triangle in a block of 8 x 8 pixels: pixel (x, y) of the block is entry 8 * y + x of each
@@ -33,7 +35,9 @@ struct DepthTarget {
 struct Fragments {
     static constexpr unsigned side = 8;
 
-    int2 first;  ///< the block's first pixel, relative to the viewport's. Even in the framebuffer, so it may be -1
+    /// The block's first pixel, relative to the viewport's. Blocks begin at even pixels of the framebuffer, as quads do
+    /// on a GPU: where the viewport begins at an odd one, this may be -1.
+    int2 first;
     std::uint64_t covered;  ///< bit i: pixel i is covered and did not fail an early depth test
     bool is_front;
     const float* corner[3];  ///< varyings of the triangle's vertices, which clipping may have made
@@ -71,8 +75,8 @@ struct Draw {
     DepthTarget depth;
 };
 
-/// Runs a draw, on all cores. The vertex shader runs once per vertex and instance; needs memory for one batch of 98,304
-/// vertices and their triangles.
+/// Runs a draw, on all cores. The vertex shader runs once per vertex and instance. Needs memory for one batch: at most
+/// 98,304 vertices, and their triangles.
 GLIFT_API void draw(const Draw& draw);
 
 }  // namespace glift::host
