@@ -12,8 +12,10 @@ namespace {
 
 using namespace spirv;
 
-constexpr std::uint32_t unpack_snorm_2x16 = 60, unpack_unorm_4x8 = 64;  ///< of GLSL.std.450; those between unpack, too
+// Of GLSL.std.450. Those from the first unpack on to the last are all that unpack.
+constexpr std::uint32_t step = 48, unpack_snorm_2x16 = 60, unpack_unorm_4x8 = 64;
 constexpr std::size_t value_of_atomic = 6;  ///< index of an atomic operation's value operand
+constexpr std::size_t initial_value = 4;    ///< index of a variable's initial value
 
 using Words = SpirvWords;
 using Module = std::vector<std::uint32_t>;
@@ -21,8 +23,8 @@ using Module = std::vector<std::uint32_t>;
 /// How an instruction uses a constant.
 enum class Use : std::uint8_t {
     none,
-    computes,   // computes with it or takes it apart, which the driver simplifies for zeros: those are hidden
-    passes_on,  // forwards it, perhaps to arithmetic with another constant that folds to zero: all are hidden
+    computes,   // computes with it, which the driver simplifies for zeros: those are hidden
+    passes_on,  // forwards it or a part of it, perhaps to arithmetic that folds to zero: all are hidden
 };
 
 Use use_of(std::uint32_t op) {
@@ -34,11 +36,11 @@ Use use_of(std::uint32_t op) {
     case f_div:
     case f_rem:
     case f_mod:
+    case ext_inst: return Use::computes;
     case transpose:
     case vector_extract_dynamic:
-    case ext_inst:
     case composite_extract:
-    case vector_shuffle: return Use::computes;
+    case vector_shuffle:
     case phi:
     case select:
     case composite_construct:
@@ -76,12 +78,15 @@ private:
     void read_constant(Words w);
     void read_composite(Words w);
     bool is_hidden(std::uint32_t id, Use use) const;
+    bool is_table(Words w) const;
     std::uint32_t hide(Module& module, std::uint32_t id);
     std::uint32_t hide_scalar(Module& module, Words w);
     std::uint32_t with_bit(Module& module, std::uint32_t operand);
     std::uint32_t with_all_bits(Module& module, std::uint32_t operand);
     std::uint32_t bit_as(Module& module, std::uint32_t type);
     std::uint32_t zeros(Module& module, std::uint32_t type);
+    std::uint32_t float_zeros(Module& module, std::uint32_t type);
+    std::uint32_t repeated(Module& module, std::uint32_t type, std::uint32_t part, std::uint32_t count);
     void widen(Module& module, Words conversion);
     std::uint32_t as_integer(Module& module, Words atomic);
     void write_constants(Module& module);
@@ -109,6 +114,7 @@ private:
     std::unordered_map<std::uint32_t, std::uint32_t> counts_;      ///< types of 32-bit and 64-bit integers: components
     std::unordered_map<std::uint32_t, std::uint32_t> components_;  ///< vector types in counts_: the component's type
     std::unordered_map<std::uint32_t, std::uint32_t> types_;       ///< values of types in counts_: their type
+    std::unordered_map<std::uint32_t, Words> float_vectors_;       ///< vector types of floats: their declaration
     std::map<std::uint32_t, Constant> constants_;                  ///< ordered, so that the output is deterministic
     std::vector<Words> function_;                                  ///< the function being read
     std::unordered_map<std::uint32_t, std::uint32_t> replaced_;    ///< in function_: constants, and their new ids
@@ -152,6 +158,7 @@ void Hiding::read(Words w) {
         break;
     case type_vector:
         if (count_of(w[2]) == 1) counts_.emplace(w[1], w[3]), components_.emplace(w[1], w[2]);
+        if (floats_.contains(w[2])) float_vectors_.emplace(w[1], w);
         if (w[2] == uint_ && w[3] == 2) uint2_ = w[1];
         if (w[2] == uint_ && w[3] == 3) uint3_ = w[1];
         break;
@@ -167,6 +174,12 @@ void Hiding::read(Words w) {
 bool Hiding::is_hidden(std::uint32_t id, Use use) const {
     const auto found = constants_.find(id);
     return found != constants_.end() && (use == Use::passes_on || found->second.has_zero);
+}
+
+/// Whether this is a variable of a function that begins as a constant of floats: an array or a matrix that is indexed,
+/// of which unrolling takes parts.
+bool Hiding::is_table(Words w) const {
+    return op_of(w) == variable && w.size() == initial_value + 1 && constants_.contains(w[initial_value]);
 }
 
 std::uint32_t Hiding::hide_scalar(Module& module, Words w) {
@@ -224,8 +237,22 @@ std::uint32_t Hiding::bit_as(Module& module, std::uint32_t type) {
 std::uint32_t Hiding::zeros(Module& module, std::uint32_t type) {
     const std::uint32_t count = count_of(type);
     if (count == 1) return bit_as(module, type);
-    const std::uint32_t part = bit_as(module, components_.at(type)), result = fresh();
-    module.push_back((count + 3) << 16 | composite_construct);
+    return repeated(module, type, bit_as(module, components_.at(type)), count);
+}
+
+/// The hidden zero as a value of a float type or, in each component, of a vector of floats.
+std::uint32_t Hiding::float_zeros(Module& module, std::uint32_t type) {
+    const auto vector = float_vectors_.find(type);
+    const bool is_vector = vector != float_vectors_.end();
+    const std::uint32_t part = fresh();
+    append(module, convert_u_to_f, {is_vector ? vector->second[2] : type, part, bit_});
+    return is_vector ? repeated(module, type, part, vector->second[3]) : part;
+}
+
+/// A vector with the same value in each component.
+std::uint32_t Hiding::repeated(Module& module, std::uint32_t type, std::uint32_t part, std::uint32_t count) {
+    const std::uint32_t result = fresh();
+    module.push_back(first_word(composite_construct, count + 3));
     module.insert(module.end(), {type, result});
     module.insert(module.end(), count, part);
     return result;
@@ -290,6 +317,10 @@ std::size_t place_of_integer(Words w) {
     return op == ext_inst && w[4] >= unpack_snorm_2x16 && w[4] <= unpack_unorm_4x8 ? 5 : 0;
 }
 
+/// Whether the driver may know that the result is zero without knowing an operand: NIR compares ranges of values, so
+/// that it knows step(1, -x) where x was an unsigned integer.
+bool may_become_zero(Words w) { return op_of(w) == ext_inst && w[4] == step; }
+
 void Hiding::write(Module& module, Words w) {
     if (is_widening(op_of(w)) && count_of(w[1]) != 0) return widen(module, w);
     const Operands values = operands_of(w);
@@ -307,17 +338,27 @@ void Hiding::write(Module& module, Words w) {
     if (combines) module[at + value_of_atomic] = operand;
     for (std::size_t i = values.words.first; i < values.words.last; ++i)
         if (is_hidden(w[i], values.use)) module[at + i] = replaced_.at(w[i]);
+    if (may_become_zero(w)) {
+        const std::uint32_t known = module[at + 2] = fresh();
+        append(module, f_add, {w[1], w[2], known, float_zeros(module, w[1])});  // neither 0 nor 1 changes
+    }
 }
 
 void Hiding::write_function(Module& module) {
     std::vector<std::uint32_t> used;
+    std::vector<Words> tables;
     bool has_begun = true, is_in_block = false;
     for (Words w : function_) {
+        if (is_table(w)) {
+            used.push_back(w[initial_value]);
+            tables.push_back(w);
+        }
         const Operands values = operands_of(w);
         for (std::size_t i = values.words.first; i < values.words.last; ++i)
             if (is_hidden(w[i], values.use)) used.push_back(w[i]);
         const std::uint32_t op = op_of(w);
-        if (!used.empty() || place_of_integer(w) != 0 || is_widening(op) || is_atomic(op)) has_begun = false;
+        if (!used.empty() || place_of_integer(w) != 0 || is_widening(op) || is_atomic(op) || may_become_zero(w))
+            has_begun = false;
     }
     replaced_.clear();
     for (Words w : function_) {
@@ -325,10 +366,12 @@ void Hiding::write_function(Module& module) {
         // Variables come first in a function's first block.
         if (is_in_block && !has_begun && op != variable && op != line && op != no_line) {
             begin(module, used);
+            for (Words table : tables) append(module, store, {table[2], replaced_.at(table[initial_value])});
             has_begun = true;
         }
         is_in_block = is_in_block || op == label;
-        write(module, w);
+        if (is_table(w)) append(module, variable, {w[1], w[2], w[3]});
+        else write(module, w);
     }
 }
 

@@ -69,6 +69,49 @@ TEST(HiddenZeros, TellTheWidthOfATypeFromAValue) {
     EXPECT_THAT(disassembled(hidden), Not(HasSubstr("OpFMul %float %65 %float_0")));
 }
 
+/// Takes a component of a vector of constants (%50), has a table that begins as such a vector (%40), and a step (%51)
+/// of a number that was an unsigned integer.
+const std::string found_zeros = R"(
+    OpCapability Shader
+    %1 = OpExtInstImport "GLSL.std.450"
+    OpMemoryModel Logical GLSL450
+    OpEntryPoint GLCompute %4 "main" %20
+    OpExecutionMode %4 LocalSize 1 1 1
+    OpDecorate %20 BuiltIn GlobalInvocationId
+    %2 = OpTypeVoid
+    %3 = OpTypeFunction %2
+    %8 = OpTypeInt 32 0
+    %9 = OpTypeVector %8 3
+    %10 = OpTypeFloat 32
+    %11 = OpTypeVector %10 2
+    %12 = OpTypePointer Input %9
+    %13 = OpTypePointer Function %11
+    %14 = OpConstant %10 2
+    %15 = OpConstantComposite %11 %14 %14
+    %20 = OpVariable %12 Input
+    %4 = OpFunction %2 None %3
+    %21 = OpLabel
+    %40 = OpVariable %13 Function %15
+    %22 = OpLoad %9 %20
+    %23 = OpCompositeExtract %8 %22 1
+    %24 = OpConvertUToF %10 %23
+    %25 = OpCompositeConstruct %11 %24 %24
+    %50 = OpCompositeExtract %10 %15 0
+    %51 = OpExtInst %11 %1 Step %15 %25
+    OpReturn
+    OpFunctionEnd
+)";
+
+TEST(HiddenZeros, HideWhatADriverMayMakeZerosOf) {
+    const std::vector<std::uint32_t> hidden = with_hidden_zeros(assembled(found_zeros));
+    const std::string text = disassembled(hidden);
+    EXPECT_EQ(error_of(hidden), "") << text;
+    EXPECT_THAT(text, Not(HasSubstr("%50 = OpCompositeExtract %float %15 0")));
+    EXPECT_THAT(text, HasSubstr("%40 = OpVariable %_ptr_Function_v2float Function\n"));
+    EXPECT_THAT(text, HasSubstr("OpStore %40"));
+    EXPECT_THAT(text, HasSubstr("%51 = OpFAdd %v2float"));
+}
+
 /// Sums and differences of a constant with: itself (%40), a number converted from one that was loaded (%41), the value
 /// of a variable to which a constant is stored after its load (%43), the value of a variable to which that number was
 /// stored (%45); and of vectors of constants (%46).
