@@ -254,4 +254,33 @@ TEST(PaintedModel, IsBentAsDoublesSay) {
     }
 }
 
+/// The same kernel reads an octree and a 3-D image of its nodes, and finds the same colours.
+TEST_P(Paint, IsReadAsA3DImageIs) {
+    OctreeSize size = small();
+    size.resolution = 64;
+    Canvas canvas(device, model(), size);
+    for (const Stroke& stroke : random_strokes(2, 23)) canvas.paint(stroke);
+    paint_samples::Volume volume(device, {65, 65, 65});
+    paint_samples::fill_volume(device, canvas.octree(), volume);
+    std::mt19937 random(24);
+    std::vector<float4> at(20'000);
+    for (float4& p : at)
+        for (unsigned i = 0; i < 3; ++i) p[i] = 0.5f + 64 * static_cast<float>(random() >> 8) * 0x1p-24f;
+    const auto n = static_cast<Word>(at.size());
+    paint_samples::Places places(device, n);
+    places.write(at);
+    paint_samples::Samples by_octree(device, n), by_volume(device, n);
+    paint_samples::read_octree(device, places, canvas.octree(), by_octree);
+    paint_samples::read_volume(device, places, volume, by_volume);
+    const std::vector<float4> a = by_octree.read(), b = by_volume.read();
+    // A filter's weights are multiples of 1/256 on each of three axes; the image's texels are rounded to 1/255.
+    constexpr double bound = 3.0 / 256 + 0.5 / 255;
+    unsigned painted = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        for (unsigned i = 0; i < 3; ++i) ASSERT_NEAR(a[k][i], b[k][i], bound) << k;
+        painted += a[k].w > 0;
+    }
+    EXPECT_GT(painted, 300u);
+}
+
 }  // namespace
