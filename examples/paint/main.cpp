@@ -189,6 +189,10 @@ void add_stroke_options(CLI::App& app, Arguments& a) {
     app.add_option("--record", a.record, "A file for the strokes that there are at its end")
         ->needs(window)
         ->check(command_line::can_be_made);
+    app.final_callback([&a] {
+        if (!a.brush.empty() && a.strokes.empty() && !a.window)
+            throw CLI::RequiresError("--brush", "--strokes or --window");
+    });
     auto* undo = app.add_option("--undo", a.undo, "Undo so many strokes at the end")->needs(strokes)->excludes(window);
     app.add_option("--redo", a.redo, "and do so many of them again")->needs(undo);
     app.add_option("--bend", a.bend, "Bend the painted model by so many radians")

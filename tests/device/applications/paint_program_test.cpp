@@ -96,6 +96,8 @@ TEST_F(PaintProgram, RefusesWhatItWouldIgnore) {
     EXPECT_THAT(refused({"--window", "--strokes", one, "--undo", "1"}), HasSubstr("--window excludes --undo"));
     EXPECT_THAT(refused({"--window", "--redo", "1"}), HasSubstr("--redo requires --undo"));
     EXPECT_THAT(refused({"--strokes", one, "--record", file("a.strokes")}), HasSubstr("--record requires --window"));
+    glift::test::write_file(file("brush.png"), "");
+    EXPECT_THAT(refused({"--brush", file("brush.png")}), HasSubstr("--brush requires --strokes or --window"));
     EXPECT_THAT(refused({"--npy-side", "9"}), HasSubstr("--npy-side requires --npy"));
 }
 
