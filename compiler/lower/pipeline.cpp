@@ -290,9 +290,9 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     if (cx.is_stopped) return pass;
     bodies.push_back(&holders);
     move_uniforms(cx, bodies);
-    finished(cx, "move_uniforms", pass.plain().body, {}, "body");
-    if (cx.is_stopped) return pass;
     settle_interior(cx, expander, holders);
+    finished(cx, "move_uniforms", pass.variants, {}, "body");
+    if (cx.is_stopped) return pass;
     complete(cx);
     return pass;
 }

@@ -26,6 +26,7 @@ std::vector<std::filesystem::path> sources() {
 std::set<std::string> pass_names() {
     std::set<std::string> names;
     for (const lower::BodyPass& pass : lower::body_passes()) names.emplace(pass.name);
+    for (const lower::BodyPass& pass : lower::host_passes()) names.emplace(pass.name);
     for (const lower::KernelPass& pass : lower::kernel_passes()) names.emplace(pass.name);
     return names;
 }
