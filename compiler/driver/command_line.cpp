@@ -7,6 +7,8 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <set>
+#include <string_view>
 
 #ifndef GLIFT_VERSION
 #define GLIFT_VERSION "0.1.0"
@@ -47,6 +49,18 @@ T look_up(const std::map<std::string, T>& names, const std::string& option, cons
     throw CLI::ValidationError(option, "'" + word + "' is none of: " + all);
 }
 
+/// Throws ValidationError if there is no pass of that name.
+void check_pass(const std::string& option, const std::string& word) {
+    if (lower::is_pass(word)) return;
+    std::set<std::string_view> names;
+    for (const lower::BodyPass& pass : lower::body_passes()) names.insert(pass.name);
+    for (const lower::BodyPass& pass : lower::host_passes()) names.insert(pass.name);
+    for (const lower::KernelPass& pass : lower::kernel_passes()) names.insert(pass.name);
+    std::string all;
+    for (std::string_view name : names) all += (all.empty() ? "" : ", ") + std::string(name);
+    throw CLI::ValidationError(option, "'" + word + "' is none of: " + all);
+}
+
 void read_warning(Options& options, const std::string& word) {
     if (word == "error") {
         options.warnings_are_errors = true;
@@ -66,9 +80,7 @@ void finish(Options& options, const Typed& typed) {
     for (const std::string& word : typed.targets) options.targets.push_back(look_up(target_names, "--target", word));
     if (lower::is_pass(typed.stop_after)) options.stop_after_pass = typed.stop_after;
     else if (!typed.stop_after.empty()) options.stop_after = look_up(stage_names, "--stop-after", typed.stop_after);
-    if (!options.dump_after.empty() && !lower::is_pass(options.dump_after))
-        throw CLI::ValidationError("--dump-after",
-                                   "there is no pass '" + options.dump_after + "' (compiler/lower/passes.cpp)");
+    if (!options.dump_after.empty()) check_pass("--dump-after", options.dump_after);
     if (!typed.dump.empty()) options.dump = look_up(stage_names, "--dump", typed.dump);
     if (!typed.format.empty()) options.diagnostics_format = look_up(format_names, "--diagnostics-format", typed.format);
     if (!typed.colour.empty()) options.colour = look_up(colour_names, "--color", typed.colour);

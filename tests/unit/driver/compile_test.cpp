@@ -169,5 +169,12 @@ TEST(CommandLine, refuses_wrong_usage) {
     EXPECT_EQ(std::get<ExitCode>(read({"--version"})), ExitCode::done);
 }
 
+TEST(CommandLine, lists_the_passes_that_there_are) {
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(std::get<ExitCode>(read({"--dump-after=x", "a.glift"})), ExitCode::wrong_usage);
+    const std::string said = testing::internal::GetCapturedStderr();
+    for (const char* pass : {"expand", "share", "version_loops"}) EXPECT_NE(said.find(pass), std::string::npos) << said;
+}
+
 }  // namespace
 }  // namespace gliftc
