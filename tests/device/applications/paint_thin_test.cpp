@@ -1,5 +1,5 @@
-// Paint on thin parts: a plate that is painted from its front has no paint on its back, if it is two cells thick where
-// its sides lie along the axes. Thinner ones have nodes that lookups on both sides read.
+// Paint on thin parts: a plate that is painted from its front has no paint on its back, if it is 2.25 cells thick where
+// its sides lie along the axes.
 #include "paint_model.h"
 #include "tests/device/guards/on_every_device.h"
 
@@ -40,10 +40,12 @@ struct Plate {
     }
 };
 
-/// The least distance of two planes with such a normal for which no node is read by lookups on both: 2 cells along an
-/// axis, 2 times the square root of 3 along a diagonal.
+/// The least distance of a back for which no lookup on it reads a node that is painted from the front: lookups read
+/// nodes up to 1 cell away along an axis, the square root of 3 along a diagonal; nodes are painted up to a quarter of a
+/// cell farther than that, at most 1.75 cells.
 float least_thickness(const float3& normal) {
-    return 2 * cell * (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z));
+    const float read = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
+    return cell * (read + std::min(read + 0.25f, 1.75f));
 }
 
 Plate random_plate(std::mt19937& random, const float3& front) {
