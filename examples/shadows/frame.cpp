@@ -62,10 +62,10 @@ std::string text_of_lost(const shadows::Status& status) {
 
 Frame::Frame(glift::Device device, const Settings& settings, glift::uint2 size)
     : device_(std::move(device)), settings_(settings), size_(size) {
-    if (settings.light == LightKind::point && (settings.levels < 3 || settings.pages < 6))
-        throw std::runtime_error(
-            "a point light has six maps in its quadtree: give it at least 3 levels by --levels and "
-            "6 pages by --pages");
+    if (settings.light == LightKind::point && (quadtree_levels() > most_levels || settings.pages < 6))
+        throw std::runtime_error("a point light has six maps in its quadtree: give it at most " +
+                                 std::to_string(most_levels - 2) +
+                                 " levels by --levels and at least 6 pages by --pages");
 }
 
 void Frame::set_scene(const scenes::Scene& scene) {
@@ -134,7 +134,7 @@ eye::Viewpoint Frame::viewpoint() const {
 Frame::Structures Frame::make_structures() const {
     const auto make = [&]<class Shadows>() -> Structures {
         return Shadows(device_, size_, corners_->extent() / 3, settings_.light == LightKind::point ? 6u : 1u,
-                       settings_.light == LightKind::directional ? 1u : 2u, settings_.levels, settings_.pages,
+                       settings_.light == LightKind::directional ? 1u : 2u, quadtree_levels(), settings_.pages,
                        standard_side(), settings_.pairs);
     };
     if (settings_.cells == 16) return make.operator()<shadows::Shadows16>();

@@ -29,10 +29,14 @@ View view_of(const std::string& name);
 Filter filter_of(const std::string& name);
 LightKind light_of(const std::string& name);
 
+/// A quadtree's: 131,072 cells a side where a page has 32.
+constexpr std::uint32_t most_levels = 13;
+
 /// The program's options (add_knobs of main.cpp) say what each setting is.
 struct Settings {
-    std::uint32_t cells = 32;  ///< of a page along each axis: 16, 32 or 64
-    std::uint32_t levels = 11, pages = 16'384, pairs = 4'000'000, standard = 2048, seed = 6, rounds = 8;
+    std::uint32_t cells = 32;   ///< of a page along each axis: 16, 32 or 64
+    std::uint32_t levels = 11;  ///< of a map; the quadtree of a point light's six maps has two more
+    std::uint32_t pages = 16'384, pairs = 4'000'000, standard = 2048, seed = 6, rounds = 8;
     float bias = 1e-4f;
     std::uint32_t step = 1, finest = 0;
     Filter filter = Filter::bilinear;
@@ -131,8 +135,9 @@ private:
         if (const auto* some = std::get_if<shadows::Shadows64>(&structures)) return use_copy(*some);
         return use_copy(std::get<shadows::Shadows32>(structures));
     }
-    /// The level of the pages that have a whole face of the light.
-    std::uint32_t coarsest() const { return settings_.levels - (settings_.light == LightKind::point ? 3 : 1); }
+    /// The level of the pages that have a whole map each.
+    std::uint32_t coarsest() const { return settings_.levels - 1; }
+    std::uint32_t quadtree_levels() const { return settings_.levels + (settings_.light == LightKind::point ? 2 : 0); }
 
     glift::Device device_;
     Settings settings_;

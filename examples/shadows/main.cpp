@@ -176,8 +176,10 @@ void add_knobs(CLI::App& app, Settings& s) {
     app.add_option("--cells", s.cells, "of a page along each axis")
         ->check(CLI::IsMember({16, 32, 64}))
         ->capture_default_str();
-    app.add_option("--levels", s.levels, "of the quadtree: its finest has cells * 2^(levels - 1) cells a side")
-        ->check(CLI::Range(2u, 13u))
+    app.add_option("--levels", s.levels,
+                   "of a map, of a point light's six maps each (at most 11): the finest has cells * 2^(levels - 1) "
+                   "cells a side")
+        ->check(CLI::Range(2u, most_levels))
         ->capture_default_str();
     app.add_option("--pages", s.pages, "that the pool has room for")
         ->check(CLI::Range(1u, 65536u))
@@ -211,8 +213,7 @@ void add_knobs(CLI::App& app, Settings& s) {
     app.add_flag("--cached", s.cached, "Pages stay from frame to frame; scene and light stand still");
     app.add_option_function<std::string>(
            "--light", [&s](const std::string& name) { s.light = light_of(name); },
-           "directional, or where the light's eye is: spot or point, whose six maps have a quarter of the quadtree's "
-           "side")
+           "directional, or where the light's eye is: spot or point, which has six maps in its quadtree")
         ->check(CLI::IsMember({"directional", "spot", "point"}))
         ->default_str("directional");
 }

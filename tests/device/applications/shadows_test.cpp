@@ -106,7 +106,6 @@ TEST_P(Shadows, OfAPointLightAreThoseOfASpot) {
     std::array<Compared, 2> found;
     for (const bool is_point : {false, true}) {
         settings.light = is_point ? LightKind::point : LightKind::spot;
-        settings.levels = is_point ? 10 : 8;  // as many cells a face
         Frame some = frame(settings);
         found.at(is_point) = compare(some, settings.bias);
     }
