@@ -17,7 +17,7 @@ constexpr unsigned depth_limit = 200;
 double round_to(const Types& types, TypeId scalar, double number) {
     switch (types.kind(scalar)) {
     case TypeKind::float_: return static_cast<float>(number);
-    case TypeKind::half: return round_to_half(static_cast<float>(number));
+    case TypeKind::half: return round_to_half(number);
     default: return number;
     }
 }

@@ -174,8 +174,23 @@ std::string saturating_conversion(Printer& p, const HelperUse& use) {
     return text;
 }
 
+/// Mesa's drivers convert a double to a float and that to a half, NVIDIA's does not.
+std::string half_of_double() {
+    return "// Rounds once: to a float whose last bit is 1 where it is not exact, so that the half is that nearest to "
+           "x.\n"
+           "float16_t to_half(double x) {\n    float f = float(x);\n    double rest = x - double(f);\n"
+           "    int bits = floatBitsToInt(f);\n"
+           "    if (abs(f) > 1e-9 && abs(rest) > 0.0lf && (bits & 1) == 0) bits += (rest > 0.0lf) == (f > 0.0) ? 1 : "
+           "-1;\n"
+           "    return float16_t(intBitsToFloat(bits)) + float16_t(-0.0);\n}\n";
+}
+
 std::string half_conversion(Printer& p, const HelperUse& use) {
-    std::string half = vector_text(p, p.program.types.half, p.program.types.components(use.a));
+    const ir::Types& types = p.program.types;
+    const std::uint32_t count = types.components(use.a);
+    const std::string half = vector_text(p, types.half, count);
+    if (types.scalar_of(use.a) == types.double_)
+        return count > 1 ? by_component(half, "to_half", type_text(p, use.a), count, false) : half_of_double();
     return "// Some drivers leave out a conversion to half and back, but not one of a half that was computed.\n" +
            one_line(half + " to_half(" + type_text(p, use.a) + " x)", half + "(x) + float16_t(-0.0)");
 }
@@ -245,9 +260,17 @@ std::string arithmetic(Printer& p, const HelperUse& use) {
         const std::uint32_t count = types.components(use.a);
         if (count > 1) return by_component(t, "angle", t, count, true);
         const std::string pi = t + "(3.14159265)";
-        return "// The angle of (0, 0), which GLSL leaves open, is that of the axis by which zero was reached.\n" + t +
-               " angle(" + t + " y, " + t + " x) {\n    if (x != " + zero_text + " || y != " + zero_text +
-               ") return atan(y, x);\n    if (floatBitsToInt(float(x)) >= 0) return y;\n" +
+        // 2^64, by which a float is scaled exactly. No half needs it: what is computed in floats divides by none so
+        // small.
+        const std::string scaled = use.a == types.half
+                                       ? "atan(y, x)"
+                                       : "max(abs(x), abs(y)) < 1e-30 ? atan(y * 18446744073709551616.0, "
+                                         "x * 18446744073709551616.0) : atan(y, x)";
+        return "// The angle of (0, 0), which GLSL leaves open, is that of the axis by which zero was reached. Numbers "
+               "whose\n"
+               "// reciprocals are infinite become larger ones.\n" +
+               t + " angle(" + t + " y, " + t + " x) {\n    if (x != " + zero_text + " || y != " + zero_text +
+               ") return " + scaled + ";\n    if (floatBitsToInt(float(x)) >= 0) return y;\n" +
                "    return floatBitsToInt(float(y)) < 0 ? -" + pi + " : " + pi + ";\n}\n";
     }
     case Helper::smooth_step:
@@ -391,8 +414,10 @@ void need_inner(Printer& p, const HelperUse& use) {
     case Helper::shuffled_down:
     case Helper::broadcast:
     case Helper::broadcast_first: need_inner_of_subgroup(p, use); break;
-    case Helper::split_float:
     case Helper::to_half:
+        if (types.components(use.a) > 1 && scalar == types.double_) need(p, use.helper, scalar);
+        break;
+    case Helper::split_float:
     case Helper::ordered_dot:
     case Helper::matrix_vector:
     case Helper::cross_product:

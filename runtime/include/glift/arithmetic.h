@@ -46,6 +46,8 @@ template <class T, class U> constexpr T shift_right(T a, U amount) {
 template <class T, class U> constexpr T convert(U value) {
     if constexpr (std::is_same_v<U, half> && !std::is_same_v<T, half>) {
         return convert<T>(static_cast<float>(value));
+    } else if constexpr (std::is_same_v<T, half> && std::is_same_v<U, double>) {
+        return half(value);
     } else if constexpr (std::is_same_v<T, half>) {
         return half(static_cast<float>(value));
     } else if constexpr (std::is_same_v<T, bool>) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <bit>
+#include <concepts>
 #include <cstdint>
 
 namespace glift {
@@ -29,6 +30,17 @@ constexpr std::uint16_t half_bits(float value) {
     return static_cast<std::uint16_t>(sign | result);
 }
 
+/// A float beside `value`, or equal to it, that rounds to the same half: its last bit is 1 where it is not exact.
+constexpr float float_rounded_to_odd(double value) {
+    const auto nearest = static_cast<float>(value);
+    const double rest = value - static_cast<double>(nearest);
+    const std::uint32_t bits = std::bit_cast<std::uint32_t>(nearest);
+    // Smaller ones are below half of the smallest half; a NaN or an infinity is kept, since its rest is a NaN.
+    const bool is_small = nearest < 1e-9f && nearest > -1e-9f, is_inexact = rest < 0 || rest > 0;
+    if (is_small || !is_inexact || (bits & 1u)) return nearest;
+    return std::bit_cast<float>((rest > 0) == (nearest > 0) ? bits + 1u : bits - 1u);
+}
+
 /// The float that a half stands for; exact.
 constexpr float half_value(std::uint16_t half) {
     const std::uint32_t sign = (half & 0x8000u) << 16;
@@ -46,6 +58,8 @@ struct half {
 
     constexpr half() = default;
     constexpr half(float value) : bits(detail::half_bits(value)) {}
+    /// Rounds once. A template, since a second function would make conversions of integers ambiguous.
+    template <std::same_as<double> Double> constexpr half(Double value) : half(detail::float_rounded_to_odd(value)) {}
     constexpr operator float() const { return detail::half_value(bits); }
 
     constexpr half& operator+=(half b) { return *this = *this + b; }
