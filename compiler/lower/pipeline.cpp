@@ -5,6 +5,7 @@
 #include "lower/affine.h"
 #include "lower/branch.h"
 #include "lower/coarsen.h"
+#include "lower/common_bindings.h"
 #include "lower/compact.h"
 #include "lower/contained.h"
 #include "lower/copy_rows.h"
@@ -220,12 +221,8 @@ void complete(Context& cx) {
 }
 
 /// Lowers a kernel that draws: a body for each of its parts.
-Pass lowered_draw(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Form form, Settings settings) {
-    Pass pass;
-    pass.kernel = kernel;
-    pass.form = form;
-    Context cx(program, program.kernels[kernel], pass, diagnostics, settings);
-    choose_dispatch(cx);
+void lower_draw(Context& cx) {
+    Pass& pass = cx.pass;
     const auto body = [&](Part part, const std::vector<StmtId>& written, std::string_view what) {
         Expander expander(cx, Guards::checked);
         if (part == Part::vertex && !cx.is_direct())
@@ -242,23 +239,16 @@ Pass lowered_draw(Program& program, Diagnostics& diagnostics, std::uint32_t kern
             {Part::fragment, Devices::any, {}, body(Part::fragment, cx.kernel.raster->fragment, "fragment")});
     std::vector<std::vector<StmtId>*> bodies = bodies_of(pass);
     simplify_functions(cx, bodies);
-    if (cx.is_stopped) return pass;
+    if (cx.is_stopped) return;
     move_uniforms(cx, bodies);
     for (const Variant& variant : pass.variants) finished(cx, "move_uniforms", {variant}, {}, "part");
     if (!cx.is_stopped) complete(cx);
     pass.address = {};
     pass.in_range = {};
-    return pass;
 }
 
-Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Form form, Settings settings,
-             Elements elements) {
-    if (program.kernels[kernel].raster) return lowered_draw(program, diagnostics, kernel, form, settings);
-    Pass pass;
-    pass.kernel = kernel;
-    pass.form = form;
-    Context cx(program, program.kernels[kernel], pass, diagnostics, settings);
-    choose_dispatch(cx);
+void lower_computation(Context& cx, Elements elements) {
+    Pass& pass = cx.pass;
     Expander expander(cx, Guards::checked);
     cx.size = expander.iteration_size();
     // In a kernel without a group, invocations beyond the range have returned.
@@ -287,36 +277,54 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
 
     std::vector<std::vector<StmtId>*> bodies = bodies_of(pass);
     simplify_functions(cx, bodies);
-    if (cx.is_stopped) return pass;
+    if (cx.is_stopped) return;
     bodies.push_back(&holders);
     move_uniforms(cx, bodies);
     settle_interior(cx, expander, holders);
     finished(cx, "move_uniforms", pass.variants, {}, "body");
-    if (cx.is_stopped) return pass;
-    complete(cx);
+    if (!cx.is_stopped) complete(cx);
+}
+
+/// Lowers a kernel to one of its forms, beginning with the given bindings.
+Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Form form, Settings settings,
+             Elements elements, const std::vector<PassBinding>& bindings) {
+    Pass pass;
+    pass.kernel = kernel;
+    pass.form = form;
+    Context cx(program, program.kernels[kernel], pass, diagnostics, settings);
+    choose_dispatch(cx);
+    add_bindings(cx, bindings);
+    if (cx.kernel.raster) lower_draw(cx);
+    else lower_computation(cx, elements);
     return pass;
 }
 
 Lowered::Forms all_forms(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Settings settings) {
     Lowered::Forms forms;
     const Mark before(program);
+    std::vector<PassBinding> bindings;
     const auto lower = [&](Form form, Elements elements) {
-        return lowered(program, diagnostics, kernel, form, settings, elements);
+        return lowered(program, diagnostics, kernel, form, settings, elements, bindings);
     };
     forms.direct = lower(Form::direct, Elements::two_where_it_helps);
     forms.general = lower(Form::general, Elements::two_where_it_helps);
     forms.wide = lower(Form::wide, Elements::two_where_it_helps);
+    const std::array all{&forms.direct, &forms.general, &forms.wide};
+    if (!have_common_bindings(all)) {
+        bindings = union_of_bindings(all);
+        for (Pass* pass : all) *pass = lower(pass->form, Elements::two_where_it_helps);
+    }
     for (Pass* pass : {&forms.general, &forms.wide})
         if (is_coarsened(forms.direct) && !is_coarsened(*pass) && has_one_place(*pass))
             *pass = lower(pass->form, Elements::two_in_turn);
     // A workgroup must cover the same number of elements in all forms, since they share one description of the kernel
     // (glift::Kernel::items): if one form takes one element an invocation, all do.
-    const std::array all{&forms.direct, &forms.general, &forms.wide};
     const auto takes_one = [](const Pass* pass) { return !is_coarsened(*pass); };
     if (std::ranges::any_of(all, takes_one))
         for (Pass* pass : all)
             if (!takes_one(pass)) *pass = lower(pass->form, Elements::one);
     if (settings.trace != nullptr && !settings.trace->stop_after.empty()) return forms;
+    assert(have_common_bindings(all));
     agree(program, all);
     compact(program, before, all);
     return forms;
