@@ -1,5 +1,5 @@
-// The forms of a kernel share one list of bindings (glift::Kernel::bindings), by whose numbers each reads the memories of
-// a call. A form may be shown not to access a memory that another one accesses, or access it at another place of its
+// The forms of a kernel share one list of bindings (glift::Kernel::bindings), by whose numbers each reads the memories
+// of a call. A form may be shown not to access a memory that another one accesses, or access it at another place of its
 // code: then all forms are lowered again, beginning with the bindings of all.
 #pragma once
 
