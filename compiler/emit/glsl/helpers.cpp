@@ -369,6 +369,7 @@ std::string definition(Printer& p, const HelperUse& use) {
 }
 
 /// The helpers that `use` itself calls.
+// long: a case for each helper
 void need_inner(Printer& p, const HelperUse& use) {
     const ir::Types& types = p.program.types;
     TypeId scalar = use.a ? types.scalar_of(use.a) : TypeId{};
