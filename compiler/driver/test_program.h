@@ -28,8 +28,9 @@ public:
     TestPrograms(const TestPrograms&) = delete;
     TestPrograms& operator=(const TestPrograms&) = delete;
 
-    /// The name of the program made of `outputs`, for which the C++ compiler looks for headers in `include_folders`. It
-    /// is a hash of outputs, include folders, imported headers (`read_files`), runtime and compiler.
+    /// The cache's name of the program made of `outputs`, for which the C++ compiler looks for headers in
+    /// `include_folders`: a hash of the outputs, the folders' paths, what imported headers (`read_files`) contain, and
+    /// tools_.
     std::string name_of(const std::vector<Output>& outputs, const std::vector<std::string>& include_folders,
                         const std::vector<std::string>& read_files) const;
     /// Whether the cache has the program, which may be from an earlier run.
@@ -37,7 +38,7 @@ public:
     /// Builds the program. Throws std::runtime_error if the C++ compiler fails.
     void build(const std::string& name, const std::vector<Output>& outputs,
                const std::vector<std::string>& include_folders);
-    /// The path of a program that the cache has, which is then the newest entry.
+    /// The path of a program that the cache has. Makes its entry the newest one, the last to be removed.
     std::string use(const std::string& name) const;
 
     /// The file for the record of a run with these options (remembered_runs.h).
@@ -53,7 +54,7 @@ private:
     std::filesystem::path include_, library_;  ///< the runtime's headers and library, found by this executable's path
     std::filesystem::path folder_;
     bool is_temporary_ = false;
-    std::string tools_;  ///< identifies the versions of the compiler and the runtime
+    std::string tools_;  ///< a hash of the paths, sizes and times of the C++ compiler and of the runtime
 };
 
 }  // namespace gliftc

@@ -12,7 +12,7 @@ bool is_image_part(Body&, ast::ExprId);
 
 void add_image_part(Body&, std::uint32_t structure, const ast::Item&);
 
-/// Whether the last axis of the addresses of such an image counts layers, or faces of a cube.
+/// Whether the last component of a texel's address, in an image of this shape, is its layer or its face of a cube.
 inline bool has_layers(ir::MemoryShape shape) {
     return shape == ir::MemoryShape::image2darray || shape == ir::MemoryShape::imagecube;
 }

@@ -14,7 +14,7 @@ namespace {
 
 using glift::float3;
 
-/// Adds a table with tiles of a quarter of a metre, from in front of the camera far to the back.
+/// Adds a chequered table at y = 0: 64 x 64 tiles of a quarter of a metre, from behind the camera (z = 3) to z = -13.
 void add_table(mesh::Mesh& mesh) {
     constexpr int columns = 64, rows = 64;
     constexpr float side = 0.25f;

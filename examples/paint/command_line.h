@@ -1,18 +1,21 @@
-// Words of the command line: checks that CLI11 does not have, for CLI::Option::check, and words for a shell.
+// Arguments of the command line: validators that CLI11 lacks, for CLI::Option::check, and quoting for a shell.
 #pragma once
 
 #include <string>
 
 namespace command_line {
 
-/// Checks return what is wrong with a word; nothing if it is right. CLI::Range lets NaN through.
+// Each validator returns what is wrong with the argument, or an empty string if it is valid.
+
+/// Not infinite, and no NaN, which CLI::Range accepts. Whether it is a number is left to CLI::Range.
 std::string is_finite(const std::string& number);
-/// A name of a picture that picture::write writes.
+/// The name ends as one of a format that picture::write has: .png or .exr.
 std::string is_picture(const std::string& path);
-/// A name in a folder that there is, and of no folder: so that a mistake is found before the work, not after it.
+/// The folder of the path exists, and the path is no folder itself: so a wrong path is reported before the work, not
+/// after it. Whether the file may be written is not checked.
 std::string can_be_made(const std::string& path);
 
-/// A word as a shell takes it.
-std::string quoted(const std::string& word);
+/// The argument, in quotes if a POSIX shell needs them.
+std::string quoted(const std::string& argument);
 
 }  // namespace command_line

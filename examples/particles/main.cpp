@@ -1,5 +1,6 @@
-// A fluid of particles (a million on a GPU, unless said otherwise), whose neighbours are searched again in each step:
-// fluid.glift from C++.
+// Simulates a fluid of particles by fluid.glift, and writes pictures. Each step finds the neighbours of each particle
+// anew.
+// --particles is their number: by default a million on a GPU, 20,000 elsewhere.
 #include "../common/camera.h"
 #include "../common/picture.h"
 #include "../common/progress.h"

@@ -141,7 +141,8 @@ struct FirstNumber : SeesNothing {
     bool is_found = false;
 };
 
-/// What a picture shows of a value: its first number; 0 if it has none.
+/// What a picture shows of a value: a scalar itself, a vector's first component, of a struct that of its first field; 0
+/// for all else.
 template <class T> double number_of(const T& value) {
     if constexpr (components_of < T >> 1) {
         return number_of(value[0]);

@@ -135,7 +135,7 @@ void VirtualDisplay::type(const std::string& key) const {
     XTestFakeKeyEvent(display, code, True, CurrentTime);
     XTestFakeKeyEvent(display, code, False, CurrentTime);
     connection_->done();
-    // GLFW takes a second press of a key at the time of the first, in milliseconds, for the same event.
+    // GLFW drops a press of a key whose time stamp, in milliseconds, is that of the key's press before it.
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
 }
 
