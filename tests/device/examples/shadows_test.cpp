@@ -174,7 +174,9 @@ TEST_F(ShadowsExample, SaysWhatIsWrong) {
     EXPECT_THAT(run({"--path", file("path.txt")}).err, HasSubstr("path.txt:2: has to have 13 numbers"));
     EXPECT_THAT(run({"--pairs", "10", "--out", file("a.png")}).err, HasSubstr("--pairs"));
     EXPECT_THAT(run({"--light", "point", "--pages", "5"}).err, HasSubstr("6 pages by --pages"));
-    EXPECT_THAT(walk({"--light", "point", "--levels", "12"}).err, HasSubstr("at most 11 levels by --levels"));
+    const std::vector<std::string> levels{"--scene", "robot", "--light", "point", "--levels", "12"};
+    EXPECT_THAT(run_example(GLIFT_SHADOWS, levels, {"GLIFT_DEVICE=host"}).err,
+                HasSubstr("at most 11 levels by --levels"));
     EXPECT_THAT(run({"--path", file("nowhere.txt")}).err, HasSubstr("nowhere.txt: cannot be read"));
     EXPECT_THAT(walk({"--agreement", file("a"), "--paths", "nowhere"}).err,
                 HasSubstr("nowhere/hairball.path: cannot be read"));
