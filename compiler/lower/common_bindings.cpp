@@ -10,9 +10,12 @@ using namespace ir;
 
 namespace {
 
-bool are_same(const PassBinding& a, const PassBinding& b) {
+bool are_of_one_memory(const PassBinding& a, const PassBinding& b) {
     return a.place == b.place && a.memory == b.memory && a.shape == b.shape && a.compare == b.compare;
 }
+
+/// Also accessed in the same way, after which barriers are set.
+bool are_same(const PassBinding& a, const PassBinding& b) { return are_of_one_memory(a, b) && a.access == b.access; }
 
 }  // namespace
 
@@ -25,8 +28,8 @@ std::vector<PassBinding> union_of_bindings(std::span<Pass* const> forms) {
     std::vector<PassBinding> all;
     for (const Pass* pass : forms) {
         for (const PassBinding& binding : pass->bindings) {
-            const auto same = [&](const PassBinding& have) { return are_same(have, binding); };
-            const auto found = std::ranges::find_if(all, same);
+            const auto is_it = [&](const PassBinding& have) { return are_of_one_memory(have, binding); };
+            const auto found = std::ranges::find_if(all, is_it);
             if (found == all.end()) all.push_back(binding);
             else if (found->access != binding.access) found->access = Access::read_write;
         }

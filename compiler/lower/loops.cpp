@@ -239,6 +239,7 @@ void agree(const Program& program, std::span<Pass* const> forms) {
     const std::uint64_t rounds = longest.loop_rounds;
     const Span loop = longest.longest_loop;
     const bool has_reports = std::ranges::any_of(forms, &Pass::has_reports);
+    const bool is_exact = std::ranges::all_of(forms, &Pass::exact);
     // An image is sampled in all forms or in none, since calls of different forms may follow each other on it.
     for (std::size_t i = 0; i < forms[0]->bindings.size(); ++i) {
         const bool is_sampled = std::ranges::all_of(forms, [&](Pass* pass) { return pass->bindings[i].sampled; });
@@ -249,6 +250,7 @@ void agree(const Program& program, std::span<Pass* const> forms) {
         pass->loop_rounds = rounds;
         pass->longest_loop = loop;
         pass->has_reports = has_reports;
+        pass->exact = is_exact;
         if (pass->has_status()) add_files(program, *pass, files);
     }
     for (Pass* pass : forms)

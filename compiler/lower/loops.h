@@ -12,7 +12,7 @@ namespace gliftc::lower {
 void summarize(Context& cx);
 
 /// Makes equal in all forms of a kernel: the bound of its loops, whether it has reports (of checked builds), the files
-/// that reports name, and which images are sampled.
+/// that reports name, which images are sampled, and whether devices agree bit for bit.
 void agree(const ir::Program& program, std::span<ir::Pass* const> forms);
 
 }  // namespace gliftc::lower

@@ -29,6 +29,7 @@
 #include <cstdio>
 #include <deque>
 #include <iterator>
+#include <stdexcept>
 
 namespace gliftc::lower {
 
@@ -324,7 +325,7 @@ Lowered::Forms all_forms(Program& program, Diagnostics& diagnostics, std::uint32
         for (Pass* pass : all)
             if (!takes_one(pass)) *pass = lower(pass->form, Elements::one);
     if (settings.trace != nullptr && !settings.trace->stop_after.empty()) return forms;
-    assert(have_common_bindings(all));
+    if (!have_common_bindings(all)) throw std::logic_error("lower: the forms of a kernel have different bindings");
     agree(program, all);
     compact(program, before, all);
     return forms;

@@ -222,15 +222,21 @@ static std::map<const Pass*, std::string> print_host_forms(Unit& unit, Writer& o
     return host;
 }
 
+/// The workgroup memory of the form that needs most: in one form arrays may share memory that in another one do not.
+static std::uint32_t shared_bytes_of(const ir::Lowered::Forms& forms) {
+    return std::max({forms.direct.shared_bytes, forms.general.shared_bytes, forms.wide.shared_bytes});
+}
+
 /// The fields of glift::Kernel that most kernels leave as they are.
-static void print_rare_fields(Unit& unit, Writer& out, const Pass& any, const std::string& name) {
+static void print_rare_fields(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, const std::string& name) {
+    const Pass& any = forms.general.exists ? forms.general : forms.direct;
     const std::array<std::uint32_t, 3>& items = variant_for(any, ir::Devices::shaders).assumes.elements;
     if (items != std::array{1u, 1u, 1u})
         out.line(".items = {" + std::to_string(items[0]) + ", " + std::to_string(items[1]) + ", " +
                  std::to_string(items[2]) + "},");
     if (any.of_blocks) out.line(".of_blocks = true,");
     if (any.has_status()) out.line(".reports = true,");
-    if (any.shared_bytes) out.line(".shared_bytes = " + std::to_string(any.shared_bytes) + ",");
+    if (const std::uint32_t bytes = shared_bytes_of(forms)) out.line(".shared_bytes = " + std::to_string(bytes) + ",");
     if (any.loop_rounds != 0 && any.longest_loop)
         out.line(".longest_loop = {\"" + file_name(unit.sources, any.longest_loop.file) + "\", " +
                  std::to_string(unit.sources.line_of(any.longest_loop)) + "},");
@@ -253,7 +259,10 @@ std::string kernel_code(Unit& unit, std::uint32_t index) {
     print_bindings(unit, code, forms, kernel, name);
     if (has_parameters) print_parameters(unit.globals, code, forms.direct, name);
     print_other_files(unit, code, any, name);
-    if (kernel.raster) print_drawing(unit, code, kernel, name, ir::derives_loads(unit.program, any));
+    if (kernel.raster) {
+        const auto derives = [&](const Pass& pass) { return ir::derives_loads(unit.program, pass); };
+        print_drawing(unit, code, kernel, name, derives(forms.direct) || derives(forms.general));
+    }
     const FormWords words = print_words(unit, spirv, index, name);
 
     const auto form = [&](const Pass& pass, const Words& of_form) {
@@ -278,7 +287,7 @@ std::string kernel_code(Unit& unit, std::uint32_t index) {
     out.line(".general = " + form(forms.general, words.general) + ",");
     out.line(".wide = " + form(forms.wide, words.wide) + ",");
     if (has_parameters) out.line(".parameters = " + name + "_parameters,");
-    print_rare_fields(unit, out, any, name);
+    print_rare_fields(unit, out, forms, name);
     if (kernel.raster) out.line(".drawing = &" + name + "_drawing,");
     if (const std::string digest = digest_text(unit, index, code.text() + out.text()); !digest.empty())
         out.line(".digest = " + digest + ",");

@@ -260,10 +260,9 @@ std::string arithmetic(Printer& p, const HelperUse& use) {
         const std::uint32_t count = types.components(use.a);
         if (count > 1) return by_component(t, "angle", t, count, true);
         const std::string pi = t + "(3.14159265)";
-        // 2^64, by which a float is scaled exactly. No half needs it: what is computed in floats divides by none so
-        // small.
+        // 2^64, by which a float is scaled exactly. In floats, reciprocals of halves are finite.
         const std::string scaled = use.a == types.half
-                                       ? "atan(y, x)"
+                                       ? "to_half(atan(float(y), float(x)))"
                                        : "max(abs(x), abs(y)) < 1e-30 ? atan(y * 18446744073709551616.0, "
                                          "x * 18446744073709551616.0) : atan(y, x)";
         return "// The angle of (0, 0), which GLSL leaves open, is that of the axis by which zero was reached. Numbers "
@@ -380,8 +379,11 @@ void need_inner(Printer& p, const HelperUse& use) {
     case Helper::to_int64:
     case Helper::to_uint64:
     case Helper::sign_of:
+        if (types.components(use.a) > 1) need(p, use.helper, scalar);
+        break;
     case Helper::angle:
         if (types.components(use.a) > 1) need(p, use.helper, scalar);
+        else if (use.a == types.half) need(p, Helper::to_half, types.float_);
         break;
     case Helper::remainder:
         if (types.components(use.a) > 1) need(p, use.helper, scalar);
