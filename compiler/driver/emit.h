@@ -9,7 +9,7 @@ namespace gliftc {
 /// if clang cannot format the C++ (--style), or if two files on the command line have one name.
 std::vector<Output> emit(const Options& options, const Compilation& compilation);
 
-/// Reports a --style that clang cannot use, or if clang is not there to format.
+/// If --style is given: an error if clang-format does not accept the style, or cannot be loaded.
 void check_style(const Options& options, Diagnostics& diagnostics);
 
 }  // namespace gliftc

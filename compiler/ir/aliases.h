@@ -1,4 +1,5 @@
-// Names that modules give to instances of structures: several modules may name one, and a module may name it twice.
+// The names that modules give to an instance of a structure (several modules may name it, and one module more than
+// once), and its public functions.
 #pragma once
 
 #include "ir/ir.h"
@@ -7,7 +8,7 @@
 
 namespace gliftc::ir {
 
-/// The public names that a module gives to the structure, in the order of its source.
+/// The public names that the module gives to the structure, in the order of Structure::aliases.
 std::vector<Name> public_names(const Structure& structure, std::uint32_t module);
 
 bool is_public(const Structure& structure, std::uint32_t module);
@@ -17,8 +18,8 @@ bool is_public(const Structure& structure, std::uint32_t module);
 /// none.
 Name name_in(const Program& program, const Structure& structure, std::uint32_t module);
 
-/// The public functions of a structure or adaptor, those whose only structure it is, each once: first the methods that
-/// C++ calls, then the others that the program uses.
+/// The public functions that take this structure (or adaptor) and no other, each once: first Structure::methods, which
+/// C++ can call, then the others that the program uses.
 std::vector<FunctionId> public_functions(const Program& program, std::uint32_t structure);
 
 }  // namespace gliftc::ir

@@ -128,7 +128,8 @@ bool Reader::take(const Stmt& stmt) {
     return line_of(stmt.value).has_value();
 }
 
-/// Whether the iterations together copy the whole array, in the order of memory.
+/// Whether the loop counts from 0 to the number of the array's rows and each iteration copies a whole row; array and
+/// memory must have the same scalar type, and not bool.
 bool Reader::is_whole() const {
     const std::optional<Line> first = line_of(loop.value), limit = line_of(loop.limit);
     if (!first || !limit || *first != Line{0, 0} || limit->factor != 0 || !move_.array || !move_.first) return false;

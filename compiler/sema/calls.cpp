@@ -22,8 +22,8 @@ Operand call_type(Body& body, ir::TypeId type, const ast::Expr& call) {
     return construct_value(body, type, call);
 }
 
-/// The index, count or size in a workgroup or subgroup that the built-in function of this name gives. Only kernels and
-/// functions with `group` may call these.
+/// The index, count or size of workgroups, subgroups or their invocations that the built-in function of this name
+/// gives; absent if there is none. Only kernels and functions with `group` may call such functions.
 std::optional<ir::Invocation> find_invocation(std::string_view name) {
     if (name == "local_index") return ir::Invocation::local_index;
     if (name == "group_index") return ir::Invocation::group_index;
@@ -130,7 +130,8 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
     std::size_t wanted = ir::lane_count(body.program(), id), have = 0;
     for (ast::ExprId argument : written) {
         bool flexible = is_flexible(c, argument);
-        // A float literal of another scalar type is converted like any value: uint(1.5) is 1.
+        // A literal without a suffix takes the constructed scalar type; but a float literal, if that is an integer
+        // type, is a float that is converted as any value: uint(1.5) is 1.
         ir::TypeId hint = flexible ? scalar : ir::TypeId{};
         ir::ExprId value = check_hinted(body, argument, hint == types.bool_ ? ir::TypeId{} : hint);
         if (is_error(body, value)) return error_operand(call.span);
@@ -279,9 +280,9 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         c.error(Diag::argument_count, call.span, {name, "1", std::to_string(arguments.size())});
         return error_value(body, call.span);
     };
-    // Functions of the declaration itself come before built-in ones: a structure may define its own `find`. Not so
-    // `domain` and `at`, which the operations for domains and reads of elements call, and those of blocks, which
-    // call_of_blocks() has handled.
+    // A function that a structure declares comes before the built-in one of its name, such as `find`. But a declared
+    // `domain` or `at` is not called by its name, since Op::domain and reads of elements call it, and call_of_blocks()
+    // handles those of blocks. Adaptors have no such exceptions.
     const std::vector<const ast::Item*> items = items_of(c, self.structure);
     std::vector<ast::DeclId> overloads, pipelines;
     for (const ast::Item* item : items) {

@@ -1,5 +1,6 @@
 // long: the checks of statements and expressions of pipelines call each other
-// Statements and expressions that only pipelines and tests have: temporaries, passes, slices, device values, checks.
+// Checks the statements and expressions that only pipelines and tests have: temporaries, calls of kernels and
+// pipelines, slices, values on the device, and `expect` and the like.
 #include "sema/arms.h"
 #include "sema/body.h"
 #include "sema/components.h"
@@ -21,7 +22,8 @@ std::vector<ast::ExprId> arguments_of(const ast::Expr& call) {
     return {call.operands.begin() + 1, call.operands.end()};
 }
 
-/// The structure instance of an operand: a structure, a slice of one, or a value of slice type.
+/// The instance (an index in Program::structures) of an operand that is a structure, a slice of one, or a value of
+/// slice type; absent for any other operand.
 std::optional<std::uint32_t> structure_of(Body& body, const Operand& operand) {
     if (operand.kind == OperandKind::structure) return operand.structure;
     if (operand.kind == OperandKind::value && body.types().kind(operand.type) == ir::TypeKind::slice)
@@ -335,7 +337,8 @@ std::optional<Operand> check_expect(Body& body, std::string_view name, const ast
     return no_value(body, call.span);
 }
 
-/// `temp name = Structure(arguments);`, and `let` or `var` of a call or slice without a type: `let part = a[0..n];`
+/// Checks `temp name = Structure(arguments);`, or a `let` or `var` without a written type whose value is a call or a
+/// slice, such as `let part = a[0..n];`. True: the statement is checked.
 bool check_structure_declaration(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
     bool is_temp = stmt.kind == ast::StmtKind::temp;

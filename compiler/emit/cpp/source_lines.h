@@ -7,9 +7,9 @@
 
 namespace gliftc::cpp {
 
-/// The text with a `#line` before each line, unless it is blank, that follows a comment `// name.glift:7` in the same
-/// block. `path_of` gives the path of a file that such a comment names; `name`: of the generated file, to which the
-/// other lines belong.
+/// Inserts a `#line` before each line, unless it is blank, that follows a comment `// name.glift:7` in the same block,
+/// and after the block one that returns to the generated file. `path_of` maps the file's name in the comment to its
+/// path; `name` is the generated file's name.
 std::string with_source_lines(std::string_view text, const std::string& name,
                               const std::function<std::string(std::string_view)>& path_of);
 

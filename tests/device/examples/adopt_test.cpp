@@ -15,9 +15,10 @@ TEST(Adopt, ThePictureIsWhatTheProgramComputesItself) {
         run_example(GLIFT_ADOPT, {path}, {"VK_ICD_FILENAMES=/usr/share/vulkan/icd.d/lvp_icd.x86_64.json"});
     ASSERT_EQ(result.exit_code, 0) << result.out << result.err;
     EXPECT_THAT(result.out, HasSubstr("as expected, to the bit"));
-    // The program clears the picture to a colour, which stays as a margin of 12 pixels. Squares have 20 pixels: their
-    // middles are far from every edge and keep their colours, except black squares, which are not drawn; edges are
-    // grey, and the dark side of an edge may or may not be drawn.
+    // The program clears the image to a colour, which remains in a margin of 12 pixels. Squares are 20 pixels wide, and
+    // the blur reaches 8, so that the middles of white squares stay white. Pixels darker than 0.25 are not drawn: the
+    // middles of black squares have the clear colour. Beside a white square a black one is grey, 0.25 to 0.5, and
+    // drawn.
     const png::Picture picture = png::read(path);
     ASSERT_EQ(picture.width, 227u);
     const auto at = [&](std::uint32_t x, std::uint32_t y) { return picture.values[(y + 12) * 227 + x + 12]; };
