@@ -200,7 +200,7 @@ int main(int argc, char** argv) {
     app.add_option("--size", options.side, "of the pictures, pixels a side")
         ->check(CLI::Range(16, 8192))
         ->capture_default_str();
-    app.add_option("--levels", options.walk.settings.levels, "of the quadtree, with pages of 32 cells a side")
+    app.add_option("--levels", options.walk.settings.levels, "of a map, with pages of 32 cells a side")
         ->check(CLI::Range(8, 13))
         ->capture_default_str();
     app.add_option("--pages", options.walk.settings.pages, "that the pool has room for")
