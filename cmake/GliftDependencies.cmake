@@ -1,5 +1,5 @@
-# Packages that the runtime, the compiler, the tests and the benches share, all of them in Debian 12 (tools/setup installs
-# them). What one folder alone needs (glslangValidator, X11, the libraries of the examples) is found there.
+# Packages for the runtime, the compiler, the tests and the benches; all are in Debian 12 (tools/setup installs them).
+# glslangValidator, X11 and the libraries of the examples are found in the CMakeLists.txt of the folder that needs them.
 
 # Before glslang and SPIRV-Tools, whose packages name its target.
 find_package(Threads REQUIRED)

@@ -11,9 +11,10 @@
 
 namespace gliftc::ir {
 
-/// The form says what a lowered kernel may assume of a call. direct: every range is a whole structure, and alike
-/// structures have equal sizes; general: ranges with origins, sizes computed on the device; wide: general, for memories
-/// and dispatches of any size, buffers accessed by 64-bit address.
+/// The form says what a lowered kernel may assume of a call. direct: every range is a whole structure, and structures
+/// of one type that are visited together or declared by one type name have equal sizes. general: ranges may have
+/// origins, and their sizes may be computed on the device. wide: as general, for memories and dispatches of any size;
+/// buffers are accessed by 64-bit address.
 enum class Form : std::uint8_t { direct, general, wide };
 
 inline constexpr std::uint32_t no_kernel = 0xffffffffu;
@@ -23,7 +24,7 @@ enum class Access : std::uint8_t { read, write, read_write };
 /// One memory that the kernel accesses.
 struct PassBinding {
     std::string name;          ///< unique in the pass and readable: f_data, f_table_data
-    Place place;               ///< the structure that has the memory; its root is a kernel parameter
+    Place place;               ///< path from a kernel parameter (Place::root) to the structure that has the memory
     std::uint32_t memory = 0;  ///< index among that structure's memories
     MemoryShape shape = MemoryShape::buffer;
     TypeId element;  ///< type that a load gives
@@ -64,7 +65,8 @@ struct PassParameter {
     std::string name;  ///< unique in the pass and readable: f_extent, g_origin, size, dt
     TypeId type;       ///< bool is stored as uint
     ParameterSource source = ParameterSource::uniform;
-    ExprId value;              ///< for uniform; for size in kernels over blocks: an upper bound of it, for the host
+    ExprId value;  ///< for uniform: what the host evaluates; for size in kernels over blocks: the size, or an upper
+                   ///< bound of it where only the device knows the number of blocks
     std::uint32_t param = 0;   ///< for origin, range_size, index: a kernel parameter; for address: a binding
     std::uint32_t offset = 0;  ///< byte offset in the parameter block; set by layout/
 };
@@ -72,12 +74,13 @@ struct PassParameter {
 struct Pass {
     std::uint32_t kernel = 0;  ///< index in Program::kernels; no_kernel: a function of a library
     Form form = Form::direct;
-    bool exists = true;  ///< false: no code is made (a wide form without buffers or dispatches in parts, which would be
-                         ///< as the general one)
+    bool exists = true;  ///< false: no code is made. So it is for a wide form that has no buffers and never splits a
+                         ///< dispatch: it would equal the general form
     std::array<std::uint32_t, 3> group = {64, 1, 1};  ///< workgroup size
     std::uint32_t rank = 1;                           ///< number of axes of the visited addresses
-    bool of_blocks = false;   ///< it visits blocks: `address` is {position in the block, number of the block}
-    std::uint32_t items = 1;  ///< at<S, items>: consecutive elements an invocation; `address` is the first of them
+    bool of_blocks = false;  ///< it visits blocks: `address` is {position in the block, number of the block}
+    std::uint32_t items =
+        1;  ///< at<S, items>: the number of consecutive elements of each invocation; `address` is the first's
     std::vector<PassBinding> bindings;
     std::vector<PassParameter> parameters;
     std::uint32_t parameter_bytes = 0;  ///< set by layout/
@@ -91,13 +94,14 @@ struct Pass {
     /// group have a copy in their bodies (lower/split_at_barriers.h).
     std::vector<StmtId> prologue;
     LocalId in_range;  ///< bool: the address is in the range. Shaders without a group return if not; others test it
-    /// The kernel's bodies. The first one is valid on every device and at every address (of a draw, it is the vertex
-    /// part); the others are for some devices only, or under assumptions.
+    /// The kernel's bodies. The first one is valid on every device and at every address. Of a draw it is the vertex
+    /// part, and the fragment part, if there is one, is another. All others are for some devices only, or under
+    /// assumptions.
     std::vector<Variant> variants = std::vector<Variant>(1);
     std::vector<FunctionId> functions;  ///< lowered functions that the bodies call, callees before callers
     std::vector<LocalId> shared;        ///< arrays in workgroup memory
     std::vector<std::vector<LocalId>>
-        shared_places;               ///< set by layout/: lists of arrays that share an allocation, in turn
+        shared_places;  ///< set by layout/: each list has arrays that use the same memory at different times
     std::uint32_t shared_bytes = 0;  ///< set by layout/
     std::vector<LocalId> params;     ///< of a library's function: its parameters
     std::uint64_t loop_rounds = 0;   ///< upper bound on how often one invocation tests the conditions of its loops;
@@ -129,10 +133,11 @@ struct Pass {
 struct LibraryFunction {
     std::string name;
     TypeId result;
-    Pass pass;  ///< its parameters are the structure's state: the host computes nothing from it
+    Pass pass;  ///< Pass::parameters are the structure's state as it is; Pass::params are the function's own parameters
 };
 
-/// The functions of a structure that a module makes public.
+/// A structure that a module makes public under `name`, with its functions for users' own shaders: read and, where it
+/// has them, write, translate and is_mapped.
 struct Library {
     std::uint32_t structure = 0;
     std::uint32_t module = 0;
@@ -140,7 +145,8 @@ struct Library {
     std::vector<LibraryFunction> functions;
 };
 
-/// A program with its kernels lowered. passes[k] are the forms of Program::kernels[k].
+/// What lowering makes of a program: passes[k] are the forms of Program::kernels[k]; libraries are the functions for
+/// users' own shaders, made only if GLSL is wanted.
 struct Lowered {
     struct Forms {
         Pass direct, general, wide;

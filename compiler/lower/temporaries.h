@@ -5,9 +5,10 @@
 
 namespace gliftc::lower {
 
-/// Adds a release statement for each temporary, after the last statement that uses it in the list of statements in
-/// which it is declared; so one that a loop uses lives until the loop's end. What a pipeline returns is not released.
-/// Also decides which elements that are read as values on the device (Op::device_read) need no copy.
+/// Adds a release statement for each temporary to the list of statements in which it is declared, after the last
+/// statement there that uses it. So a temporary that is declared before a loop and used in it lives until the loop's
+/// end. What a pipeline returns is not released. Also marks each Op::device_read that may refer to the element in
+/// place, since nothing overwrites the element while its value is used; all others copy it.
 void release_temporaries(ir::Program& program);
 
 }  // namespace gliftc::lower

@@ -55,6 +55,12 @@ struct Symbol {
 
 enum class OperandKind : std::uint8_t { error, value, meta, structure, memory, iterator };
 
+/// What a pipeline that returns a range (`-> range<N, T>`) returns slices of.
+struct RangeResult {
+    ir::TypeId domain, element;  ///< of N and T; error if they were not found
+    ir::TypeId slice;            ///< the type of the returned slices, known from the first return
+};
+
 /// A checked expression. The comment of a field begins with the kinds for which it is set.
 struct Operand {
     OperandKind kind = OperandKind::error;
@@ -104,7 +110,7 @@ struct Body {
     std::vector<ir::Effect>* effects = nullptr;
     /// Pipelines: whether the returned values seen so far lie on the host or on the device.
     enum class Returns : std::uint8_t { nothing, host, device } returns = Returns::nothing;
-    std::optional<ir::TypeId> range_result;  ///< pipelines that return a range: its type, known from the first return
+    std::optional<RangeResult> range_result;  ///< pipelines that return a range
     bool in_test = false;
     /// Pipelines: the expression being checked is part of a larger one that a pass may compute, so that values on the
     /// device may stand in it (sema/values.h).

@@ -13,7 +13,7 @@ namespace gliftc::sema {
 namespace {
 
 /// The address type for `range<N, T>`: such parameters and results are slices of any structure with that address type
-/// and elements of type T.
+/// and elements of type T (check_range).
 ir::TypeId range_domain(Context& c, const Env& env, ast::ExprId dimensions) {
     auto n = count_of(c, env, dimensions);
     if (!n || *n < 1 || *n > 4) {
@@ -21,6 +21,15 @@ ir::TypeId range_domain(Context& c, const Env& env, ast::ExprId dimensions) {
         return c.types().error;
     }
     return c.types().vector(c.types().uint, *n);
+}
+
+/// Whether slices of the structure are ranges over `domain` of `element`; an error at `span` if not.
+bool check_range(Context& c, std::uint32_t structure, ir::TypeId domain, ir::TypeId element, Span span) {
+    if (domain == c.types().error || element == c.types().error) return true;  // reported before
+    const ir::Structure& instance = c.program.structures[structure];
+    if (instance.domain_type == domain && instance.element == element) return true;
+    c.error(Diag::range_argument, span, {instance.display, c.text(domain), c.text(element)});
+    return false;
 }
 
 void add_param(Body& body, const ast::Param& param, std::uint32_t passed, ir::Pipeline& pipeline) {
@@ -39,11 +48,7 @@ void add_param(Body& body, const ast::Param& param, std::uint32_t passed, ir::Pi
         if (param.extra.size() != 1) c.error(Diag::range_form, param.pattern_span);
         else {
             ir::TypeId domain = range_domain(c, body.env, param.type), element = type_of(c, body.env, param.extra[0]);
-            const ir::Structure& instance = c.program.structures[passed];
-            bool fits = instance.domain_type == domain && instance.element == element;
-            if (!fits && domain != c.types().error && element != c.types().error)
-                c.error(Diag::range_argument, c.requests.empty() ? param.name.span : c.requests.back().span,
-                        {instance.display, c.text(domain), c.text(element)});
+            check_range(c, passed, domain, element, c.requests.empty() ? param.name.span : c.requests.back().span);
         }
     } else if (param.pattern != ast::Pattern::none) {
         c.error(Diag::pattern_in_pipeline, param.pattern_span);
@@ -62,16 +67,16 @@ void add_param(Body& body, const ast::Param& param, std::uint32_t passed, ir::Pi
     pipeline.params.push_back(std::move(made));
 }
 
-ir::TypeId result_type(Context& c, const Env& env, const ast::Pipeline& written, std::optional<std::uint32_t>,
-                       bool& deferred) {
-    deferred = written.result_pattern == ast::Pattern::range;
-    if (deferred || !written.result) return c.types().void_;
-    return type_of(c, env, written.result);
+/// The declared type of the result. That of a range is not known before the first `return`: void stands in for it.
+ir::TypeId declared_result(Body& body, const ast::Pipeline& written) {
+    Context& c = body.context;
+    if (written.result_pattern == ast::Pattern::range) {
+        body.range_result = RangeResult{.domain = range_domain(c, body.env, written.result),
+                                        .element = type_of(c, body.env, written.result_extra)};
+        return c.types().void_;
+    }
+    return written.result ? type_of(c, body.env, written.result) : c.types().void_;
 }
-
-}  // namespace
-
-namespace {
 
 /// Checks the body, again from the beginning as long as an assignment shows that one more variable must lie on the
 /// device (check_variable): it must do so from its declaration on.
@@ -112,12 +117,15 @@ void check_range_return(Body& body, const ast::Stmt& stmt) {
     ir::ExprId value = check_value(body, stmt.value);
     ir::TypeId type = body.program().exprs[value].type;
     if (is_error(body, value)) return;
-    ir::TypeId& slice = *body.range_result;
-    if (body.types().kind(type) != ir::TypeKind::slice || (slice && slice != type)) {
-        c.error(Diag::type_mismatch, c[stmt.value].span, {slice ? c.text(slice) : "a range", c.text(type)});
+    RangeResult& result = *body.range_result;
+    if (body.types().kind(type) != ir::TypeKind::slice || (result.slice && result.slice != type)) {
+        c.error(Diag::type_mismatch, c[stmt.value].span,
+                {result.slice ? c.text(result.slice) : "a range", c.text(type)});
         return;
     }
-    slice = type;
+    const std::uint32_t structure = c.types()[c.types()[type].element].index;
+    if (!check_range(c, structure, result.domain, result.element, c[stmt.value].span)) return;
+    result.slice = type;
     body.program().stmts[id].value = value;
     emit(body, id);
 }
@@ -182,21 +190,19 @@ std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, co
     open_scope(body);
     for (std::size_t i = 0; i < written.params.size(); ++i)
         add_param(body, written.params[i], i < passed.size() ? passed[i] : 0, pipeline);
-    bool deferred = false;
-    pipeline.result = result_type(c, env, written, owner, deferred);
+    pipeline.result = declared_result(body, written);
     body.result = pipeline.result;
     open_scope(body);
-    if (deferred) body.range_result = ir::TypeId{};
     check_pipeline_body(body, written.body, pipeline);
     check_replaced_together(body);
     close_scope(body);
     close_scope(body);
-    if (deferred) pipeline.result = *body.range_result ? *body.range_result : c.types().error;
+    if (body.range_result) pipeline.result = body.range_result->slice ? body.range_result->slice : c.types().error;
     if (body.returns == Body::Returns::device) pipeline.result = c.types().device(pipeline.result);
     bool returns = pipeline.result == c.types().void_ || always_returns(c.program, pipeline.body);
     if (!returns && c.diagnostics.error_count() == errors)
         c.error(Diag::missing_return, decl.name.span,
-                {c.text(decl.name.name), deferred ? "a range" : c.text(pipeline.result)});
+                {c.text(decl.name.name), body.range_result ? "a range" : c.text(pipeline.result)});
     Instance& instance = c.instances[key];
     instance.state = c.diagnostics.error_count() == errors ? Instance::State::done : Instance::State::failed;
     if (instance.state == Instance::State::failed) return std::nullopt;

@@ -1,4 +1,5 @@
-// Expressions with operators, ranges and `then`; generic arguments, which are such expressions.
+// Parses expressions with operators, ranges and `then`, and generic arguments, in which only operators that bind at
+// least as tightly as `+` may stand outside of parentheses.
 #include "syntax/parser_state.h"
 
 #include <algorithm>

@@ -6,10 +6,11 @@
 
 namespace gliftc::spirv {
 
-/// Corrects the alignment that loads and stores of parts of structs and arrays by address state: to that of the part's
-/// scalars, as in the layout `scalar`. Where glslang 12 takes a struct apart to store it, it states the alignment of
-/// the part's offset, which need not hold: 16 for a float4 at offset 16 of a struct of 40 bytes, 0 for the first part.
-/// A GPU then writes elsewhere.
+/// Corrects the alignment operands of loads and stores, by device address, of structs, arrays and their parts: to the
+/// alignment of the largest scalar in what is accessed, which the layout `scalar` guarantees. Where glslang 12 stores a
+/// struct part by part, it takes the alignment from the part's offset: 16 for a float4 at offset 16 of a struct of 40
+/// bytes, though the next struct of an array begins at 40, and 0 for the first part. A GPU may then write to a wrong
+/// address.
 void correct_alignments(std::vector<std::uint32_t>& words);
 
 }  // namespace gliftc::spirv

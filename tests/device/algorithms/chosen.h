@@ -31,7 +31,7 @@ inline std::uint32_t room_for(Round& round, std::uint32_t count) {
     return std::max(round.chance(4) ? round.below(count + std::uint64_t{1}) : count + round.below(50), 1u);
 }
 
-/// A limit such that some, none or (but for the largest number) all of arbitrary numbers are below it.
+/// A random limit, or 0, which no number is below, or UINT32_MAX, which all numbers but itself are below.
 inline std::uint32_t limit_of(Round& round) {
     return round.chance(4) ? 0 : round.chance(4) ? UINT32_MAX : static_cast<std::uint32_t>(round.engine()());
 }

@@ -26,7 +26,7 @@ std::optional<Page> page_of(const glift::float4& s, const Settings& settings) {
     return Page{level, number(s.x), number(s.y)};
 }
 
-/// The pages that all pixels ask for where no level is finer than `finest`.
+/// The pages that some pixel asks for, if no level finer than `finest` may be used.
 std::set<Page> pages_of(const Lighting& lighting, Settings settings, std::uint32_t finest) {
     settings.finest = finest;
     std::set<Page> wanted;
@@ -100,7 +100,8 @@ TEST_P(Shadows, HaveNoSeamsAtTheEdgesOfACube) {
     EXPECT_THAT(faces, testing::ElementsAre(0, 1, 2, 3, 4, 5));
 }
 
-/// The faces of a point light's cube look elsewhere than a spot at the same place does; what both light is the same.
+/// A point light and a spot at the same place: the faces of the cube point in other directions than the spot, but a
+/// pixel that both reach has the same light, except for 1 in 500.
 TEST_P(Shadows, OfAPointLightAreThoseOfASpot) {
     Settings settings = small();
     std::array<Compared, 2> found;
@@ -227,13 +228,14 @@ TEST_P(Shadows, DegradeWithTheirPool) {
         Frame some = frame(settings);
         const Compared compared = compare(some, settings.bias);
         EXPECT_LE(some.pool().resident, settings.pages) << part;
-        // Where a page is coarser than the standard shadow map, that one is looked up.
+        // Where a page would be coarser than the standard shadow map, the standard map is used instead.
         EXPECT_GE(compared.rmsm().share(), compared.standard().share().value() - 0.005) << part;
     }
 }
 
-/// A pool that is too small for the pages asked for gets those of a frame whose finest level is coarser and, as far as
-/// there is room, the first pages of the level below; nothing else changes.
+/// If the pool is too small for the pages asked for, the finest level is made coarser until they fit. The room that is
+/// left goes to the first pages, row by row, of the next finer level. Light changes only where a coarser page or the
+/// standard map takes the place of a page.
 TEST_P(Shadows, DegradeByCoarserLevelsAlone) {
     Settings settings = small();
     Frame whole = frame(settings);
@@ -265,7 +267,7 @@ TEST_P(Shadows, DegradeByCoarserLevelsAlone) {
         EXPECT_EQ(counts.pool.refused, 0u) << part;
         EXPECT_EQ(some.status().find("coarser ones in place of") != std::string::npos, part > 1) << some.status();
 
-        // Frames whose finest level is this one, or the one below.
+        // Frames with room for all their pages, whose finest level is `finest`, or `below`.
         std::array<Lighting, 2> coarser;
         for (const bool is_back : {false, true}) {
             Settings of_level = small();

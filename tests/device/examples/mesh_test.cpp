@@ -1,5 +1,5 @@
-// Runs the mesh example as a user does: it draws by a raster of the language, and the pictures of both devices differ
-// in few pixels.
+// Runs the mesh example, which draws by a `raster` declared in Glift, as a user does: the pictures of the host device
+// and of lavapipe differ in few pixels, and an unknown scene is refused.
 #include "run_example.h"
 
 #include "examples/common/picture.h"

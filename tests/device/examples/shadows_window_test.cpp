@@ -24,7 +24,8 @@ struct ShadowsWindows : windows::Windows {
         more.insert(more.begin(), small.begin(), small.end());
         return more;
     }
-    /// Waits until the panel covers a part of the picture: it does not in the first frame.
+    /// Waits until the window differs from `picture`, which is without the panel (the first frame has none yet), and
+    /// then until it no longer changes; returns what it shows.
     Seen with_panel(const picture::Picture& picture) {
         EXPECT_TRUE(waited_for([&] { return farthest(display.seen(), picture) > 20; }));
         return settled({});
@@ -77,9 +78,9 @@ TEST_F(ShadowsWindows, ThePanelChoosesWhatIsShown) {
     const picture::Picture expected = headless(small);
     const auto running = started(small);
     const Seen before = with_panel(expected);
-    click(60, 69);  // on what is shown, below the method
+    click(60, 69);  // the list "show", below the list "method"
     keep(settled(before), "shadows_window_views.png");
-    click(60, 111);  // on the levels, below the picture
+    click(60, 111);  // the entry "levels" of the opened list, below "picture"
     display.type("Tab");
     EXPECT_TRUE(shows(headless(with({"--show", "levels"})))) << running->err();
     keep(display.seen(), "shadows_window_levels.png");
