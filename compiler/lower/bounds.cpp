@@ -39,9 +39,44 @@ std::optional<BinaryOp> comparison_of(Intrinsic intrinsic) {
     }
 }
 
+/// The number of a structure among those that the constructor is given, for a member that is one of them.
+std::size_t number_of_given(const Structure& s, std::uint32_t member) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(s.members.begin(), s.members.begin() + member, &MemberStructure::by_reference));
+}
+
+/// Replaces the end of a path that leads to a structure which a member was given by the path from its maker to that
+/// structure; empty if the path has no such end. Paths go from member to member.
+std::vector<std::uint32_t> with_giver(const Program& p, const Structure& whole,
+                                      const std::vector<std::uint32_t>& path) {
+    const Structure* owner = &whole;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        const MemberStructure& member = owner->members[path[i]];
+        const Structure& made = p.structures[member.structure];
+        if (!member.by_reference && made.members[path[i + 1]].by_reference) {
+            const Place& giver = member.structures[number_of_given(made, path[i + 1])];
+            std::vector<std::uint32_t> result(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(i));
+            result.insert(result.end(), giver.members.begin(), giver.members.end());
+            result.insert(result.end(), path.begin() + static_cast<std::ptrdiff_t>(i) + 2, path.end());
+            return result;
+        }
+        owner = &made;
+    }
+    return {};
+}
+
+/// The path to the same structure that passes through no member which was given it: one structure has one such path,
+/// but for structures given to `whole` twice.
+std::vector<std::uint32_t> given_at(const Program& p, const Structure& whole, std::vector<std::uint32_t> path) {
+    for (auto next = with_giver(p, whole, path); !next.empty(); next = with_giver(p, whole, path))
+        path = std::move(next);
+    return path;
+}
+
 }  // namespace
 
 Parts Following::of_structure(ExprId id) {
+    find_sizes();
     Frame frame;
     Frame* outer = std::exchange(frame_, &frame);
     const Stage* stage = std::exchange(stage_, nullptr);
@@ -49,6 +84,29 @@ Parts Following::of_structure(ExprId id) {
     frame_ = outer;
     stage_ = stage;
     return parts;
+}
+
+Parts Following::of_size(ExprId id) {
+    const bool was_checked = std::exchange(is_checked_, true);
+    Parts parts = of_structure(id);
+    is_checked_ = was_checked;
+    return parts;
+}
+
+Parts Following::of_domain() {
+    const bool was_checked = std::exchange(is_checked_, false);
+    Parts parts = of_structure(s->domain);
+    is_checked_ = was_checked;
+    return parts;
+}
+
+void Following::find_sizes() {
+    if (std::exchange(has_sizes_, true)) return;
+    for (const Memory& memory : s->memories)
+        for (const Part& part : of_size(memory.extent)) sizes_.push_back(part.sum);
+    for (const MemberStructure& member : s->members)
+        for (ExprId argument : member.arguments)
+            for (const Part& part : of_size(argument)) sizes_.push_back(part.sum);
 }
 
 Parts Following::member(std::uint32_t slot, TypeId type) {
@@ -68,23 +126,38 @@ Parts Following::member(std::uint32_t slot, TypeId type) {
 }
 
 /// A constructor argument, memory extent or domain of the structure, or of one of its members. Those of members that
-/// the structure is given, not makes, are unknowns.
+/// the structure is given, not makes, are unknowns, each identified by the structure that was given.
 Parts Following::of_leaf(const Expr& node) {
-    if (node.place.root == 0 && node.place.members.empty()) {
+    if (stage_ && node.place.root < stage_->structures.size()) return of_state_leaf(node);
+    if (node.place.members.empty()) {
         if (node.op == Op::member) return member(node.slot, node.type);
-        if (node.op == Op::memory_extent) return of_structure(s->memories[node.slot].extent);
-        if (node.op == Op::domain && s->domain) return of_structure(s->domain);
-    } else if (node.place.root == 0 && !s->members[*node.place.members.begin()].by_reference) {
+        if (node.op == Op::memory_extent) return of_size(s->memories[node.slot].extent);
+        if (node.op == Op::domain && s->domain) return of_domain();
+    } else if (!s->members[*node.place.members.begin()].by_reference) {
         return of_member_leaf(node);
     }
+    std::vector<std::uint32_t> path = path_;
+    path.insert(path.end(), node.place.members.begin(), node.place.members.end());
+    path = given_at(p, *whole_, std::move(path));
     Parts parts;
     const std::size_t count = lane_count(p, node.type);
     for (std::size_t lane = 0; lane < count; ++lane) {
         std::vector<Sum> key{number(static_cast<std::int64_t>(node.op)), number(node.slot),
                              number(static_cast<std::int64_t>(lane))};
-        for (std::uint32_t each : node.place.members) key.push_back(number(each));
+        for (std::uint32_t each : path) key.push_back(number(each));
         parts.push_back(part_of(opaque(leaf, std::move(key), scalar_at(node.type, lane))));
     }
+    return parts;
+}
+
+/// The same in a function of a translator, for a structure in its state.
+Parts Following::of_state_leaf(const Expr& node) {
+    Expr placed = node;
+    placed.place = stage_->structures[node.place.root];
+    placed.place.members.append(node.place.members);
+    const Stage* const stage = std::exchange(stage_, nullptr);
+    Parts parts = of_leaf(placed);
+    stage_ = stage;
     return parts;
 }
 
@@ -94,21 +167,23 @@ Parts Following::of_member_leaf(const Expr& node) {
     const Structure* const made = &p.structures[member.structure];
     std::map<std::pair<std::uint32_t, std::uint32_t>, Sum> given;
     for (std::uint32_t slot = 0; slot < member.arguments.size(); ++slot) {
-        const Parts argument = of_structure(member.arguments[slot]);
+        const Parts argument = of_size(member.arguments[slot]);
         for (std::uint32_t lane = 0; lane < argument.size(); ++lane) given[{slot, lane}] = argument[lane].sum;
     }
     members_.swap(given);
     const Structure* const outer = std::exchange(s, made);
+    path_.push_back(*node.place.members.begin());
     Expr inner = node;
     inner.place.members = {node.place.members.begin() + 1, node.place.members.end()};
     Parts parts = of_leaf(inner);
+    path_.pop_back();
     s = outer;
     members_.swap(given);
     return parts;
 }
 
 Parts Following::extent_of_memory() {
-    if (s->base.empty()) return of_structure(s->memories[s->via_memory].extent);
+    if (s->base.empty()) return of_size(s->memories[s->via_memory].extent);
     Expr domain;
     domain.op = Op::domain;
     domain.type = physical_type(p, *s);

@@ -42,7 +42,8 @@ inline std::uint32_t operation_of(ir::Intrinsic intrinsic) { return 100 + static
 /// says what they are.
 class Following {
 public:
-    Following(const ir::Program& program, std::uint32_t structure) : p(program), s(&program.structures[structure]) {}
+    Following(const ir::Program& program, std::uint32_t structure)
+        : p(program), whole_(&program.structures[structure]), s(whole_) {}
 
     /// The value of an expression over the structure itself.
     Parts of_structure(ir::ExprId id);
@@ -66,6 +67,11 @@ private:
         bool is_followed = true;  ///< false: code could not be followed, so the result is unknown
     };
 
+    /// As of_structure, for sizes: the runtime computes them exactly, and makes no structure whose sizes are too large.
+    Parts of_size(ir::ExprId id);
+    Parts of_domain();
+    /// Sets sizes_, once.
+    void find_sizes();
     Parts of(ir::ExprId id);
     Parts of_construct(const ir::Expr& node);
     Parts of_binary(const ir::Expr& node);
@@ -79,12 +85,14 @@ private:
     Part of_all(ir::Intrinsic which, const Parts& conditions);
     Parts of_call(const ir::Expr& node);
     Parts of_leaf(const ir::Expr& node);
+    Parts of_state_leaf(const ir::Expr& node);
     Parts of_member_leaf(const ir::Expr& node);
     Parts call(ir::FunctionId id, std::vector<Parts> arguments);
 
     Part calculated(const ir::Expr& node, ir::TypeId scalar, const Part& a, const Part& b);
     symbolic::Sum difference(const symbolic::Sum& a, const symbolic::Sum& b);
     symbolic::Sum quotient(const symbolic::Sum& a, const symbolic::Sum& b);
+    symbolic::Sum exact_quotient(const symbolic::Sum& a, const symbolic::Sum& by);
     symbolic::Sum remainder(const symbolic::Sum& a, const symbolic::Sum& b);
     symbolic::Sum smaller(const symbolic::Sum& a, const symbolic::Sum& b);
     symbolic::Sum larger(const symbolic::Sum& a, const symbolic::Sum& b);
@@ -110,10 +118,16 @@ private:
     void give_up();
 
     const ir::Program& p;
-    const ir::Structure* s;  ///< the structure whose expressions are being followed
+    const ir::Structure* whole_;       ///< the structure that is asked about
+    const ir::Structure* s;            ///< the structure whose expressions are being followed: it or a member
+    std::vector<std::uint32_t> path_;  ///< from member to member, from `whole_` to `s`
     const ir::Stage* stage_ = nullptr;
     Frame* frame_ = nullptr;
     std::map<std::pair<std::uint32_t, std::uint32_t>, symbolic::Sum> members_;
+    /// Sizes of memories, and arguments of the members that the structure makes: sums that fit (see `fits`).
+    std::vector<symbolic::Sum> sizes_;
+    bool has_sizes_ = false;
+    bool is_checked_ = false;  ///< a size is being followed
     /// For results of bit operations: a number that has all bits which the result may have.
     std::unordered_map<symbolic::Unknown, symbolic::Sum> bits_;
     unsigned depth_ = 0;

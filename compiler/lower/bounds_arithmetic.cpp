@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <ranges>
 
 namespace gliftc::lower {
 
@@ -56,19 +57,20 @@ Sum Following::opaque(std::uint32_t operation, std::vector<Sum> operands, TypeId
     return symbols.applied({operation, std::move(operands)}, {low, std::nullopt}, varies);
 }
 
-/// Whether the sum is known not to exceed 2^32 - 1, so that it is what the program's wrapping arithmetic gives. Sums
-/// that are the same for all addresses (of sizes) are taken to fit, see contained.h.
+/// Whether the sum is known not to exceed 2^32 - 1, so that it is what the program's wrapping arithmetic gives: it is
+/// one number of the program, or no larger than a constructor's argument or than a size that the runtime checks.
 bool Following::fits(const Sum& sum) {
-    if (!symbols.varies(sum)) return true;
+    if (is_checked_ && !symbols.varies(sum)) return true;
     if (sum.size() == 1 && sum.begin()->first.size() == 1 && sum.begin()->second == 1) return true;
-    const std::optional<Sum> high = symbols.highest(sum);
+    const std::optional<Sum> high = symbols.varies(sum) ? symbols.highest(sum) : sum;
     if (!high) return false;
     if (const auto value = value_of(*high)) return *value <= largest;
-    return std::ranges::any_of(members_, [&](const auto& member) { return symbols.is_at_most(*high, member.second); });
+    const auto bounds = [&](const Sum& size) { return symbols.is_at_most(*high, size); };
+    return std::ranges::any_of(members_ | std::views::values, bounds) || std::ranges::any_of(sizes_, bounds);
 }
 
 Sum Following::at_least_one(const Sum& sum) {
-    if (symbols.is_natural(sum - number(1))) return sum;
+    if (fits(sum) && symbols.is_natural(sum - number(1))) return sum;
     if (value_of(sum)) return number(1);
     return symbols.applied({not_zero, {sum}}, {number(1), std::nullopt}, symbols.varies(sum));
 }
@@ -82,15 +84,22 @@ Sum Following::difference(const Sum& a, const Sum& b) {
 
 Sum Following::quotient(const Sum& a, const Sum& b) {
     const Sum by = at_least_one(b);
+    const bool is_plain = by.size() == 1 && by.begin()->second > 0 && !symbols.varies(by) && fits(by);
+    if (is_plain && fits(a)) return exact_quotient(a, by);
+    std::optional<Sum> high = symbols.varies(a) ? symbols.highest(a) : std::nullopt;
+    // Wrapping makes numbers smaller only, so the bound holds even if `a` wraps.
+    if (high && is_plain) high = exact_quotient(*high, by);
+    return symbols.applied({operation_of(BinaryOp::divide), {a, by}}, {number(0), high},
+                           symbols.varies(a) || symbols.varies(by));
+}
+
+/// The quotient of sums that do not wrap; `by` has one term, which is positive and the same for all addresses.
+Sum Following::exact_quotient(const Sum& a, const Sum& by) {
     const std::uint32_t operation = operation_of(BinaryOp::divide);
     const auto high_over = [&](const Sum& sum) {
         const std::optional<Sum> high = symbols.varies(sum) ? symbols.highest(sum) : std::nullopt;
-        return high && !symbols.varies(by) ? std::optional(quotient(*high, by)) : high;
+        return high ? std::optional(exact_quotient(*high, by)) : high;
     };
-    const bool is_plain = by.size() == 1 && by.begin()->second > 0 && !symbols.varies(by) && fits(a);
-    if (!is_plain)
-        return symbols.applied({operation, {a, by}}, {number(0), high_over(a)},
-                               symbols.varies(a) || symbols.varies(by));
     const auto [whole, rest] = symbolic::divided(a, by);
     if (rest.empty() || (symbols.is_natural(rest) && symbols.is_natural(by - rest - number(1)))) return whole;
     if (symbols.is_natural(Sum{} - rest - number(1)) && symbols.is_natural(by + rest)) return whole - number(1);
@@ -100,13 +109,13 @@ Sum Following::quotient(const Sum& a, const Sum& b) {
     // A constant below the divisor increases the quotient by one at most.
     const auto constant = rest.find({});
     if (constant != rest.end() && constant->second > 0 && rest.size() > 1 && value_of(by) && !high)
-        high = quotient(rest - number(constant->second), by) + number(1);
+        high = exact_quotient(rest - number(constant->second), by) + number(1);
     return whole + symbols.applied({operation, {rest, by}}, {low, high}, symbols.varies(rest));
 }
 
 Sum Following::remainder(const Sum& a, const Sum& b) {
     const Sum by = at_least_one(b);
-    if (fits(a) && symbols.is_natural(by - a - number(1))) return a;
+    if (fits(a) && fits(by) && symbols.is_natural(by - a - number(1))) return a;
     const auto x = value_of(a), y = value_of(by);
     if (x && y) return number(*x % *y);
     const bool varies = symbols.varies(by);
@@ -116,26 +125,30 @@ Sum Following::remainder(const Sum& a, const Sum& b) {
 }
 
 Sum Following::smaller(const Sum& a, const Sum& b) {
-    if (symbols.is_at_most(a, b)) return a;
-    if (symbols.is_at_most(b, a)) return b;
-    std::optional<Sum> low;
-    for (int least : {0, 1})
-        if (symbols.is_natural(a - number(least)) && symbols.is_natural(b - number(least))) low = number(least);
+    const bool fit = fits(a) && fits(b);
+    if (fit && symbols.is_at_most(a, b)) return a;
+    if (fit && symbols.is_at_most(b, a)) return b;
+    const bool is_positive = fit && symbols.is_natural(a - number(1)) && symbols.is_natural(b - number(1));
+    const Sum low = number(is_positive ? 1 : 0);
     std::optional<Sum> high = !symbols.varies(b) ? b : !symbols.varies(a) ? a : symbols.highest(a);
     // The smaller of two numbers is no more than half of their sum.
-    if (symbols.varies(a) && !symbols.varies(a + b)) high = quotient(a + b, number(2));
+    if (symbols.varies(a) && !symbols.varies(a + b)) high = exact_quotient(a + b, number(2));
     return symbols.applied({operation_of(Intrinsic::min), {a, b}}, {low, high}, symbols.varies(a) || symbols.varies(b));
 }
 
 Sum Following::larger(const Sum& a, const Sum& b) {
-    if (symbols.is_at_most(a, b)) return b;
-    if (symbols.is_at_most(b, a)) return a;
+    if (fits(a) && fits(b)) {
+        if (symbols.is_at_most(a, b)) return b;
+        if (symbols.is_at_most(b, a)) return a;
+    }
     const bool varies = symbols.varies(a) || symbols.varies(b);
     std::optional<Sum> high;
     const auto x = symbols.highest(a), y = symbols.highest(b);
     if (varies && x && y) high = symbols.is_at_most(*x, *y) ? y : symbols.is_at_most(*y, *x) ? x : std::nullopt;
-    return symbols.applied({operation_of(Intrinsic::max), {a, b}}, {symbols.varies(b) ? symbols.lowest(a) : b, high},
-                           varies);
+    std::optional<Sum> low = number(0);
+    if (!symbols.varies(b) && fits(b)) low = b;
+    else if (fits(a)) low = symbols.lowest(a);
+    return symbols.applied({operation_of(Intrinsic::max), {a, b}}, {low, high}, varies);
 }
 
 Part Following::joined(const Part& a, const Part& b) {
@@ -162,7 +175,8 @@ Part Following::chosen(const Part& condition, const Part& yes, const Part& no) {
     if (varies) return joined(yes, no);
     std::optional<Sum> low;
     for (int least : {0, 1})
-        if (symbols.is_natural(yes.sum - number(least)) && symbols.is_natural(no.sum - number(least)))
+        if (symbols.is_natural(yes.sum - number(least)) && symbols.is_natural(no.sum - number(least)) &&
+            (least == 0 || (fits(yes.sum) && fits(no.sum))))
             low = number(least);
     return part_of(symbols.applied({choice, {condition.sum, yes.sum, no.sum}}, {low, std::nullopt}, false));
 }
@@ -205,7 +219,7 @@ std::optional<Sum> Following::bits_of(const Sum& sum) {
         }
     }
     std::optional<Sum> high = symbols.highest(sum);
-    if (!high) return std::nullopt;
+    if (!high || !fits(*high)) return std::nullopt;
     // Set all bits below the highest one.
     for (int distance : {1, 2, 4, 8, 16})
         high = bits_together(BinaryOp::bit_or, *high, quotient(*high, number(std::int64_t{1} << distance)));

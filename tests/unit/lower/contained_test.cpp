@@ -109,6 +109,47 @@ TEST(Contained, WhatMayLieBeyond) {
                            "let a = min(va, max(extent, 1u) - 1u); return a.y * extent.x + a.x;", "uint?"));
 }
 
+TEST(Contained, SumsOfSizesMayWrap) {
+    const std::string large = "extent.x * 65536u * 65536u";
+    EXPECT_TRUE(is_guarded("buffer<float>[extent.x]", "return va.x + (" + large + " < extent.x ? extent.x : 0u);"));
+    EXPECT_TRUE(is_guarded("buffer<float>[extent.x]", "return va.x + (extent.x - min(extent.x, " + large + "));"));
+    EXPECT_TRUE(is_guarded("buffer<float>[extent.x]", "return va.x + max(extent.x, " + large + ") - " + large + ";"));
+    EXPECT_TRUE(is_guarded("buffer<float>[extent.x]", "return va.x / (" + large + ") + va.x;"));
+    EXPECT_TRUE(is_guarded("buffer<float>[extent.x]", "return va.x + 1u - va.x % (" + large + ") - 1u;"));
+    // The runtime makes no memory whose size would wrap.
+    EXPECT_FALSE(is_guarded("buffer<float>[" + large + " + 1u]", "return va.x < " + large + " ? va.x : 0u;"));
+}
+
+/// Whether accesses are bounds-checked in a structure that has these members, a line as memory and this translator.
+bool is_guarded_line(const std::string& members, const std::string& extent, const std::string& translator) {
+    const Lowering lowering(
+        "translator Same : uint -> uint { n: uint; domain() { return n; } translate(va) { return va; } }\n"
+        "translator EndOf : uint -> uint { of: Line; n: uint; domain() { return n; } "
+        "translate(va) { return min(va + of.domain(), of.domain()); } }\n"
+        "structure Line(n: uint) { memory data = buffer<float>[n]; via Same(n); }\n"
+        "structure Through(given: Line) { memory elements = given; }\n"
+        "structure S(one: Line, two: Line) { " +
+        members + " memory kept = buffer<float>[" + extent + "]; via " + translator +
+        "; domain() { return one.domain(); } }\n"
+        "kernel k(x: in any<S>, to: out each<Line>) { to = x[position()]; }");
+    return lowering.direct("k").find("kept_extent") != std::string::npos;
+}
+
+TEST(Contained, StructuresThatMembersAreGiven) {
+    const std::string both = "structure a = Through(one); structure b = Through(two);";
+    EXPECT_FALSE(is_guarded_line(both, "one.domain()", "Same(a.domain())"));
+    EXPECT_FALSE(is_guarded_line(both, "a.domain()", "Same(one.domain())"));
+    EXPECT_TRUE(is_guarded_line(both, "b.domain()", "Same(a.domain())"));
+    EXPECT_TRUE(is_guarded_line(both, "two.domain()", "Same(a.domain())"));
+    EXPECT_TRUE(is_guarded_line(both, "b.domain()", "Same(one.domain())"));
+}
+
+TEST(Contained, StructuresOfTranslators) {
+    EXPECT_FALSE(is_guarded_line("", "one.domain() + 1u", "EndOf(one, one.domain())"));
+    EXPECT_FALSE(is_guarded_line("", "two.domain() + 1u", "EndOf(two, one.domain())"));
+    EXPECT_TRUE(is_guarded_line("", "one.domain() + 1u", "EndOf(two, one.domain())"));
+}
+
 TEST(Contained, AnyAccessAsks) {
     const std::string direct =
         Lowering("kernel k(s: in any<Sparse>, a: at<Field>, g: out each<Field>) { g = s[a]; }").direct("k");
