@@ -67,8 +67,8 @@ Parts Following::member(std::uint32_t slot, TypeId type) {
     return parts;
 }
 
-/// A constructor argument, memory extent or domain of the structure, or of one of its members. Those of members that
-/// the structure is given, not makes, are unknowns.
+/// A constructor argument, memory extent or domain of the structure, or of one of its members. If the member is given
+/// to the structure and not made by it, the result is unknowns.
 Parts Following::of_leaf(const Expr& node) {
     if (node.place.root == 0 && node.place.members.empty()) {
         if (node.op == Op::member) return member(node.slot, node.type);
