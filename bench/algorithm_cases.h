@@ -21,8 +21,9 @@ struct AlgorithmCase {
 /// The algorithms of algorithms.glift, each over n elements (sorts with values: n pairs).
 std::vector<AlgorithmCase> algorithm_cases(const glift::Device& device, std::uint32_t n);
 
-/// n tridiagonal systems of n unknowns, with one right-hand side and with three; of the same data each time, and
-/// (`_from_memory`) of more data in turn than caches hold.
+/// n tridiagonal systems of n unknowns, with one right-hand side and with three: each as a case that solves the same
+/// data every time, and as one (`_from_memory`) that cycles through copies of the data, which together exceed the
+/// caches.
 std::vector<AlgorithmCase> tridiagonal_cases(const glift::Device& device, std::uint32_t n);
 
 }  // namespace bench

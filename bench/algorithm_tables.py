@@ -44,8 +44,8 @@ def error_of(row):
 
 
 def systems(group):
-    """Tridiagonal systems with one and three right-hand sides, against a rival's with one: G unknowns/s, largest errors, ratios, and
-    the time that moving the data once takes, as a share."""
+    """Tridiagonal systems with one and three right-hand sides, against a rival's with one: G unknowns/s, largest errors, ratios of
+    speeds, and the time that moving the data once takes, as a share of the time of the solution."""
     rows = {(row["by"], row["variant"]): row for row in group["rows"] if row["algorithm"] == "tridiagonal"}
     sides = sorted({int(variant.split("_")[1]) for _, variant in rows})
     if not sides:

@@ -35,8 +35,8 @@ constexpr glift::Binding digit_counts_bindings[] = {buffer("x", Access::read), b
 constexpr glift::Binding digit_scatter_bindings[] = {buffer("x", Access::read), buffer("offsets", Access::read),
                                                      buffer("y", Access::write)};
 
-// Constants that have to agree with the shaders: those write `scan_items` and `compact_items` as `steps` of 4 and
-// of 32.
+// Constants that have to agree with the shaders, where `scan_items` is `steps` uvec4 (4 elements each) and
+// `compact_items` is `steps` words of 32 bits (a bit for each element).
 constexpr std::uint32_t group = 64, scan_items = 64, compact_items = 256, digits = 256, digit_bits = 8;
 constexpr std::uint32_t smallest_chunk = 512, largest_chunk = 4096;
 
@@ -119,8 +119,9 @@ glift::Memory scratch(const glift::Device& device, const char* name, std::uint64
     return device.allocate({.name = name, .bytes = 4 * words, .zeroed = false});
 }
 
-/// How many keys one lane counts and moves in sequence. So few that 512 to 1026 lanes have work, but within bounds: so
-/// that the table of counts stays small, and the addresses that neighbouring lanes read at one time are close together.
+/// How many keys one lane counts and moves in sequence: the power of two that gives 512 to 1026 lanes work, but at
+/// least `smallest_chunk`, so that the table of counts stays small, and at most `largest_chunk`, so that the addresses
+/// that neighbouring lanes read at the same time are close together.
 std::uint32_t chunk_size(std::uint32_t count) {
     return std::clamp(std::bit_ceil(count / 1024), smallest_chunk, largest_chunk);
 }

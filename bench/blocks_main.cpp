@@ -1,7 +1,7 @@
 // bench_blocks [side]: kernels over a dense array, over the same array in pages visited page by page, and over pages
-// visited like a dense array; on the host device and on the Vulkan device. Prints the median time of a kernel among
-// many, one after the other in one recording, and of a kernel alone in one; in brackets the dense array's time divided
-// by it.
+// visited like a dense array; on the host device and on the Vulkan device. Prints the median time of a kernel call, in
+// a recording of many calls ("among many") and in a recording of one ("alone"); in brackets the dense array's time
+// divided by it.
 #include "timing.h"
 
 #include "blocks.glift.hpp"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Depth of field in two layers on the Vulkan device and on the host: its time, its share of the copy bound, and cuSPARSE's
-time.
+"""Depth of field in two layers on the Vulkan device and on the host: its time, the time of a copy of the bytes that it has
+to move (the copy bound) as a share of it, and cuSPARSE's time.
 
     bench/depth_of_field.py FILE.json... -o FILE.png      prints tables and draws time against pixels; files as bench_depth_of_field,
                                                           the CUDA rivals and run.py write them

@@ -1,5 +1,5 @@
-// Measures the host's time per dispatch by generated functions: single kernel calls, and a pipeline that is recorded
-// and one that is replayed.
+// Measures the host's time per dispatch where generated functions make the dispatches: by calls of kernels, when a
+// pipeline is recorded, and when the recording is replayed.
 #include "dispatch.glift.hpp"
 
 #include <benchmark/benchmark.h>

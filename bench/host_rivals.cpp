@@ -47,8 +47,8 @@ inline float sum_elements(const float* x, std::size_t count) {
     return sum;
 }
 
-// Four elements in a round, of which only one addition needs the result of the round before: its latency is the
-// bottleneck.
+// Four elements per round, so that the loop-carried dependency (`run`) is one addition for four elements: its latency
+// is the bottleneck.
 inline std::uint32_t scan_elements(const std::uint32_t* x, std::size_t count, std::uint32_t run, std::uint32_t* y) {
     std::size_t i = 0;
     for (; i + 4 <= count; i += 4) {

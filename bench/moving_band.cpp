@@ -4,8 +4,8 @@
 // over the resident pages. Times are of replayed recordings, by device timestamps.
 //
 // Costs that grow with the domain are measured apart: `tables` is a change without `ask` in a domain in which no page
-// is wanted, which leaves only the bit sets and scans over all pages. `ask`, part of each change, asks for the pages
-// that are wanted next; `everywhere` puts the same question to all pages.
+// is requested, which leaves only the bit sets and scans over all pages. `ask`, part of each change, requests the pages
+// that are needed next, testing only resident pages and their neighbours; `everywhere` tests all pages of the domain.
 #include "moving_shell.glift.hpp"
 #include "timing.h"
 
@@ -26,7 +26,7 @@ struct Case {
 };
 
 constexpr Case cases[] = {{256, 0.39f * 256}, {512, 0.39f * 256}, {1024, 0.39f * 256}, {1024, 0.39f * 1024}};
-constexpr std::uint32_t same_surface = 3;  ///< the first so many cases have the same surface
+constexpr std::uint32_t same_surface = 3;  ///< how many cases, from the first on, have the same surface
 constexpr float largest_growth = 16;       ///< of the radius during a period, in elements
 
 struct Times {
@@ -62,8 +62,8 @@ Times measure(const glift::Device& device, const Case& one, const Options& optio
     once.submit();
     device.wait();
     times.passes = device.statistics().passes - before;
-    // Every run takes the same steps, centred on the middle of the period: the last radius equals the first one, so
-    // that runs can follow each other.
+    // Every run takes the same steps, centred on the middle of the period: the clock ends at a radius that equals the
+    // first one, so that `ask` of the next run finds the pages that it needs beside resident ones.
     const auto time_steps = [&](const std::function<void(const glift::Commands&)>& work) {
         moving_shell::set(device, clock, 32 - options.steps / 2);
         moving_shell::ask_everywhere(device, band, clock, one.radius);

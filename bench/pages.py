@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Draws how fast paged arrays are read, by the size of a page: a row of panels a device, like figure 6.1 of Lefohn's thesis
-(2006).
+"""Draws how fast paged arrays are read, by the size of a page: one row of panels per device, like figure 6.1 of Lefohn's
+thesis (2006).
 
     bench/pages.py FILE.json -o FILE
 

@@ -1,7 +1,7 @@
 // bench_pages [--seconds S] [--runs N] [--plane SIDE] [--volume SIDE] [--json FILE]: figure 6.1 of Lefohn's thesis
-// (2006). How fast paged arrays are read, through page tables of one level and of two, by the size of a page, beside an
-// array without pages. Frames are in random order. Speeds count the bytes of the elements that are read, not those of
-// tables.
+// (2006). How fast paged arrays are read, through page tables of one level and of two, by the size of a page, compared
+// with an array without pages. Frames are in random order. Speeds count the bytes of the elements that are read, not
+// those of tables.
 #include "bench_input.h"
 #include "pages.glift.hpp"
 #include "timing.h"

@@ -12,7 +12,7 @@ namespace bench {
 
 namespace {
 
-/// What Canvas keeps for the strokes of one camera, without its history: that is no part of a dab.
+/// What Canvas (examples/paint) keeps for strokes of one camera, but for the undo history, which a dab does not touch.
 class Easel {
 public:
     Easel(const glift::Device& device, const mesh::Mesh& mesh, const OctreeSize& size, const DabCase& one)
@@ -62,7 +62,8 @@ struct Part {
     DabTime found{};
 };
 
-/// The time that a person waits, and what it costs in submissions; timestamps would add submissions of their own.
+/// Notes the time that a person waits for a part, and its submissions and waits. There are no timestamps, which would
+/// add submissions of their own.
 void note_wall(const glift::Device& device, Part& part) {
     const glift::Statistics before = device.statistics();
     const auto start = std::chrono::steady_clock::now();

@@ -1,5 +1,5 @@
-// How long a dab of paint takes, from a touch to paint on the device: with pages that it allocates, with pages that are
-// there, and the coarser levels at a stroke's end.
+// How long a dab of paint takes, from the touch until the paint is on the device: a dab that allocates its pages, and
+// one whose pages are mostly resident; and how long the coarser levels take at the end of the stroke.
 #pragma once
 
 #include "examples/paint/canvas.h"
@@ -13,8 +13,8 @@ struct DabTime {
     const char* name;
     double device = 0;  ///< seconds by timestamps around the recording, before which the device was idle
     double wall = 0;    ///< seconds of the host from submitting the recording to the end of waiting for it
-    std::uint64_t submissions = 0, waits = 0;  ///< of a run, the most; the wait for the result does not count
-    glift::uint new_pages = 0;                 ///< that it allocated
+    std::uint64_t submissions = 0, waits = 0;  ///< the most of any run; the wait for the result does not count
+    glift::uint new_pages = 0;                 ///< pages that it allocated
 };
 
 struct DabCase {

@@ -1,8 +1,9 @@
-// bench_paint: a painted model (examples/paint) drawn beside the same model of one colour, and with a dense 3-D image
-// of its paint. All clear a picture and its depths and draw all triangles with the same light: they differ in where a
-// fragment's colour comes from. The example draws what is seen, and a kernel then colours pixels ("paint"); so does
-// "dense after". "plain", "dense" and "paint at once" colour fragments in the draw. Before that, it times a dab and the
-// end of its stroke (paint_dab.h).
+// bench_paint: times a dab of paint and the end of its stroke (paint_dab.h), then five ways to draw a painted model
+// (examples/paint). All clear a picture and its depths and draw all triangles with the same light; they differ in where
+// colours come from and when. Colours come from the octree ("paint", as in the example, and "paint at once"), from a
+// dense 3-D image of the same paint ("dense", "dense after"), or are one colour ("plain"). In "paint" and "dense after"
+// the draw finds the point that each pixel sees, and a kernel over pixels then looks up its colour; in the others each
+// fragment looks up its colour in the draw.
 //
 //     bench_paint [MODEL] [--strokes FILE | --load FILE] [--sizes 512x512,1920x1080] [--runs N] [--json FILE]
 //     bench_paint [MODEL] --only-dabs [--dab-sizes 512,1024] [--dab-radius 64]
@@ -81,8 +82,8 @@ std::vector<View> views_of(const mesh::Mesh& mesh, const Options& o) {
     return {{"far", far}, {"near", looking_at(nearest, right, upwards, static_cast<float>(o.near))}};
 }
 
-/// Strokes seen from four sides and from above, in rows that cover the model; then a finer one in the middle of each
-/// view.
+/// Strokes in rows that cover the model, painted from four sides and from above; then one with a smaller brush through
+/// the middle of each view.
 std::vector<strokes::Stroke> generated_strokes(const mesh::Mesh& mesh, const std::vector<View>& views) {
     const mesh::Box box = mesh::bounds_of(mesh);
     std::vector<strokes::Stroke> made;
@@ -113,7 +114,7 @@ void paint(const Options& o, const mesh::Mesh& mesh, const std::vector<View>& vi
     if (lost != 0) throw std::runtime_error("the pool is full: give more of them by --pages");
 }
 
-/// One view in one size: the ways to draw it.
+/// The ways to draw the model in one view, with pictures of one size.
 class Draws {
 public:
     Draws(Canvas& canvas, const paint_draws::Volume& volume, const camera::Camera& camera, glift::uint2 size)

@@ -10,7 +10,7 @@ namespace bench {
 
 namespace {
 
-constexpr std::uint32_t most_queries = 8192;  // of a command buffer
+constexpr std::uint32_t most_queries = 8192;  // timestamps of a command buffer
 
 /// The functions that are intercepted.
 #define BENCH_INTERCEPTED(X)                                                                                           \
@@ -28,7 +28,7 @@ constexpr std::uint32_t most_queries = 8192;  // of a command buffer
     X(vkCmdClearColorImage)                                                                                            \
     X(vkCmdClearDepthStencilImage)
 
-/// These functions, and others that are called here, as the driver has them.
+/// The driver's own functions: those that are intercepted, and others that are called here.
 struct Driver {
 #define BENCH_DECLARE(name) PFN_##name name = nullptr;
     BENCH_INTERCEPTED(BENCH_DECLARE)
@@ -95,7 +95,7 @@ VKAPI_ATTR void VKAPI_CALL bind(VkCommandBuffer commands, VkPipelineBindPoint po
 /// What is called in place of a command that ends a pass: calls the driver's command, and writes the timestamp.
 template <auto Member, class Function = std::remove_reference_t<decltype(driver.*Member)>> struct Ending;
 template <auto Member, class... Parameters> struct Ending<Member, void(VKAPI_PTR*)(VkCommandBuffer, Parameters...)> {
-    static inline const char* name = nullptr;  ///< null: that of the pipeline
+    static inline const char* name = nullptr;  ///< of the pass; null: that of the bound pipeline
     static VKAPI_ATTR void VKAPI_CALL call(VkCommandBuffer commands, Parameters... parameters) {
         (driver.*Member)(commands, parameters...);
         note_pass(commands, name ? name : bound[commands]);
@@ -111,7 +111,7 @@ template <auto Member> PFN_vkVoidFunction ending(const char* name) {
     return plain(Ending<Member>::call);
 }
 
-/// What is called in place of a function, or null.
+/// What is called in place of a function; null if the function is not intercepted.
 PFN_vkVoidFunction in_place_of(const std::string& name) {
     if (name == "vkBeginCommandBuffer") return plain(begin);
     if (name == "vkQueueSubmit2") return plain(submit);

@@ -46,8 +46,8 @@ std::uint32_t first_of_level(std::uint32_t levels, std::uint32_t level) {
     return ((1u << 2 * (levels - 1 - level)) - 1) / 3;
 }
 
-/// Which texels of the resident pages the pixels of a frame look up: each of them the four around its place, whatever
-/// the filter; with the trilinear one those of two levels.
+/// Which texels of the resident pages the pixels of a frame look up. Each pixel counts as looking up the 2 x 2 texels
+/// around its place in the map, whatever the filter; with the trilinear filter, those of two levels.
 class Touched {
 public:
     Touched(const Frame& frame, const ShadowCase& one) : one_(one), side_(one.settings.cells + 1) {
@@ -71,8 +71,9 @@ public:
     }
 
 private:
-    /// In the page of this level, or in the finest coarser one that is there, unless the standard map is finer than
-    /// this.
+    /// Marks the texels that a pixel looks up in its page of this level or, if that is not resident, in the finest
+    /// resident page of a coarser level. Marks none if the standard map is finer than that coarser level: the shader
+    /// then reads the standard map.
     void look_up(const glift::float4& s, std::uint32_t level) {
         const std::uint32_t levels = one_.settings.levels;
         const std::uint32_t wanted = std::min(level, levels - 1);
@@ -109,8 +110,9 @@ void note_pages(Along& along, const ShadowCase& one, ShadowFrames& found) {
     found.texels_a_page = std::uint64_t{one.settings.cells + 1} * (one.settings.cells + 1);
 }
 
-/// For each pass of a frame's submission, the mean of its times over the frames; all frames have the same passes. Of a
-/// moving case the second submission of each frame counts, of a static one all frames but the first.
+/// For each pass of a frame's submission, the mean of its times over the frames; all frames have the same passes. In a
+/// moving case each frame is submitted twice, and the second submission counts; in a static case each frame is
+/// submitted once, and the first frame does not count.
 std::vector<PassTime> passes_of(const glift::Device& device, const ShadowCase& one,
                                 const std::vector<scenes::Scene>& scenes, glift::uint2 size) {
     PassTimer timer(device);
@@ -121,7 +123,7 @@ std::vector<PassTime> passes_of(const glift::Device& device, const ShadowCase& o
         for (std::size_t i = 0; i < along.frames(); ++i) {
             along.go_to(i);
             for (const bool counts : {false, true}) {
-                if (one.is_static && !counts) continue;  // a second time, all pages would be there
+                if (one.is_static && !counts) continue;  // in a second submission, all pages would be there
                 std::ignore = timer.passes();
                 along.submit();
                 const std::vector<PassTime> passes = timer.passes();
@@ -190,8 +192,8 @@ ShadowFrames measure(const glift::Device& device, const ShadowCase& one, const s
     std::vector<std::vector<double>> seconds(scenes.size());
     std::vector<double> touched;
     // A moving case goes along the path once, and times each frame `runs` times after a first one that does not count.
-    // In a static case a frame depends on the pages that those before it left: it goes along the path without timing,
-    // then `runs` times anew, timing each frame once.
+    // In a static case a frame depends on the pages that earlier frames have left resident. Therefore the case goes
+    // along the path once without timing, and then `runs` times from the beginning, timing each frame once.
     for (unsigned round = 0; round <= (one.is_static ? runs : 0); ++round) {
         Along along(device, one, scenes, size);
         for (std::size_t i = 0; i < along.frames(); ++i) {

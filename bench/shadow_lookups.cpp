@@ -51,7 +51,7 @@ private:
     shadow_map::StandardMap map_;
 };
 
-/// Of the second time: the first one may make the pipeline, and brings the map into caches.
+/// Times the second of two executions: the first one may make the pipeline, and brings the map into caches.
 template <class LookUp> double seconds_of(PassTimer& timer, const LookUp& look_up) {
     look_up();
     timer.device().wait();

@@ -15,8 +15,8 @@ struct LookupTimes {
     double lit_by_gather = 0, lit_by_compare = 0;  ///< mean share of light over pixels: nearly equal
 };
 
-/// Of a standard map of `settings.standard` texels a side, for the pixels of these frames. Throws glift::Error for the
-/// host device, which has no passes to time.
+/// Times lookups of a standard map of `settings.standard` texels a side, for the pixels of frames of these scenes.
+/// Throws glift::Error for the host device, which has no passes to time.
 LookupTimes lookup_times(const glift::Device& device, const Settings& settings,
                          const std::vector<scenes::Scene>& scenes, glift::uint2 size);
 

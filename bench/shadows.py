@@ -14,9 +14,10 @@ import plot
 
 METHODS = {"standard": "standard map", "asm": "ASM", "rmsm": "RMSM"}
 THESIS = {"asm / rmsm": "2 to 10", "rmsm / standard": "2 to 4", "asm / rmsm static": "1 to 3", "rmsm / standard static": "1 to 2"}
-# Kernels of examples/shadows with which a part of a frame ends, each with the part that follows, and those with which a part begins,
-# each with this part. What lies between belongs to the part that has begun, so that library kernels, which several parts call, are told
-# apart. WITHIN gives kernels inside "fill" parts of their own: those of std.draw_pages.
+# How the passes of a frame are divided into parts. ENDS: kernels of examples/shadows that are the last of a part, each with the name of the
+# part that follows. BEGINS: kernels that are the first of a part, each with its name. All other kernels belong to the part that they run
+# in: so library kernels, which several parts call, count for the right one. WITHIN: within "fill" the kernels of std.draw_pages are parts of
+# their own.
 ENDS = {"project": "look", "find_surface": "standard map", "draw_light": "ask", "ask_all": "allocate", "ask_at_edges": "allocate",
         "put_all": "allocate", "find_lit": "ask"}
 BEGINS = {"mark": "fill", "find_lit": "find_lit", "shade": "shade"}
@@ -61,7 +62,7 @@ def mark(row):
 
 
 def sample(rows, runs):
-    """What the figures of some rows are of, in words."""
+    """A sentence that says of how many frames and runs the figures of these rows are."""
     numbers = sorted({len(row["seconds"]) for row in rows})
     return f"Of {' or '.join(map(str, numbers))} frames each, of which each is the median of {runs} run{'s' if runs > 1 else ''}."
 
@@ -82,7 +83,7 @@ def times(scenes, end, runs):
 
 
 def pages(scenes):
-    """Medians and the most over frames; of ASM, "asked" is what is there after the last round."""
+    """Medians and maxima over the frames; for ASM, "asked" counts the pages that were asked for in all rounds."""
     def spread(values):
         return f"{statistics.median(values):.0f}, {max(values)}" if values else ""
     rows = []
@@ -150,7 +151,8 @@ def hardware(data):
 
 
 def lookups(data, scenes):
-    """Against a plain map that the same kernel reads (nearest: one texel, else by gathers) and, 2 x 2, against the hardware's comparison."""
+    """The speed of lookups, compared with that of a plain map which the same kernel reads (nearest: one texel, else by gathers) and, but for
+    nearest, with that of a plain map by the hardware's comparison of 2 x 2 texels."""
     names = [name for name in ("rmsm nearest", "rmsm", "rmsm trilinear") if any(name in cases for cases in scenes.values())]
     by_hardware, rows = hardware(data), []
     for scene, cases in scenes.items():
@@ -176,7 +178,7 @@ def plain_lookups(data):
 
 
 def longest(scenes, number=8):
-    """The kernels that take longest in a frame of RMSM, all of a name together."""
+    """The kernels that take longest in a frame of RMSM; the passes of a kernel are added up."""
     rows = []
     for scene, cases in scenes.items():
         if "rmsm" not in cases or not cases["rmsm"]["passes"]:

@@ -32,7 +32,7 @@ double percentile(std::vector<double> values, double share) {
 }
 
 /// In how many frames there were coarser pages or none in place of those asked for. ASM asks round by round, and may
-/// give up pages of one round in the next: there, a full pool is one that is too small.
+/// evict pages of one round in the next: for ASM, a full pool counts as one that is too small.
 std::size_t frames_short_of_pages(const bench::ShadowCase& one, const bench::ShadowFrames& found) {
     std::size_t frames = 0;
     for (std::size_t i = 0; i < found.pages.size(); ++i) {
@@ -172,7 +172,7 @@ void run(const Options& options) {
                 bench::measure(device, one, one.is_static ? still : moving, {options.side, options.side}, options.runs);
             all["rows"].push_back(row_of(scene, one, found));
             print(all["rows"].back());
-            write(options, all);  // what there is, should time run out
+            write(options, all);  // after each row: an interrupted run leaves those it has measured
         }
         if (std::ranges::find(cases, "standard", &bench::ShadowCase::name) != cases.end())
             add_lookups(device, options, scene, moving, all);

@@ -11,9 +11,9 @@
 # IMPORT_DIRS: folders in which `use` finds modules (gliftc -I). DEFINES: name=value, values for constants of the
 # files (gliftc -D). OPTIONS: further options of gliftc.
 #
-# SHARDS (4): the number of sources for the kernels of a file's module, and of those for kernels of other modules that
-# it uses. CMake has to know the sources before gliftc runs; a kernel's name determines its source, so that editing the
-# body of one kernel recompiles one source.
+# SHARDS (default 4): the number of C++ sources for the kernels of a file's module; as many again are for the kernels of
+# other modules that the file uses. CMake has to know the sources before gliftc runs; a kernel's name determines its
+# source, so that editing the body of one kernel recompiles one source.
 #
 # CHECKED: kernels report accesses by address outside a structure (gliftc --checked; docs/language.md,
 # "Checked builds").
@@ -30,7 +30,8 @@
 
 include(CheckCXXSourceCompiles)
 
-# Whether the compiler's assembler can embed a file as GLIFT_SPIRV_FILE of glift/kernel.h does.
+# Sets GLIFT_SPIRV_FILES: whether the compiler's assembler can embed a file as the macro GLIFT_SPIRV_FILE of
+# glift/kernel.h does.
 function(glift_check_spirv_files)
     set(words ${CMAKE_BINARY_DIR}/CMakeFiles/glift_spirv_words)
     file(WRITE ${words} "word")

@@ -1,7 +1,7 @@
 # Packages for the runtime, the compiler, the tests and the benches; all are in Debian 12 (tools/setup installs them).
 # glslangValidator, X11 and the libraries of the examples are found in the CMakeLists.txt of the folder that needs them.
 
-# Before glslang and SPIRV-Tools, whose packages name its target.
+# Before glslang and SPIRV-Tools, whose packages refer to the target Threads::Threads.
 find_package(Threads REQUIRED)
 # Dependencies of the runtime.
 find_package(Vulkan REQUIRED)
@@ -25,7 +25,7 @@ if(GLIFT_BUILD_BENCH)
     find_package(benchmark CONFIG REQUIRED)
 endif()
 if(GLIFT_BUILD_INTEROP AND NOT GLIFT_GLIFTC)
-    # PATHS and NO_DEFAULT_PATH: with several LLVMs installed, Clang of another version would be found.
+    # PATHS and NO_DEFAULT_PATH: where several LLVMs are installed, Clang of another version could be found otherwise.
     find_package(LLVM 14.0 REQUIRED CONFIG)
     find_package(Clang REQUIRED CONFIG PATHS ${LLVM_INSTALL_PREFIX}/lib/cmake/clang NO_DEFAULT_PATH)
 endif()

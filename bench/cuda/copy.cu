@@ -22,7 +22,7 @@ void copy(Bench& bench) {
             RIVALS_CUDA(cudaMemcpyAsync(y.data(), x.data(), x.bytes(), cudaMemcpyDeviceToDevice));
         };
         const std::size_t vectors = count / 4;
-        const unsigned blocks = static_cast<unsigned>((vectors + 1023) / 1024);  // four vectors a thread
+        const unsigned blocks = static_cast<unsigned>((vectors + 1023) / 1024);  // four vectors per thread
         const auto kernel = [&] {
             copy_elements<<<blocks, 256>>>(reinterpret_cast<const uint4*>(x.data()), reinterpret_cast<uint4*>(y.data()),
                                            vectors);

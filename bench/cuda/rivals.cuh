@@ -1,4 +1,4 @@
-// Shared by the .cu files of this folder, which time what Glift's algorithms are compared with (its rivals: CUB,
+// Shared by the .cu files of this folder, which time the rivals with which Glift's algorithms are compared (CUB,
 // cuSPARSE, and kernels that only move data): device memory, input, timing, rows of results.
 //
 // Times are device times: CUDA events around one run, the median of many. Before each run a kernel occupies the stream

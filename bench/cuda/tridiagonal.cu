@@ -133,7 +133,7 @@ template <int sides> void measure_moving(Bench& bench, std::uint32_t n, const st
     const std::size_t sets = from_memory ? std::max<std::size_t>(1, (beyond_caches + bytes - 1) / bytes) : 1;
     const DeviceArray<float> from(sets * (3 + sides) * count), to(sides * count);
     from.fill(Right{});
-    const unsigned blocks = static_cast<unsigned>((vectors + 511) / 512);  // two vectors of each array a thread
+    const unsigned blocks = static_cast<unsigned>((vectors + 511) / 512);  // two vectors of each array per thread
     std::size_t turn = 0;
     const Work run = [&] {
         const std::size_t set = turn++ % sets;

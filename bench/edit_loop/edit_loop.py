@@ -5,8 +5,8 @@
 
 The time is user time of gliftc, of the C++ compiler and of the linker, so that other work on the machine counts little.
 Prints the least time of N edits and that of the first build, at -O2 and at -O0. Only those C++ sources are compiled again
-that gliftc wrote again, but all of them if it wrote a header again; with the options of glift_compile but for the level
-of optimisation.
+that gliftc wrote again, but all of them if it wrote a header again. The compiler's options are those of glift_compile, but
+for the level of optimisation.
 """
 import argparse
 import os

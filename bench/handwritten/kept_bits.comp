@@ -1,7 +1,7 @@
 #version 460
 #extension GL_KHR_shader_subgroup_arithmetic : require
 // First of a compaction's three passes (then scan_sums.comp, compact.comp): sets a bit for each element that is kept,
-// and counts them for each tile. A tile is the elements of one subgroup: `steps` words of 32 bits a lane.
+// and counts them for each tile. A tile is the elements of one subgroup: `steps` words of 32 bits per lane.
 
 layout(local_size_x = 64) in;
 

@@ -1,8 +1,9 @@
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 // Samples a quadtree of pages of 16^2 cells. Their frames of 17^2 texels are in an image with 2^bits frames along x.
-// Also writes the number of the texel within its page of the node at or before the point; zeros where no page is
-// resident. One lookup: `best` holds the finest resident page's frame + 1, and its level from bit 27 on.
+// Also writes, for the node at or before the point, the index of its texel within its page; zeros where no page is
+// resident. One lookup: for each page of level 0, `best` holds the frame + 1 of the finest resident page that covers it,
+// and that page's level from bit 27 on.
 
 layout(local_size_x = 256) in;
 

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_KHR_shader_subgroup_arithmetic : require
 // Second pass of a scan or of a compaction: one workgroup makes the exclusive scan of the tiles' sums, in place, and
-// writes the sum of all after them.
+// writes their total behind the last one.
 
 layout(local_size_x = 256) in;
 
@@ -12,7 +12,7 @@ layout(push_constant) uniform Parameters { uint count; };
 layout(set = 0, binding = 1) buffer Sums { uint sums[]; };
 layout(set = 0, binding = 1) buffer Sums4 { uvec4 sums4[]; };
 
-shared uint totals[gl_WorkGroupSize.x];   // sum of each subgroup; a subgroup may have a single lane
+shared uint totals[gl_WorkGroupSize.x];   // sum of each subgroup, which may have a single lane
 
 void main() {
     uint carry = 0u;

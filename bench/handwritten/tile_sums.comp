@@ -1,7 +1,7 @@
 #version 460
 #extension GL_KHR_shader_subgroup_arithmetic : require
 // First of the three passes of a scan (then scan_sums.comp, scan.comp): the sum of each tile. A tile is the elements of
-// one subgroup: `steps` uvec4 a lane; in each step neighbouring lanes read neighbouring uvec4.
+// one subgroup: `steps` uvec4 per lane; in each step neighbouring lanes read neighbouring uvec4.
 
 layout(local_size_x = 64) in;
 

@@ -22,8 +22,8 @@ template <class T> struct Id {
     auto operator<=>(const Id&) const = default;
 };
 
-/// Owns values of one type, but for those shared with an arena that it extends; ids and references stay valid as it
-/// grows. Values lie in blocks of 64, so that finding one is a shift and a mask.
+/// Owns values of one type, except those that it shares with an arena that it extends; ids and references stay valid as
+/// it grows. Values lie in blocks of 64, so that finding one is a shift and a mask.
 template <class T> class Arena {
     static constexpr std::uint32_t shift = 6, block_size = 1u << shift, mask = block_size - 1;
 
@@ -86,8 +86,9 @@ public:
     void fill_block() {
         while (size_ & mask) add(T());
     }
-    /// Moves the blocks of values [begin, end) from another arena, where they are no longer valid. Both bounds, and
-    /// this arena's size, are multiples of the block size.
+    /// Moves the blocks of values [begin, end) from another arena to the end of this one. Their ids in the other arena
+    /// become invalid. Both bounds, and this arena's size, must be multiples of the block size; the values must be the
+    /// other arena's own, not shared with an arena that it extends.
     void adopt(Arena& from, std::uint32_t begin, std::uint32_t end) {
         assert(((size_ | begin | end) & mask) == 0 && begin >= from.first_);
         for (std::uint32_t i = begin; i < end; i += block_size) {

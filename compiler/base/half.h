@@ -7,8 +7,8 @@
 
 namespace gliftc {
 
-/// The 16-bit float nearest to the number, ties to even; infinity, with the number's sign, where rounding leads beyond
-/// the largest, 65504.
+/// The 16-bit float nearest to the number, ties to even; infinity, with the number's sign, if rounding gives more than
+/// the largest half, 65504.
 inline double round_to_half(double number) {
     if (number == 0 || !std::isfinite(number)) return number;
     constexpr int smallest_exponent = -14, fraction_bits = 10;

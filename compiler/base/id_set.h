@@ -1,5 +1,5 @@
-// A set of ids, such as the nodes that a walk has visited. Most sets are small: up to 16 ids are stored inline, more
-// all on the heap.
+// A set of ids, such as the nodes that a walk has visited. Most sets are small: up to 16 ids are stored inline, the ids
+// of a larger set on the heap.
 #pragma once
 
 #include "base/arena.h"

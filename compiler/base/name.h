@@ -18,13 +18,14 @@ struct Name {
     auto operator<=>(const Name&) const = default;
 };
 
-/// The texts of all names of one compilation. Owns them, but for those of a table that it extends. Every identifier of
-/// the source passes through intern(), so that the hash table is one made for speed, with open addressing, never more
-/// than half full.
+/// The texts of all names of one compilation. Owns them, except those of a table that it extends. Since every
+/// identifier of the source passes through intern(), the hash table is a fast one: open addressing, never more than
+/// half full.
 class Names {
 public:
     Names() : slots_(1024) { intern(""); }
-    /// A table that shares the names of `base` and adds its own. The base must outlive it and not change meanwhile.
+    /// A table that shares the names of `base` and adds its own. The base must outlive it, and must not change while it
+    /// exists.
     static Names extending(const Names& base) { return Names(&base); }
 
     Name intern(std::string_view text) {

@@ -12,7 +12,8 @@
 
 namespace gliftc {
 
-/// A counter shared by threads: take() gives each number below `count` once, to whichever thread asks.
+/// A counter shared by threads: take() gives each number below `count` once, to whichever thread asks, and nothing
+/// when all have been given.
 class Tickets {
 public:
     explicit Tickets(std::size_t count) : count_(count) {}
@@ -26,8 +27,8 @@ private:
     std::size_t count_;
 };
 
-/// The number of threads for `count` work items: at most one a processor, and so few that each has at least `share`
-/// items, which make starting it pay off; one thread if there are fewer items.
+/// The number of threads for `count` work items: at most one per processor, and so few that each has at least `share`
+/// items, since a thread for fewer items costs more than it saves; one thread if there are fewer than `share` items.
 inline std::size_t threads_for(std::size_t count, std::size_t share) {
     return std::clamp<std::size_t>(count / share, 1, std::max(1u, std::thread::hardware_concurrency()));
 }
@@ -41,7 +42,7 @@ template <class Work> void on_threads(std::size_t threads, Work&& work) {
     for (std::future<void>& other : others) other.get();
 }
 
-/// Calls work(i) for every i below `count`, in no order, on threads_for(count, share) threads.
+/// Calls work(i) for every i below `count`, in no particular order, on threads_for(count, share) threads.
 template <class Work> void for_each_parallel(std::size_t count, std::size_t share, Work&& work) {
     Tickets tickets(count);
     on_threads(threads_for(count, share), [&] {

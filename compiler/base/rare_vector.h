@@ -10,7 +10,7 @@
 
 namespace gliftc {
 
-/// Readers get it as a const std::vector, by conversion.
+/// Converts implicitly to a const std::vector, for reading.
 template <class T> class RareVector {
 public:
     RareVector() = default;

@@ -15,8 +15,8 @@ namespace gliftc {
 
 enum class Severity : std::uint8_t { note, warning, error };
 
-/// One enumerator a line of diagnostics.def: DIAGNOSTIC(name, severity, "text with {0} {1}"). The id shown to users is
-/// the enumerator with '-' for '_': [unknown-name].
+/// One enumerator for each line of diagnostics.def: DIAGNOSTIC(name, severity, "text with {0} {1}"). The id shown to
+/// users is the enumerator with '-' for '_': [unknown-name].
 enum class Diag : std::uint16_t {
 #define DIAGNOSTIC(name, severity, text) name,
 #include "diag/diagnostics.def"
@@ -40,9 +40,9 @@ struct Diagnostic {
     std::vector<Note> notes;
 };
 
-/// Collects diagnostics in the order reported. One mistake gives one error: a second error at the very same span, and a
-/// second diagnostic of one id there, is dropped if it comes within the next hundred diagnostics, unless the span is
-/// empty. Errors beyond the limit are dropped, too.
+/// Collects diagnostics in the order reported. One mistake gives one error: an error is dropped if one of the latest
+/// hundred diagnostics is an error at the same span, and any diagnostic is dropped if one of them has the same id and
+/// span. Diagnostics without a location are not compared. Errors beyond the limit are dropped, too.
 class Diagnostics {
 public:
     /// Reports `id` at `span`. Notes can be added to the diagnostic returned, until the next report.
@@ -86,7 +86,8 @@ std::optional<Diag> find_diagnostic(std::string_view id);
 /// The id nearest to a misspelled one; empty if none is near.
 std::string_view nearest_diagnostic(std::string_view word);
 
-/// The candidate nearest to `name` by edit distance, if near enough to be meant; else empty.
+/// The candidate nearest to `name` by edit distance, other than `name` itself; empty if none is within a third of the
+/// length of `name` (or 1, if that is more).
 std::string_view did_you_mean(std::string_view name, const std::vector<std::string_view>& candidates);
 
 }  // namespace gliftc

@@ -17,8 +17,8 @@ std::string render_text(const Diagnostic& diagnostic, const Sources& sources, Co
 /// All diagnostics, each as above; a last line gives the number of errors where the limit was reached.
 std::string render_text(const Diagnostics& diagnostics, const Sources& sources, Colour colour);
 
-/// One JSON array; an object a diagnostic: severity, id, text, where known file, line, column, end_line, end_column,
-/// and notes: each has a text and, where known, a location of these five.
+/// A JSON array with an object for each diagnostic: severity, id, text; file, line, column, end_line and end_column if
+/// it has a location; and notes, an array of objects with a text and, if the note has a location, the same five fields.
 std::string render_json(const Diagnostics& diagnostics, const Sources& sources);
 
 }  // namespace gliftc

@@ -109,8 +109,9 @@ void check_file_names(const Options& options) {
     }
 }
 
-/// Throws ValidationError for a --depfile where no outputs are written, for '-' as output folder or depfile, and for a
-/// --library without the module std.transfer, which cannot be the standard library.
+/// Throws ValidationError for a --depfile where no outputs are written, or for another command than compile; for two
+/// files whose outputs would have the same names; for '-' as output folder or depfile; and for a --library folder
+/// without the module std.transfer: such a folder cannot be the standard library.
 void check_combinations(const Options& options) {
     const bool stops =
         options.stop_after || options.dump || !options.stop_after_pass.empty() || !options.dump_after.empty();
@@ -208,8 +209,8 @@ void add_input_options(CLI::App& app, Options& options, Typed& typed) {
         ->group("Input");
 }
 
-/// Replaces -MD and -MF, spelled as in C compilers, by options with two dashes: CLI11 has no options of several letters
-/// with one.
+/// Replaces -MD and -MF, the spellings of C compilers, by long options: CLI11 has no options with one dash and several
+/// letters.
 void translate_customs(std::vector<std::string>& words) {
     for (std::string& word : words) {
         if (word == "-MD") word = "--make-rule";

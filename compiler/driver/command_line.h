@@ -10,7 +10,7 @@ namespace gliftc {
 /// What gliftc returns to the shell.
 enum class ExitCode : int {
     done = 0,
-    source_errors = 1,  ///< in the source, failed tests; a file that cannot be read; fmt --check: one is not formatted
+    source_errors = 1,  ///< or a failed test, or a file that cannot be read; fmt --check: a file is not formatted
     wrong_usage = 2,
     internal_error = 3,
     environment = 4,  ///< EnvironmentError, such as: an output cannot be written, `gliftc test` finds no C++ compiler

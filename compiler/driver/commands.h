@@ -1,4 +1,4 @@
-// The commands of gliftc, a function each, which returns the exit code, and what they share.
+// The commands of gliftc, one function for each, which returns the exit code; and functions that they share.
 #pragma once
 
 #include "driver/options.h"
@@ -18,14 +18,14 @@ int run_tests(const Options& options);
 int run_explain(const Options& options);
 
 /// `gliftc fmt FILE`: rewrites files in the canonical format, `-` to standard output; with --check, lists those that
-/// are not in it. A file that cannot be read or does not parse is an error, and the others are done.
+/// are not in it. A file that cannot be read or does not parse is an error; the others are formatted all the same.
 int run_format(const Options& options);
 
 /// Sets which warnings are reported, which are errors, and the error limit.
 void configure(Diagnostics& diagnostics, const Options& options);
 
-/// Prints all diagnostics to standard error in the format of the options. Returns the exit code: whether there are
-/// errors.
+/// Prints all diagnostics to standard error in the format of the options. Returns the exit code: source_errors if there
+/// are errors, else done.
 int report(const Compilation& compilation, const Options& options);
 
 }  // namespace gliftc

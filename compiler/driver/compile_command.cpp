@@ -20,14 +20,15 @@ void print_times(const Result& result) {
     std::fprintf(stderr, "%-10s %9.3f ms\n", "all", all);
 }
 
-/// Throws if the write of this file failed. Only the first failure is reported: others have mostly the same reason.
+/// Throws if the write of this file failed. Only the first failure is reported: others usually have the same cause.
 void check_written(const std::string& path, const std::optional<std::string>& error) {
     if (error) throw EnvironmentError("cannot write '" + path + "': " + *error);
 }
 
-/// The depfile's path: as given; else beside the outputs <file>.d, after the first file on the command line, or for
-/// standard input after the first output without its last ending. Empty, so that none is written, if no path is given
-/// and there are no outputs, or --target chooses them and -MD is not given.
+/// The path of the depfile. If the options give none, it lies beside the outputs: the name of the first file on the
+/// command line followed by `.d`; for standard input, the name of the first output with `.d` in place of its last
+/// extension. Empty, so that no depfile is written, if the options give no path and either there are no outputs, or
+/// --target is given without -MD.
 std::string depfile_of(const Options& options, const Result& result) {
     if (!options.depfile.empty() || result.outputs.empty()) return options.depfile;
     if (!options.targets.empty() && !options.writes_depfile) return {};
@@ -37,7 +38,7 @@ std::string depfile_of(const Options& options, const Result& result) {
 }
 
 void write_outputs(const Options& options, const Result& result, const Compilation& compilation) {
-    constexpr std::size_t share = 64;  // starting a thread for fewer does not pay off
+    constexpr std::size_t share = 64;  // starting a thread for fewer outputs does not pay off
     const auto path_of = [&](const Output& output) { return options.output_folder + "/" + output.name; };
     std::vector<std::optional<std::string>> errors(result.outputs.size());
     for_each_parallel(result.outputs.size(), share, [&](std::size_t i) {

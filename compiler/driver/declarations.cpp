@@ -21,7 +21,8 @@ bool declares(std::string_view line, std::string_view name) {
     return rest.starts_with(name) && (rest.size() == name.size() || !is_word(rest[name.size()]));
 }
 
-/// Whether the text has such a line. It is not parsed, so that files with syntax errors count, too.
+/// Whether some line of the text begins with `pub WORD name`. The text is not parsed, so that files with syntax errors
+/// count, too.
 bool has_declaration(const std::string& text, std::string_view name) {
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());

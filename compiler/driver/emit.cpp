@@ -51,7 +51,8 @@ std::string styled(const Options& options, std::string text) {
     return std::move(formatted.text);
 }
 
-/// The path of a file that generated code names without its folder; of several, the first that was read.
+/// The path of the source file that generated code names without its folder; of several, the first that was read. The
+/// name itself if there is none.
 std::string path_of(const Compilation& c, std::string_view name) {
     for (std::uint32_t file = 0; file < c.sources.size(); ++file)
         if (const std::string& path = c.sources[file].path; std::filesystem::path(path).filename() == name) return path;
@@ -66,7 +67,7 @@ struct Readable {
 
 /// The GLSL of each kernel, in the form that is easiest to read: the direct one, else the general one.
 std::vector<Readable> readable_shaders(const Compilation& c, const std::vector<std::uint32_t>& kernels) {
-    constexpr std::size_t share = 64;  // starting a thread for fewer does not pay off
+    constexpr std::size_t share = 64;  // starting a thread for fewer kernels does not pay off
     std::vector<Readable> texts(kernels.size());
     for_each_parallel(kernels.size(), share, [&](std::size_t i) {
         const auto& forms = c.lowered.passes[kernels[i]];

@@ -5,8 +5,8 @@
 
 namespace gliftc {
 
-/// The outputs of every root module for the selected targets. Throws std::runtime_error if generated GLSL is invalid,
-/// if clang cannot format the C++ (--style), or if two files on the command line have one name.
+/// The outputs of the modules on the command line for the selected targets. Throws std::runtime_error if generated GLSL
+/// is invalid, if clang cannot format the C++ (--style), or if two files on the command line have one name.
 std::vector<Output> emit(const Options& options, const Compilation& compilation);
 
 /// If --style is given: an error if clang-format does not accept the style, or cannot be loaded.

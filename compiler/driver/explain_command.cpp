@@ -36,7 +36,7 @@ struct ExplainedStructure {
     std::string blocks;  ///< its blocks, which it or a memory along its chain declares, as text; empty: none
 };
 
-/// How references are compared with the image's texels; empty if by the default, less_equal.
+/// The text about how `s.compare` compares references with the image's texels; empty if by the default, less_equal.
 std::string comparison_of(const ir::Memory& memory) {
     if (memory.compare == ir::Compare::less_equal) return "";
     return ", compared by '" + std::string(ir::spelling(memory.compare)) + "'";
@@ -72,8 +72,8 @@ std::string inverse_of(const ir::Properties& properties, const Trial& trial) {
     return trial.addresses > 0 ? "yes (" + checked_to(trial) + ")" : "yes (declared, not checked here)";
 }
 
-/// Of what sema instantiated: the structures that a module on the command line declares or that any module names, all
-/// translators, and the draws in modules on the command line.
+/// Collects what is to be shown of what sema instantiated: the structures that a module on the command line declares or
+/// that any module names, all translators, and the draws in modules on the command line.
 class Explainer {
 public:
     explicit Explainer(const Compilation& c) : draws(explained_draws(c)), c_(c), program_(c.program) {
@@ -149,8 +149,8 @@ private:
         return text;
     }
 
-    /// The text about the blocks of a structure, its own or those of a memory along its chain; empty: none. That they
-    /// do not overlap is not checked.
+    /// The text about the blocks of a structure, its own or those of a memory along its chain; empty: none. Whether
+    /// blocks overlap is not checked.
     std::string blocks_of(const ir::Structure& structure) const {
         const auto place = ir::blocks_of(program_, structure, {});
         if (!place) return "";

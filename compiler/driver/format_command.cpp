@@ -10,8 +10,9 @@ namespace gliftc {
 
 namespace {
 
-/// Writes the formatted text to the file or, for "-", to standard output; with --check prints the path of a file that
-/// is not formatted instead. True if the file was not formatted.
+/// Writes the formatted text to the file or, for "-", to standard output. With --check it writes no text, but prints
+/// the path if the file is not formatted. Returns whether the file was not formatted; sets `code` if it cannot be
+/// written.
 bool put(const Options& options, const std::string& path, const std::string& before, const std::string& after,
          int& code) {
     if (path == "-" && !options.check_only) std::fwrite(after.data(), 1, after.size(), stdout);

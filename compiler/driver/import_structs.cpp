@@ -32,14 +32,14 @@ std::string last_part(const std::string& name) {
     return colon == std::string::npos ? name : name.substr(colon + 1);
 }
 
-/// Bytes in shaders.
+/// Size and alignment in shaders, in bytes.
 struct Size {
     std::uint64_t bytes = 0, align = 1;
 };
 
 Size size_of(const ImportResult& imported, const ImportedType& type);
 
-/// Of C++, which the padding at the end fills up.
+/// The size is that of C++, with the padding at the end. The alignment is the largest of the fields', as in shaders.
 Size size_of(const ImportResult& imported, const ImportedStruct& record) {
     Size size{record.size, 1};
     for (const ImportedField& field : record.fields)
@@ -57,8 +57,8 @@ Size size_of(const ImportResult& imported, const ImportedType& type) {
     return size;
 }
 
-/// Why shaders cannot read the struct where C++ lays its fields: theirs follow each other, each at a multiple of its
-/// largest scalar. Empty: they can.
+/// Why shaders cannot use the layout that C++ gives the struct; empty if they can. In shaders each field begins at the
+/// next multiple of the size of its largest scalar, and a bool has four bytes.
 std::string misfit_of(const ImportResult& imported, const ImportedStruct& record) {
     std::uint64_t end = 0;
     for (const ImportedField& field : record.fields) {
@@ -124,7 +124,7 @@ private:
         fill(std::get<ast::Struct>(c_.tree.decls[id].body), decl.name.span, imported, imported.structs.size() - 1);
     }
 
-    /// Reports a nested struct whose last name means something else in the module.
+    /// Reports a nested struct if the last part of its C++ name means something else in the module.
     void check(const ast::Module& module, const NestedUse& use) {
         const auto is_it = [&](ast::DeclId id) {
             return c_.names[c_.tree.decls[id].name.name] == last_part(use.qualified);

@@ -63,7 +63,8 @@ private:
     };
 
     /// The index of the module in the file; loads it if it is new. `use` is the import that names it; `name` the name
-    /// that the module must have, or empty.
+    /// that the module must have, or empty. After an error not_found: the file cannot be read, or the module is still
+    /// being loaded, since it imports itself, directly or by way of others.
     std::uint32_t load(const std::string& path, Span use, const std::string& name) {
         std::string shown = path == "-" ? path : fs::path(path).lexically_normal().generic_string();
         auto [entry, is_new] = known_.try_emplace(files_.identity(shown));

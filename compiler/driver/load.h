@@ -17,7 +17,7 @@ namespace gliftc {
 /// The path of a module's file in the standard library whose folder is `library`; empty if there is none.
 std::string find_in_library(const FileSystem& files, const std::string& library, std::string_view module);
 
-/// The folders inside that of the standard library that have modules.
+/// The folders that hold modules, inside the folder of the standard library.
 std::vector<std::string> library_folders_of(const Options& options);
 
 struct LoadedModules {

@@ -15,7 +15,8 @@ namespace {
 
 using ir::Value;
 
-/// A structure and what it is made of; without values where it was given.
+/// A structure that is made: the values that its constructor is given, and its members. Of a structure that is given
+/// from outside the values are not known: `arguments` is empty.
 struct Instance {
     const ir::Structure* structure = nullptr;
     std::string path;
@@ -133,7 +134,8 @@ public:
         for (const auto& member : instance.members) count(*member);
     }
 
-    /// For each structure that translates by tables, records which structures have its elements and which its tables.
+    /// For each structure that translates by tables, records which structure holds its elements and which hold its
+    /// tables.
     void name_roles(const Instance& instance) {
         if (!named_.insert(&instance).second) return;
         const std::string name = instance.path.empty() ? "it" : instance.path;

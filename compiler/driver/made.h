@@ -10,7 +10,8 @@
 
 namespace gliftc {
 
-/// One memory of a structure that is made, or of what it makes. Levels and layers of other images are left out.
+/// One memory of a structure that is made, or of a structure that it makes. Levels and layers of other images are left
+/// out.
 struct MadeMemory {
     std::string path;                    ///< `pages.wanted.data`
     std::optional<std::uint64_t> bytes;  ///< absent: not known without the structures that are given to it

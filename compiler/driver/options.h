@@ -42,7 +42,7 @@ struct Options {
     bool list_outputs = false;
     bool time_report = false;
     std::string depfile;          ///< --depfile, -MF: the path of the Makefile rule; empty: not given
-    bool writes_depfile = false;  ///< -MD: write that rule as NAME.glift.d also where --target leaves outputs out
+    bool writes_depfile = false;  ///< -MD: write that rule, as NAME.glift.d, even if --target is given
     std::string style;            ///< --style, of generated C++: a .clang-format file or a name; empty: as printed
     DiagnosticsFormat diagnostics_format = DiagnosticsFormat::text;
     ColourChoice colour = ColourChoice::automatic;
@@ -54,7 +54,7 @@ struct Options {
     bool validate = true;     ///< test: with Vulkan's validation layer
     bool list_tests = false;  ///< test: print titles, run nothing
     bool explain_as_json = false;
-    std::vector<std::string> explain_made;  ///< explain: structures with arguments, of which the bytes are printed
+    std::vector<std::string> explain_made;  ///< --made: structures with arguments; prints the sizes of their memories
 
     bool wants(Target target) const {
         for (Target each : targets)

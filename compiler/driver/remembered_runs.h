@@ -17,8 +17,8 @@ struct TestProgram {
     std::vector<cpp::TestName> tests;
 };
 
-/// A record of every question that a compilation asks the file system (does this file exist, what is in it or in this
-/// folder, are these one file), each with the answer or a digest of it.
+/// A record of every question that a compilation asks the file system (does a file exist, what is in it, what is in a
+/// folder, which file does a path lead to), each with the answer or a digest of it.
 class Questions {
 public:
     /// A file system that answers as `disk` does, and records each question.
@@ -37,7 +37,7 @@ private:
 /// of the record. To be called for runs without messages only, since a recalled run prints none.
 void remember_run(const std::string& record, const Questions& questions, const std::vector<TestProgram>& programs);
 
-/// The programs of a recorded run, if the disk answers every question as it did then.
+/// The programs of a recorded run, if the disk answers every question as it did then; else absent.
 std::optional<std::vector<TestProgram>> recall_run(const std::string& record, const FileSystem& disk);
 
 }  // namespace gliftc

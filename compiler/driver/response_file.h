@@ -9,8 +9,8 @@
 namespace gliftc {
 
 /// Replaces each `@file` by its words, separated by white space. Quotes, single or double, hold a word together; a
-/// backslash, also inside quotes, takes the next character as it is. Files may name further files. Returns an error;
-/// empty: none.
+/// backslash, also inside quotes, takes the next character as it is. Files may name further files, nested 16 deep at
+/// most. Returns the text of an error, such as a file that cannot be read; empty: none.
 std::string expand_response_files(std::vector<std::string>& words, const FileSystem& files);
 
 }  // namespace gliftc

@@ -49,8 +49,8 @@ public:
         return ir::evaluate(program_, expr, [this](const ir::Expr& asked) { return property(asked, asked.place); });
     }
 
-    /// The value of `asked`: a constructor argument, a memory's extent or the domain of the structure at `place` in
-    /// this one.
+    /// The value of `asked`: a constructor argument, a memory's extent or the domain of a structure. Of the path to
+    /// that structure, `place`, the first `depth` steps led to this one.
     std::optional<Value> property(const ir::Expr& asked, const ir::Place& place, std::size_t depth = 0) const {
         if (depth < place.members.size()) {
             const ir::MemberStructure& member = structure_.members[place.members[depth]];

@@ -15,7 +15,7 @@ struct Trial {
 };
 
 /// Tests one translator of a structure's `via`, if the structure is stored, all its constructor's arguments are extents
-/// of its domain's type, and the translator reads no elements.
+/// of its domain's type, and the translator reads no elements; else Trial::addresses is 0.
 Trial try_translator(const ir::Program& program, const ir::Structure& structure, const ir::Stage& stage);
 
 }  // namespace gliftc

@@ -17,8 +17,8 @@ struct Plugin {
     std::string error;
 };
 
-/// The path of libglift_clang.so: GLIFT_CLANG, else relative to the executable, the same in build and install trees;
-/// where neither gives a path, its name alone, for which dlopen searches.
+/// The path of libglift_clang.so: the environment variable GLIFT_CLANG; else the path relative to the executable, which
+/// is the same in build and install trees; if no file is there, the bare name, which dlopen searches for.
 std::string plugin_path() {
     if (const char* path = std::getenv("GLIFT_CLANG")) return path;
     std::error_code error;

@@ -1,5 +1,5 @@
-// The functions that libglift_clang.so exports. It is built together with gliftc; `plugin_version`, the version of this
-// interface, detects a library of a build with another one.
+// The functions that libglift_clang.so exports. The library is built together with gliftc. Both contain
+// `plugin_version`, the version of this interface, so that gliftc can detect a library built with another interface.
 #pragma once
 
 #include "interop/interop.h"

@@ -48,8 +48,8 @@ bool leads_through_partial(const Program& program, const Structure& structure);
 /// partial or not known to be one-to-one.
 bool may_be_sparse(const Program& program, const Structure& structure);
 
-/// Whether a structure stores elements that need not be those of its whole domain, so that programs can list which are
-/// there: it has blocks, or may be sparse.
+/// Whether a structure stores elements, but perhaps not one for every address of its domain, so that programs can list
+/// which are there: it has blocks, or may be sparse.
 bool has_resident_part(const Program& program, const Structure& structure);
 
 /// The first structure of the chain that has a translator, else its root, as a path of members.

@@ -73,8 +73,8 @@ private:
         }
     }
 
-    /// Where leaving the loop or the part depends on a load, so does every statement of later iterations: the body is
-    /// followed a second time.
+    /// If it depends on a load whether the loop or the fragment part is left, it also depends on that load whether the
+    /// statements of later iterations are executed: the body is then analysed a second time, as in doubt.
     void run_loop(const std::vector<StmtId>& body, bool in_doubt) {
         const bool was_out = is_out_;
         run(body, in_doubt);
@@ -85,7 +85,8 @@ private:
     const Program& program_;
     const Pass& pass_;
     std::set<LocalId> loaded_;
-    // A return or discard (is_left_), a break or continue of the current loop (is_out_), depends on a load.
+    // Whether a return or discard (is_left_), or a break or continue of the current loop (is_out_), that depends on a
+    // load has been seen.
     bool is_left_ = false, is_out_ = false;
     bool is_derived_ = false;  ///< a derivative depends on a load
 };

@@ -68,8 +68,9 @@ const Translator* many_to_one_stage(const Program& program, std::uint32_t struct
 /// Whether the structure's own memory has the format d32.
 bool has_depth_format(const Structure& structure);
 
-/// Whether C++ may write and fill boxes of the structure. Not views; not where several elements of a box may lie at one
-/// physical address, which only kernels write, by scatter or coherent access; not depths, which only draws write.
+/// Whether C++ may write and fill boxes of the structure. False for views; for structures with a translator that is
+/// declared @many_to_one, which only kernels write, by scatter or coherent access; and for depths, which only draws
+/// write.
 bool is_written_in_boxes(const Program& program, std::uint32_t structure);
 
 }  // namespace gliftc::ir

@@ -126,7 +126,7 @@ struct Stmt {
     StmtOp op = StmtOp::block;
     Combine combine = Combine::replace;
     bool unrolled = false;       ///< of a for_: printed with an unroll hint in shaders
-    bool uninitialized = false;  ///< of a temp: its memory is not zeroed; of a let without a value: the local is not
+    bool uninitialized = false;  ///< the memory of a temp, or the local of a let without a value, is not zeroed
     Span span;
     LocalId local;
     ExprId target;
@@ -153,8 +153,8 @@ struct Local {
 
 // ------------------------------------------------------------------------------------------------------ functions
 
-/// An effect of a function, or of a kernel by a call: writes to elements of the structure at a place by scatter, or
-/// coherent access to them.
+/// An effect that a function declares, or that a function or kernel inherits from a function that it calls: it writes
+/// to elements of the structure at `place` by scatter, or has coherent access to them.
 struct Effect {
     Place place;  ///< its root is an index in Function::structures or in Kernel::params
     Pattern pattern = Pattern::scatter;
@@ -171,7 +171,7 @@ struct Function {
     Span span;
     std::vector<LocalId> params;
     std::vector<std::uint32_t> structures;           ///< instances of the structures that calls pass at Expr::places
-    std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< workgroup size that callers must have; all 0: any kernel
+    std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< workgroup size that a calling kernel must have; all 0: any
     std::vector<LocalId> shared;                     ///< its workgroup memory: one allocation for all calls
     TypeId result;
     std::vector<StmtId> body;  ///< a function with a group returns only by its last statement
@@ -222,19 +222,20 @@ struct Enum {
 /// Whether two virtual addresses may have one physical address.
 enum class Mapping : std::uint8_t {
     unknown,
-    one_to_one,          ///< proved; nothing proves it yet
+    one_to_one,          ///< proved by the compiler; not used: no analysis proves it
     claimed_one_to_one,  ///< declared by `invert` or @one_to_one; `gliftc test` checks it
     many_to_one,         ///< declared by @many_to_one
 };
 
 /// Properties of a translator: inferred from the code, or declared by @attributes. It is an error to declare
-/// @many_to_one beside `invert`, or an access complexity other than an inferred O(1); the rest is taken as declared.
+/// @many_to_one for a translator with `invert`, or a complexity other than O(1) where O(1) was inferred. All other
+/// declarations are believed.
 struct Properties {
     bool partial = false;     ///< translate gives an optional
     bool invertible = false;  ///< has invert
     Mapping mapping = Mapping::unknown;
     bool affine = false;            ///< physical address is an affine function of the virtual one
-    bool uniform = true;            ///< every address takes the same path through the code, early `none`s aside
+    bool uniform = true;            ///< every address takes the same path, apart from branches that only return `none`
     std::string memory_complexity;  ///< "O(1)", or as declared: "O(n)", …; "not known"
     std::string access_complexity;  ///< of one translation: "O(1)", …; "not known"
     std::string location = "GPU and CPU";
@@ -272,7 +273,8 @@ struct Stage {
     std::vector<Place> structures;  ///< the structures passed as Translator::structures (root 0 is the structure)
 };
 
-/// image2darray, imagecube: the third component of addresses is the layer or the face, that of extents their number.
+/// image2darray, imagecube: the third component of an address is the layer or the face; the third component of an
+/// extent is the number of layers or faces.
 enum class MemoryShape : std::uint8_t { buffer, image1d, image2d, image3d, imagecube, image2darray };
 
 /// Texel formats; same names as the language's. `none` for buffers.
@@ -302,7 +304,8 @@ enum class Format : std::uint8_t {
 /// The comparison of `s.compare(x, reference)`; less: the reference is less than the texel.
 enum class Compare : std::uint8_t { less, less_equal, greater, greater_equal };
 
-/// What an image that is not made anew is a part of.
+/// For an image that is a mip level or a layer of another image and has no memory of its own: which level or layer of
+/// which image.
 struct ImagePart {
     enum class Kind : std::uint8_t { mip, layer } kind = Kind::mip;
     Place of;                ///< the structure that has the image, as seen from the one that declares the part (root 0)
@@ -442,7 +445,7 @@ struct Kernel {
     std::optional<Raster> raster;  ///< of a kernel that draws: `body` is then the vertex part
     /// The parameter whose blocks the kernel visits (see Blocks); none: it visits a whole range.
     std::optional<std::uint32_t> space;
-    std::vector<std::uint32_t> same_space;  ///< other parameters, whose blocks must in every call be those of `space`
+    std::vector<std::uint32_t> same_space;  ///< other parameters whose blocks must be those of `space` in every call
     std::string doc;
     bool grouped() const { return group[0] != 0; }
 };
@@ -473,7 +476,7 @@ struct Pipeline {
     std::vector<PipelineParam> params;
     TypeId result;  ///< void, a value, device value, structure, or slice
     std::vector<StmtId> body;
-    Span host_needed;  ///< the first statement that waits or changes host state; none: allowed under a device condition
+    Span host_needed;  ///< first statement that waits or changes host state; none: callable under a device condition
     bool is_value =
         false;  ///< made by sema/values.cpp: one pass of one invocation, which computes a value on the device
     std::string doc;
@@ -527,9 +530,9 @@ struct Program {
         std::uint32_t structure, read_kernel, write_kernel, fill_kernel;
         std::uint32_t box_structure;
         /// The kernel that lists the elements that are there, and the structures (indices in Program::structures) that
-        /// it fills: the addresses, the places in the memory, the values, and the number of entries. All 0xffffffff for
-        /// views, in `gliftc test`, and where every address of the domain is known to have an element of its own
-        /// always.
+        /// it fills: virtual addresses, physical addresses (`places`), values, and the number of entries (`counter`).
+        /// All are 0xffffffff in `gliftc test`, where a view computes the elements, and where every address of the
+        /// domain is known to have a stored element of its own at all times.
         std::uint32_t list_kernel;
         std::uint32_t addresses, places, values, counter;
     };

@@ -35,11 +35,11 @@ struct PassBinding {
     std::optional<Compare> compare;  ///< images: what its comparison sampler does; absent: it has none. Plain reads of
                                      ///< such an image go through another binding
     bool atomic = false;             ///< some access is atomic
-    bool ordered = false;            ///< floats, combined by min or max: kept as the integers that have their bits
+    bool ordered = false;            ///< floats that are combined by min or max: shaders see ints that have their bits
     bool coherent =
         false;  ///< workgroups see each other's writes within the pass: accesses are neither moved nor merged
-    std::uint32_t one_place = 0;  ///< the first binding that may alias this one: itself if there is none, and always
-                                  ///< in the direct form, which calls with aliases do not use
+    std::uint32_t one_place = 0;  ///< index of the first binding that may alias this one; its own index if there is
+                                  ///< none, and in the direct form, which calls with aliases do not use
     bool in_rows = false;  ///< some load or store is of a vector of row_width scalars; its index then counts vectors
     std::uint32_t address_parameter = no_parameter;  ///< wide form, buffers: the parameter that holds the address
 };
@@ -74,8 +74,8 @@ struct PassParameter {
 struct Pass {
     std::uint32_t kernel = 0;  ///< index in Program::kernels; no_kernel: a function of a library
     Form form = Form::direct;
-    bool exists = true;  ///< false: no code is made. So it is for a wide form that has no buffers and never splits a
-                         ///< dispatch: it would equal the general form
+    bool exists = true;  ///< false: no code is made. This is so for a wide form that has no buffers and never splits
+                         ///< a dispatch, since it would equal the general form
     std::array<std::uint32_t, 3> group = {64, 1, 1};  ///< workgroup size
     std::uint32_t rank = 1;                           ///< number of axes of the visited addresses
     bool of_blocks = false;  ///< it visits blocks: `address` is {position in the block, number of the block}
@@ -93,7 +93,8 @@ struct Pass {
     /// Declares `address` from builtins, and `in_range`. For shaders; the host device's variants of kernels with a
     /// group have a copy in their bodies (lower/split_at_barriers.h).
     std::vector<StmtId> prologue;
-    LocalId in_range;  ///< bool: the address is in the range. Shaders without a group return if not; others test it
+    LocalId in_range;  ///< bool: the address is in the range. If not, shaders of kernels without a group return; in
+                       ///< kernels with a group, accesses are conditional on it
     /// The kernel's bodies. The first one is valid on every device and at every address. Of a draw it is the vertex
     /// part, and the fragment part, if there is one, is another. All others are for some devices only, or under
     /// assumptions.
@@ -116,10 +117,11 @@ struct Pass {
     Variant& plain() { return variants.front(); }
     const Variant& plain() const { return variants.front(); }
 
-    /// Whether a range larger than the largest dispatch is run as several dispatches: shaders add the origin of theirs
-    /// (ParameterSource::base) to their ids.
+    /// Whether a range that exceeds the device's largest dispatch is run as several dispatches: shaders then add the
+    /// origin of their dispatch (ParameterSource::base) to invocation ids. False for ranges with one axis, whose
+    /// workgroups continue in rows along y within one dispatch.
     bool has_base() const { return form == Form::wide && rank > 1 && splits; }
-    bool splits = false;  ///< the body does not depend on workgroups, so that several dispatches can run it
+    bool splits = false;  ///< several dispatches can run the range: no group is declared, no blocks are visited
 
     /// Whether shaders count the iterations of every loop, for devices that limit them (lavapipe).
     bool counts_rounds() const { return loop_rounds == UINT64_MAX; }
@@ -133,7 +135,7 @@ struct Pass {
 struct LibraryFunction {
     std::string name;
     TypeId result;
-    Pass pass;  ///< Pass::parameters are the structure's state as it is; Pass::params are the function's own parameters
+    Pass pass;  ///< Pass::parameters are the structure's constructor arguments; Pass::params the function's parameters
 };
 
 /// A structure that a module makes public under `name`, with its functions for users' own shaders: read and, where it

@@ -67,8 +67,8 @@ public:
     TypeId of_enum(std::uint32_t index);
     TypeId of_structure(std::uint32_t index);
 
-    /// The id here of the type that has the id `id` in `other`, the types of another program with the same structs,
-    /// enums and structures.
+    /// The id in this table of the type that has the id `id` in `other`, the table of another program with the same
+    /// structs, enums and structures.
     TypeId same_as(const Types& other, TypeId id);
 
     TypeId intern(Type type);

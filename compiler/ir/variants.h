@@ -24,7 +24,7 @@ struct Interior {
     std::uint32_t origin = no_parameter;  ///< pass parameter that holds the range's origin; no_parameter: zero
 };
 
-/// The assumption low <= value <= high, of type int; an absent limit is none.
+/// The assumption low <= value <= high, of type int; if `low` or `high` is absent, that side is not limited.
 struct Bounds {
     ExprId value, low, high;
 };
@@ -53,9 +53,9 @@ struct Variant {
     Devices devices = Devices::any;
     Assumptions assumes;
     std::vector<StmtId> body;
-    /// Present in the variant for blocks all of whose elements are visited: the statements that are executed once a
-    /// block, before the body. An `evaluate` statement among them is the condition that the block is such a one; the
-    /// statements after it and the body are executed only if it holds.
+    /// Present in the variant for blocks all of whose elements are visited: the statements that are executed once per
+    /// block, before the body. An `evaluate` statement among them is the condition that all elements of the block are
+    /// visited; the statements after it and the body are executed only if it holds.
     std::optional<std::vector<StmtId>> block;
     RowOrder order = RowOrder::ascending;  ///< used on the host device, for kernels without a group
 };

@@ -53,7 +53,8 @@ template <class Visit> void for_each_node(const Program& program, ExprId id, IdS
     detail::walk_nodes(program, id, seen, visit);
 }
 
-/// Calls visit(ExprId) for every expression of one statement, as a whole; not for those of statements inside it.
+/// Calls visit(ExprId) for the root of every expression of one statement, not for the operands below it and not for
+/// expressions of statements inside it.
 template <class Visit> void for_each_root(const Stmt& stmt, Visit&& visit) {
     if (stmt.value) visit(stmt.value);
     if (stmt.target) visit(stmt.target);

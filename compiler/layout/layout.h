@@ -9,7 +9,7 @@
 
 namespace gliftc::layout {
 
-/// Size and alignment of a value in memory. bool takes 4 bytes.
+/// Size and alignment, in bytes, of a value in memory. bool takes 4 bytes.
 struct Size {
     std::uint32_t size = 0;
     std::uint32_t align = 1;

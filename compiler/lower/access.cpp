@@ -71,8 +71,8 @@ bool Expander::is_coherent(const Place& place) const {
     });
 }
 
-/// The target of an atomic operation: `part`, which is an element or a part of one (field, component, array item), on
-/// the load `element` in place of the read of that element.
+/// The target of an atomic operation: a copy of `part`, which is an element or a part of one (field, component, array
+/// item), with the load `element` in place of the read of that element.
 ExprId Expander::part_of(ExprId part, ExprId element) {
     Expr node = p.exprs[part];
     if (node.op == Op::read) return element;
@@ -233,8 +233,8 @@ std::optional<std::vector<std::int64_t>> Expander::offset_of(const Expr& node) {
     return result;
 }
 
-/// The condition that the neighbour at `offset` is in the domain. Since the current element is, only the sides of the
-/// domain towards which the offset points are tested.
+/// The condition that the neighbour at `offset` is in the domain. Since the current element is in the domain, only the
+/// sides towards which the offset points are tested.
 ExprId Expander::near_guard(std::uint32_t root, const std::vector<std::int64_t>& offset) {
     ExprId address = centre_address(root), domain = domain_of({root, {}}), guard;
     for (std::uint32_t axis = 0; axis < offset.size(); ++axis) {

@@ -55,8 +55,9 @@ void Expander::find_form(AddressForm& form, TypeId address) {
     form.is_known = is_value && (!form.has || make.is_constant(form.has)) && collect_nodes(form, first);
 }
 
-/// Collects the nodes of the form. True if the address is a scalar, or they use only its components, not the vector as
-/// a whole: that would be the result of folding uint2(a.x, a.y) to a, which does not hold for every address.
+/// Collects the nodes of the form. True if the address is a scalar, or the nodes use only its components, not the
+/// vector as a whole. A use of the whole vector may come from folding uint2(a.x, a.y) to a, which folds for a local
+/// `a`, but not for every address that is put in its place.
 bool Expander::collect_nodes(AddressForm& form, ExprId first) {
     const bool is_vector = p.types.is_vector(make.type(form.address));
     bool is_known = !is_vector || form.value != form.address;

@@ -216,7 +216,7 @@ bool Degrees::run_if(const Stmt& stmt) {
     if (!run(stmt.body)) return false;
     Frame taken = std::exchange(*frame_, before);
     if (!run(stmt.otherwise)) return false;
-    // What either side assigns is a select between two values: not affine, unless both and the condition are uniform.
+    // What either side assigns is a select between two values: uniform if both and the condition are, else not affine.
     std::vector<StmtId> sides = stmt.body;
     sides.insert(sides.end(), stmt.otherwise.begin(), stmt.otherwise.end());
     for_each_statement(p, sides, [&](const Stmt& inner) {

@@ -1,6 +1,6 @@
 // Infers whether a translator's physical address is an affine function of the virtual address: each of its components
-// is a constant plus the components of the virtual address times coefficients, all of which are the same for all
-// addresses.
+// is a constant plus the components of the virtual address times coefficients. The constant and the coefficients are
+// the same for all addresses.
 #pragma once
 
 #include "ir/ir.h"

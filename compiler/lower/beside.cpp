@@ -1,8 +1,8 @@
 // Expander: neighbour reads across block borders, in kernels over blocks. A neighbour at a constant offset, no further
 // away than a block is wide, lies in the invocation's own block or in an adjacent one. The neighbour's physical
-// address is computed for each of these blocks, and the access selects one. All loads that this takes, such as look-ups
-// in a page table, depend on the block alone (the translators' divisions by the block size fold, see quotients.cpp);
-// otherwise it is not done. This needs no barrier and no copy, and works also for memory that the pass writes.
+// address is computed for each of these blocks, and the access selects one. This is done only if all loads that it
+// takes, such as look-ups in a page table, depend on the block alone (the translators' divisions by the block size
+// fold, see quotients.cpp). It needs no barrier and no copy, and works also for memory that the pass writes.
 #include "ir/effects.h"
 #include "lower/blocks.h"
 #include "lower/expand.h"
@@ -58,7 +58,8 @@ const Expander::Way& Expander::way_along(std::uint32_t root, std::uint32_t axis,
     return way;
 }
 
-/// Whether the value depends on a load that cannot be done once a block, or on a mutable local, which may hold one.
+/// Whether the value depends on a load that cannot be done once a block, or on a mutable local, which may hold the
+/// value of such a load.
 bool Expander::is_loaded_by_element(ExprId id) {
     const Expr& node = p.exprs[id];
     if (node.op == Op::local) {
@@ -71,8 +72,8 @@ bool Expander::is_loaded_by_element(ExprId id) {
     return std::ranges::any_of(node.operands, [&](ExprId operand) { return is_loaded_by_element(operand); });
 }
 
-/// The physical address of an address in a certain block; absent if computing it needs a load for each element, since
-/// it could then not be computed for all candidate blocks.
+/// The physical address of an address in a certain block; absent if computing it needs loads that differ between
+/// elements: each element would then have to do them for every candidate block.
 std::optional<Pair> Expander::place_in_block(const Place& place, ExprId address, const std::string& name) {
     Pair physical;
     Block made = collect([&] {
@@ -147,7 +148,7 @@ std::optional<Pair> Expander::beside(const Place& place, const std::vector<std::
     if (!block_.is_of_kernel || !(cx.is_direct() || place.root == *cx.kernel.space)) return std::nullopt;
     const auto widths = block_widths(cx);
     if (!widths || !is_in_reach(offset, *widths)) return std::nullopt;
-    // With one element an invocation, two candidate blocks are worth their lookups, four or more are not.
+    // With one element per invocation, two candidate blocks are worth their lookups, four or more are not.
     const auto axes = std::ranges::count_if(offset, [](std::int64_t part) { return part != 0; });
     if (axes > 1 && elements_in_block(*block_volume(cx)) == 1) return std::nullopt;
     centre(place.root);  // so that its statements come before those of this neighbour, which may use them

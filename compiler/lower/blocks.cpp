@@ -260,9 +260,10 @@ bool Expander::is_value_of_block(StmtId id) {
            numbers_.is_pure(stmt.value);
 }
 
-/// The prelude, and the body under the condition that it is valid. That is an `if` that the element is visited, before
-/// which only those values of the prelude stand that depend on the block alone; with Guards::block an `evaluate` after
-/// the prelude: all elements of the block are visited, and block_.holds.
+/// The prelude and the body, with the condition under which they are valid. Without Guards::block: an `if` whose
+/// condition is that the element is visited; only those values of the prelude that depend on the block alone stand
+/// before it, all else is inside. With Guards::block: an `evaluate` after the prelude and before the body, whose value
+/// is the condition that all elements of the block are visited and block_.holds is true.
 Expander::Block Expander::visited_block(Block body) {
     return collect([&] {
         if (guards_ != Guards::block) {

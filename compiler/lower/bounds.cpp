@@ -125,8 +125,9 @@ Parts Following::member(std::uint32_t slot, TypeId type) {
     return parts;
 }
 
-/// A constructor argument, memory extent or domain of the structure, or of one of its members. Those of members that
-/// the structure is given, not makes, are unknowns, each identified by the structure that was given.
+/// A constructor argument, memory extent or domain of the structure, or of one of its members. If the member is given
+/// to the structure and not made by it, the result is unknowns, the same for each member that was given the same
+/// structure.
 Parts Following::of_leaf(const Expr& node) {
     if (stage_ && node.place.root < stage_->structures.size()) return of_state_leaf(node);
     if (node.place.members.empty()) {

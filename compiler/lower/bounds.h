@@ -50,8 +50,8 @@ public:
     /// The extent within which physical addresses must lie: a memory's, or the domain of the structure that is the
     /// memory.
     Parts extent_of_memory();
-    /// The physical address of a virtual one, which may stand for many; none if the translators map all of them to
-    /// `none`.
+    /// The physical address of a virtual address, which is symbolic and may stand for many; none if the translators map
+    /// all of these to `none`.
     std::optional<Parts> translated(Parts address);
     /// Sets component `lane` of constructor argument `slot`.
     void set_member(std::uint32_t slot, std::uint32_t lane, const symbolic::Sum& sum) { members_[{slot, lane}] = sum; }

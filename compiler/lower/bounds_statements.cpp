@@ -45,8 +45,8 @@ std::optional<Parts> Following::translated(Parts address) {
     return address;
 }
 
-/// Narrows the upper bounds of unknowns that vary by facts, which are sums that are at least zero: in the values of
-/// locals, such an unknown is replaced by one with a smaller upper bound.
+/// Applies facts, which are sums that are known to be at least zero. If a fact gives a varying unknown a new upper
+/// bound, that unknown is replaced, in the values of locals, by another one with this bound.
 void Following::assume(const std::vector<Sum>& facts) {
     for (const Sum& fact : facts) {
         for (const auto& [product, factor] : fact) {
@@ -99,7 +99,7 @@ void Following::run_if(const Stmt& stmt) {
     const auto after = std::exchange(frame_->locals, before);
     assume(condition.truth.if_false);
     run(stmt.otherwise);
-    if (has_left) return;  // the other side has returned: what follows is reached only from this one, if at all
+    if (has_left) return;  // stmt.body has returned: what follows is reached only through stmt.otherwise
     if (std::exchange(frame_->has_left, false)) {
         frame_->locals = after;
         return;

@@ -28,8 +28,8 @@ namespace {
 /// Kernels with more loads or nodes have enough to do with one element, and two would take too many registers.
 constexpr std::size_t most_loads = 16, most_of_one = 600;
 
-/// Whether a function or one that it calls loops: then one element is work enough, and lavapipe limits the iterations
-/// of an invocation.
+/// Whether a function, or one that it calls, has a loop: then one element is work enough, and lavapipe limits the
+/// iterations of an invocation.
 bool has_loop(const Program& program, FunctionId function) {
     const auto& body = program.functions[function].body;
     bool found = false;
@@ -170,8 +170,8 @@ private:
         return local;
     }
 
-    /// The address of the second element: in one dimension a workgroup's width further, so that lanes stay contiguous;
-    /// else in the next row.
+    /// The address of the second element: in one dimension a workgroup's width further, so that the lanes of a subgroup
+    /// still access consecutive elements; else in the next row.
     ExprId next_address() {
         const ExprId address = cx.make.local(cx.pass.address);
         if (cx.pass.rank == 1) {

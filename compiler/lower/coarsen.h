@@ -1,26 +1,27 @@
-// Thread coarsening: an invocation of a shader takes several elements: two, in kernels over blocks up to eight. GPUs
-// start invocations and wait for memory; with one small element each they do little else (docs/performance.md).
+// Thread coarsening: an invocation of a shader takes several elements: two, in kernels over blocks up to eight. With
+// one small element per invocation, GPUs spend most of the time on starting invocations and on waiting for memory
+// (docs/performance.md).
 //
-// Needs: the statements of a kernel after "expand". Guarantees: at the end of the range, where there is no second
-// element, the code for it computes the first one again, and its stores repeat the first one's or are left out. In
-// kernels over blocks each element is tested, unless all elements of the block are known to be visited.
+// Needs: the statements of a kernel after "expand". Guarantees: at the end of the range, where an invocation has no
+// second element, the code for the second one stores nothing, or the same again as that for the first one. In kernels
+// over blocks each element is tested, unless all elements of the block are known to be visited.
 #pragma once
 
 #include "lower/expand.h"
 
 namespace gliftc::lower {
 
-/// A body for several elements an invocation.
+/// A body for several elements per invocation.
 struct Coarsened {
     std::vector<StmtId> body;  ///< empty: there is no gain, or the kernel does not allow it
-    ExprId in_range;  ///< condition that is known in `body`: the second element's address is in the range (in kernels
-                      ///< over blocks: the first one's)
+    ExprId in_range;  ///< a condition that holds throughout `body`: the second element's address is in the range (in
+                      ///< kernels over blocks: the first one's)
     std::array<std::uint32_t, 3> elements = {1, 1, 1};  ///< how many elements along each axis
 };
 
-/// Two elements, both computed before the first store; loads that come later are of memory that the pass does not
-/// write. `made` is the expander that made the body: it knows which values neighbour reads gave, some of which the
-/// second element uses again.
+/// Two elements, both computed before the first store; loads after a store are of memory that the pass does not write.
+/// `made` is the expander that made the body: it knows which values neighbour reads gave, some of which the second
+/// element uses again.
 Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander& made);
 
 /// Two elements, one after the other: the statements of the first, then, if there is a second one, those of the second.

@@ -1,9 +1,9 @@
 // Thread coarsening in kernels over blocks: an invocation of a shader takes several elements of a block, a workgroup's
 // width apart. Each invocation computes the values that depend on the block alone: once for all its elements.
 //
-// Blocks all of whose elements are visited have separate code, on devices that skip branches: elements without a loop,
-// at constant distances from the invocation's first one, several of which load before any of these is stored. A loop
-// that stores before it loads again would wait for memory in every iteration.
+// For blocks all of whose elements are visited, devices that skip branches run separate code. It has no loop over the
+// elements, which lie at constant distances from the invocation's first one; several of them load before any of these
+// is stored. A loop that stores before it loads again would wait for memory in every iteration.
 #include "ir/walk.h"
 #include "lower/blocks.h"
 #include "lower/coarsen.h"
@@ -18,11 +18,11 @@ using namespace ir;
 
 namespace {
 
-/// Limits for all elements that load before one is stored: more would take too many registers.
+/// Limits for all elements together that load before any of them is stored: more would take too many registers.
 constexpr std::size_t most_loads_together = 64, most_nodes_together = 4096;
 
-/// Whether the statements may be the body of a loop over elements: no returns, and no loops, whose iterations would
-/// multiply.
+/// Whether the statements may be the body of a loop over elements: they have no returns, and no loops, whose iterations
+/// would be multiplied by those of the loop around them.
 bool may_be_looped(const Context& cx, const std::vector<StmtId>& body) {
     bool may = true;
     for_each_statement(cx.p, body, [&](const Stmt& stmt) {

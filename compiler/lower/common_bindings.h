@@ -1,6 +1,7 @@
-// The forms of a kernel share one list of bindings (glift::Kernel::bindings), by whose numbers each reads the memories
-// of a call. A form may be shown not to access a memory that another one accesses, or access it at another place of its
-// code: then all forms are lowered again, beginning with the bindings of all.
+// The forms of a kernel share one list of bindings (glift::Kernel::bindings): a memory has the same number in each of
+// them. Lowering may find that one form does not access a memory that another form accesses. Or the first accesses to
+// the memories may come in another order in one form, and with them its bindings. Then all forms are lowered again,
+// beginning with the bindings of all of them.
 #pragma once
 
 #include "lower/context.h"

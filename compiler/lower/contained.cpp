@@ -19,7 +19,7 @@ struct Argument {
     std::uint32_t slot, lane;
 };
 
-/// The constructor arguments' components that are the extents of the domain, one an axis; empty if the domain is
+/// The constructor arguments' components that are the extents of the domain, one per axis; empty if the domain is
 /// anything else.
 std::vector<Argument> extents_of(const Program& p, std::uint32_t index) {
     const Structure& s = p.structures[index];

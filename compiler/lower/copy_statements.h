@@ -6,8 +6,8 @@
 
 namespace gliftc::lower {
 
-/// Copies statements of a body for another address of the invocation. Locals that `let`s declare are copied, too;
-/// expressions are folded again.
+/// Copies statements of a body, with `address` in place of the address of the invocation's element. Locals that `let`s
+/// declare are copied, too; expressions are folded again.
 class StatementCopy {
 public:
     StatementCopy(Context& context, ExprId address) : cx(context) { locals_[context.pass.address] = address; }

@@ -106,7 +106,7 @@ LocalId given(const Program& p, const Stmt& stmt, const IdSet<Local>& declared) 
 }
 
 /// Finds the locals whose values are needed: a needed statement uses them. Not needed are statements that only set a
-/// local that is not, and ifs, blocks and for loops of such statements alone.
+/// local whose value is not needed, and ifs, blocks and for loops that contain nothing else.
 class Needed {
 public:
     Needed(const Program& program, const std::vector<StmtId>& body, const IdSet<Local>& declared)

@@ -12,8 +12,8 @@ namespace gliftc::lower {
 
 std::vector<StmtId> drop_dead(Context& cx, const std::vector<StmtId>& body);
 
-/// Does so in the functions without structures, which all passes may call as they are; drivers' compilers need not be
-/// relied on for it (NVIDIA's crashed on a function most of which was dead). Returns the functions that have changed.
+/// Drops dead code in the functions without structures, which all passes may call as they are. It is not left to
+/// drivers' compilers: NVIDIA's crashed on a function most of which was dead. Returns the functions that have changed.
 std::vector<ir::FunctionId> drop_dead(ir::Program& program);
 
 }  // namespace gliftc::lower

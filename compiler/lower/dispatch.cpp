@@ -38,7 +38,7 @@ void choose_dispatch(Context& cx) {
     } else if (kernel.space) {
         cx.pass.group = group_of_blocks(block_volume(cx));
     } else {
-        // 256 invocations a workgroup; longest in x, so that neighbours in x are in one subgroup.
+        // 256 invocations per workgroup; longest in x, so that neighbours in x are in one subgroup.
         switch (cx.pass.rank) {
         case 1: cx.pass.group = {256, 1, 1}; break;
         case 2: cx.pass.group = {32, 8, 1}; break;

@@ -42,7 +42,7 @@ struct KernelTooLarge {
 enum class Guards { checked, interior, block };
 
 /// For a function that is expanded as statements and returns before its end. The result is in variables; a return sets
-/// them and leaves the enclosing loops of the function, and statements after it test whether there was one.
+/// them and leaves the enclosing loops of the function, and statements after it test whether a return was executed.
 struct Leaving {
     LocalId value, has;  ///< variables of the result; absent: it has no value, or is no optional
     LocalId left;        ///< a bool variable: a return was executed; absent: nothing tests it
@@ -78,8 +78,8 @@ public:
     /// Whether some neighbour read has a guard, so that an interior variant would differ.
     bool has_near_guards = false;
     std::optional<std::uint32_t> near_root;  ///< the first near parameter whose reads have guards
-    bool near_domains_agree = true;          ///< all near parameters whose reads have guards have its domain
-    ExprId near_domain;                      ///< its domain, whose inner part the interior variant is for
+    bool near_domains_agree = true;          ///< all near parameters whose reads have guards have near_root's domain
+    ExprId near_domain;                      ///< near_root's domain, whose inner part the interior variant is for
 
     /// A read by `near`, at any offset, that is executed unconditionally; and its value.
     struct NearValue {
@@ -117,7 +117,8 @@ private:
     ExprId expand_invocation(const ir::Expr& node);
 
     // divisors.cpp
-    /// The divisor; made not zero if it is unsigned and depends on the state of structures alone.
+    /// The divisor; or its maximum with 1, if it is unsigned, depends on the state of structures alone, and is neither
+    /// a constant nor an extent that is known not to be zero.
     ExprId divisor(ExprId id);
     bool is_visited_extent(ExprId id);
 
@@ -174,16 +175,16 @@ private:
 
     /// The block that the invocation's element belongs to.
     struct OwnBlock {
-        ExprId address;    ///< the element's, in the structure whose blocks are visited; absent: not computed yet
-        ExprId size;       ///< the block's size
-        ExprId last;       ///< the address of its last element
-        ExprId is_there;   ///< whether the block exists; absent: it does
-        ExprId holds;      ///< with Guards::block: further conditions on the block under which the body is valid
+        ExprId address;   ///< the element's address in the structure whose blocks are visited; absent: not computed yet
+        ExprId size;      ///< the block's size
+        ExprId last;      ///< the address of its last element
+        ExprId is_there;  ///< whether the block exists; absent: it does
+        ExprId holds;     ///< with Guards::block: further conditions on the block under which the body is valid
         LocalId position;  ///< the element's position in the block, as one number
         struct Axis {
             ExprId offset;           ///< the element's position in the block along the axis
             ExprId begin, last;      ///< the block's first and last address along the axis
-            ExprId number;           ///< begin / size, if `begin` is known to be a multiple; else absent
+            ExprId number;           ///< begin / size, if `begin` is known to be a multiple of size; else absent
             std::uint64_t most = 0;  ///< the largest value of `number`
         };
         std::vector<Axis> axes;
@@ -291,12 +292,12 @@ private:
         ExprId all;                                  ///< condition: all elements that are to be copied exist
         Block copies;                                ///< the statements that copy
     };
-    /// The loops that copy one part of a halo, an element an iteration. `address`: the element's address in the
+    /// The loops that copy one part of a halo, one element per iteration. `address`: the element's address in the
     /// structure; `index`: its index in the copy; `exists`: whether the block that it lies in is in the domain.
     struct Copied {
         std::string name;
-        std::vector<LocalId> loops;  ///< the loops' variables, one an axis
-        std::vector<ExprId> limits;  ///< the loops' limits, one an axis
+        std::vector<LocalId> loops;  ///< the loops' variables, one per axis
+        std::vector<ExprId> limits;  ///< the loops' limits, one per axis
         ExprId address, index, exists;
     };
     Copied places_of(const Halo& halo, const Halo::Part& part, Neighbours& found);
@@ -310,12 +311,12 @@ private:
     bool depends_on(ExprId id, const std::vector<LocalId>& locals);
 
     // beside.cpp
-    using Ways = std::vector<const Way*>;  ///< one an axis; null: the offset is zero along it
-    /// A block in which a neighbour may lie, chosen axis by axis.
+    using Ways = std::vector<const Way*>;  ///< one per axis; null: the offset is zero along it
+    /// A block in which a neighbour may lie. It is chosen axis by axis, the first axes first.
     struct Beside {
-        Operands address;  ///< the neighbour's, along the axes that are chosen
+        Operands address;  ///< the neighbour's address along the axes for which the block is chosen already
         std::string name;
-        bool is_own;  ///< along the axes that are chosen it is the own block
+        bool is_own;  ///< along these axes it is the own block
     };
     std::optional<Pair> beside(const ir::Place& place, const std::vector<std::int64_t>& offset);
     const Way& way_along(std::uint32_t root, std::uint32_t axis, std::int64_t offset);
@@ -398,7 +399,8 @@ private:
 
     // shared
     ir::Place resolved(const ir::Place& place) const;
-    /// In the direct form: the place below the first parameter that has the same state. Else the place itself.
+    /// In the direct form: the same path from the first parameter whose structure has the same state. Else the place
+    /// itself.
     ir::Place canonical(const ir::Place& place) const;
     std::uint32_t canonical_root(std::uint32_t root) const;
     /// Makes a `let` of the value, unless it is trivial or uniform.

@@ -318,7 +318,7 @@ ExprId Expander::expand_invocation(const Expr& node) {
     switch (node.invocation) {
     case Invocation::local_index: return make.builtin(Builtin::local_index, uint);
     case Invocation::group_index: {
-        // Linear over the grid; in one dimension, groups that continue in a next row are counted on.
+        // Linear over the grid. In one dimension too: there the workgroups may continue in rows along y.
         ExprId row = make.add(make.multiply(part(id, 1), part(count, 0)), part(id, 0));
         if (cx.pass.rank < 3) return row;
         return make.add(make.multiply(part(id, 2), make.multiply(part(count, 0), part(count, 1))), row);

@@ -180,8 +180,8 @@ bool is_choice_of_inside(const Program& program, const Expr& node) {
 }
 
 /// Operations that change nothing in the middle of a row (whatever translator they come from), each with the operand
-/// that it equals there: clamp, min and max of an int, or min of a uint, that advances by one along the row, its limits
-/// being constant there; and x < n ? y : … with such x and y.
+/// that it equals there: clamp, min and max of an int, or min of a uint, that advances by one along the row, with
+/// limits that are constant along the row; and x < n ? y : … with such x, y and n.
 using Identities = std::map<ExprId, ExprId>;
 
 Identities row_identities(const Context& cx, const Variant& variant, const std::vector<StmtId>& body) {
@@ -258,8 +258,8 @@ bool is_independent(const Context& cx, const std::vector<StmtId>& body) {
     });
 }
 
-/// Whether elements may be executed twice, and that pays: no memory is or may be both read and written, and the body
-/// is straight-line code.
+/// Whether elements may be executed twice, and whether that pays: no memory is or may be both read and written, and the
+/// body is straight-line code.
 bool may_be_repeated(const Context& cx, const std::vector<StmtId>& body) {
     for (std::uint32_t i = 0; i < cx.pass.bindings.size(); ++i)
         if (cx.pass.bindings[i].access == Access::read_write || cx.pass.bindings[i].one_place != i) return false;

@@ -1,5 +1,5 @@
-// A hash map from ids to small values: one array, no allocation an entry. Lowering asks it several times for every
-// node.
+// A hash map from ids to small values, in one array, without an allocation per entry: lowering looks up every node
+// several times.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Expander: neighbour reads in kernels over blocks, on the host device. The elements that `near` reads of a block and
-// around it are copied to a local array once a block: each adjacent block that the offsets reach is looked up once, if
-// translating its addresses takes loads that depend on the block alone (the translators' divisions by the block size
-// fold, see quotients.cpp), and elements read the copy at constant distances.
+// around it are copied to a local array once a block, and elements read the copy at constant distances. Each adjacent
+// block that the offsets reach is looked up once, if all loads that translating its addresses takes depend on the block
+// alone (the translators' divisions by the block size fold, see quotients.cpp).
 // This is known as ghost cells in block-structured grids, and as block-local storage in Taichi.
 #include "lower/halos.h"
 

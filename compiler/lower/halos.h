@@ -35,10 +35,11 @@ struct Halo {
     }
 };
 
-/// The halos for the near parameters that are read at offsets other than zero but no further away than the adjacent
-/// blocks, whose elements are scalars or vectors (not of bools) and are not computed by a view, and whose memory the
-/// pass does not write; in the order of the parameters, those before the first that makes them too large together. None
-/// if the size of blocks is no constant, or very small or very large.
+/// The halos, in the order of the parameters. A near parameter has one if it is read at an offset other than zero and
+/// at none that reaches beyond the adjacent blocks, if its elements are scalars or vectors (not of bools) and are not
+/// computed by a view, if the pass only reads its memory, which is not coherent, and if the copies, with those for
+/// earlier parameters, have 32,768 scalars at most. None if the size of a block is not constant, or if a block has
+/// fewer than 8 or more than 32,768 elements.
 std::vector<Halo> halos_of(Context& cx, const NearOffsets& offsets);
 
 }  // namespace gliftc::lower

@@ -11,12 +11,12 @@ using namespace ir;
 
 namespace {
 
-/// A function that is only `let`s and a return is inlined everywhere if it has no more nodes. Others are inlined if
-/// they take structures or give an optional, and in the code of translators, views and functions of blocks. All this as
-/// far as InlineSizes allows.
+/// A function that is only `let`s and a return is inlined everywhere if it has at most this many nodes. Other functions
+/// are inlined if they take structures or give an optional, and in the code of translators, views and functions of
+/// blocks. Nothing is inlined that InlineSizes does not allow.
 constexpr std::size_t plain_call_limit = 40;
 constexpr unsigned depth_limit = 64;
-constexpr std::uint32_t largest_tree = 1024;  ///< number of nodes as a tree from which on a value gets a local
+constexpr std::uint32_t largest_tree = 1024;  ///< a value gets a local if it has more nodes as a tree
 
 bool is_short(const Program& p, const Function& function) {
     std::size_t size = 0;
@@ -180,8 +180,8 @@ Pair Expander::run_returning_if(const Stmt& stmt, const std::vector<StmtId>& res
     return merged(condition, std::move(yes), a, std::move(no), b, type);
 }
 
-/// Executes an `if` symbolically: afterwards a local that differs is a select between its values on both sides, or a
-/// variable that both sides assign.
+/// Executes an `if` symbolically: afterwards a local whose values on the two sides differ is a select between them, or
+/// a variable that both sides assign.
 void Expander::run_if(const Stmt& stmt) {
     ExprId condition = value_of(stmt.value);
     if (make.is_true(condition) || make.is_false(condition)) {

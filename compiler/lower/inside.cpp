@@ -1,5 +1,6 @@
-// Expander: a partial translator that maps nothing beyond the edge tests whether the address is in the domain. Removes
-// this test where the address is known to be inside (the current element) or is tested already (neighbours).
+// Expander: a partial translator that maps nothing beyond the edge tests whether the address is in the domain. These
+// functions remove that test where the address is known to be inside (the current element) or is tested by the caller
+// (neighbours).
 #include "lower/expand.h"
 
 namespace gliftc::lower {

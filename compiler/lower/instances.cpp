@@ -1,5 +1,6 @@
 // Expander: functions that are not inlined. A lowered instance of a function is made for each list of structures, or
-// translator's state, that it is called with; one without these is used as it is, unless it zeroes a long array.
+// translator's state, that it is called with; a function that takes neither is used as it is, unless it zeroes a long
+// array.
 #include "lower/expand.h"
 
 #include "ir/walk.h"

@@ -1,5 +1,6 @@
 // Functions of structures for the user's own shaders: read, write and translate at one address, and, where not every
-// address is known to be mapped, is_mapped. Views have read alone, structures whose memory is a view all but write.
+// address is known to be mapped, is_mapped. Views have only read. Structures whose memory is a view or an image of
+// depths (d32) have all but write.
 #pragma once
 
 #include "diag/diagnostics.h"

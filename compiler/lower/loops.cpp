@@ -50,8 +50,8 @@ private:
         if (stmt.op == StmtOp::while_ || (stmt.op == StmtOp::atomic && is_retried(cx.p, cx.pass, stmt)))
             inside = note(stmt, unknown);
         if (stmt.op == StmtOp::for_) {
-            // The last test counts as an iteration, in which devices also go through the inner loops, with no lane
-            // active.
+            // The last test, which fails, counts as an iteration, too: devices then go through the inner loops once,
+            // with no lane active.
             auto known = rounds_of(cx.p, stmt.value, stmt.limit);
             std::uint64_t count = known ? known->count : most(stmt.limit);
             inside = note(stmt, plus(times(count, plus(inside, 1)), plus(1, loops_in(stmt.body))));
@@ -162,7 +162,7 @@ private:
     std::uint64_t longest_ = 0;
 };
 
-/// Adds the files that reports of a pass may name.
+/// Adds the files that messages of a pass may name: those of its reports and, if it counts iterations, of its loops.
 void add_files(const Program& program, const Pass& pass, std::vector<std::uint32_t>& files) {
     const auto add = [&](const std::vector<StmtId>& body) {
         for_each_statement(program, body, [&](const Stmt& stmt) {

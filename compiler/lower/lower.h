@@ -19,9 +19,9 @@ struct Settings {
     Trace* trace = nullptr;  ///< null: nothing is traced
 };
 
-/// Lowers every kernel. Adds nodes to the program; kernels stay as they were. Also folds constants in functions, makes
-/// extents exact (widen.h), adds release statements for pipelines' temporaries, and fills in properties of translators
-/// and structures (affine, contained_axes, wide, wide_of_wide).
+/// Lowers every kernel. Adds nodes to the program; kernels stay as they were. Also folds constants and drops dead code
+/// in functions without structures, makes extents exact (widen.h), adds release statements for pipelines' temporaries,
+/// and fills in properties of translators and structures (affine, contained_axes, wide, wide_of_wide).
 ir::Lowered lower(ir::Program& program, Diagnostics& diagnostics, Settings settings = {});
 
 /// Lowers a kernel as the body of a library function with these parameters: it has no dispatch and no range, and

@@ -129,7 +129,7 @@ bool Reader::take(const Stmt& stmt) {
 }
 
 /// Whether the loop counts from 0 to the number of the array's rows and each iteration copies a whole row; array and
-/// memory must have the same scalar type, and not bool.
+/// memory must have the same scalar type, which must not be bool.
 bool Reader::is_whole() const {
     const std::optional<Line> first = line_of(loop.value), limit = line_of(loop.limit);
     if (!first || !limit || *first != Line{0, 0} || limit->factor != 0 || !move_.array || !move_.first) return false;

@@ -28,8 +28,9 @@ bool Numbers::is_written(std::uint32_t binding) const {
     });
 }
 
-/// Of a call, whether the function reads memory that the pass writes, or that other workgroups write meanwhile. `seen`:
-/// the functions that have been looked at.
+/// The traits that a call has because of the function's body: `changes` if it reads memory that the pass writes,
+/// `impure` if it has an effect or loads coherent memory, which other workgroups may write meanwhile. `seen`: the
+/// functions that have been looked at.
 std::uint8_t Numbers::traits_of_body(FunctionId function, std::unordered_set<FunctionId>& seen) const {
     if (!cx.made_functions.contains(function) || !seen.insert(function).second) return 0;
     std::uint8_t trait = 0;

@@ -6,8 +6,8 @@
 // each partition of the set of parameters. Vulkan devices run the wide form, whose buffers are pointers that may be
 // equal. Images have descriptors in every form; an image that is loaded after a store by a binding that may alias it is
 // a storage image, not a texture, so that the invocation sees its own store (in all forms, see agree() in loops.h). The
-// direct form assumes that there are no aliases. Where it computes two elements an invocation, both before the first
-// store, and another form must not because of aliases, that one computes them one after the other.
+// direct form assumes that there are no aliases. Where each of its invocations computes two elements, both before the
+// first store, and aliases do not allow this in another form, the other form computes them one after the other.
 #pragma once
 
 #include "lower/context.h"

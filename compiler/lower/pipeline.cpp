@@ -176,8 +176,8 @@ std::vector<Variant> for_host(Context& cx, const Variant& variant) {
     return found;
 }
 
-/// Runs the host device's passes: what they make of the variants for the host device replaces these, what they make of
-/// those for any device is added, for the host device.
+/// Runs the host device's passes. What they make of a variant for the host device replaces it; what they make of a
+/// variant for any device is added, as a variant for the host device.
 void add_host_variants(Context& cx) {
     std::vector<Variant> others, made;
     for (Variant& variant : cx.pass.variants) {
@@ -319,7 +319,7 @@ Lowered::Forms all_forms(Program& program, Diagnostics& diagnostics, std::uint32
         if (is_coarsened(forms.direct) && !is_coarsened(*pass) && has_one_place(*pass))
             *pass = lower(pass->form, Elements::two_in_turn);
     // A workgroup must cover the same number of elements in all forms, since they share one description of the kernel
-    // (glift::Kernel::items): if one form takes one element an invocation, all do.
+    // (glift::Kernel::items): if one form takes one element per invocation, all do.
     const auto takes_one = [](const Pass* pass) { return !is_coarsened(*pass); };
     if (std::ranges::any_of(all, takes_one))
         for (Pass* pass : all)

@@ -40,7 +40,7 @@ std::optional<std::uint64_t> Make::limit_of(ExprId id) const {
     }
 }
 
-/// value / divisor, if the value is known to be a multiple and not to wrap.
+/// value / divisor, if the value is known to be a multiple of the divisor and not to wrap.
 std::optional<ExprId> Make::exact_quotient(ExprId value, std::uint64_t divisor) {
     const Expr node = p.exprs[value];
     if (const auto bits = bits_of(value); bits && *bits % divisor == 0) return uint(*bits / divisor);

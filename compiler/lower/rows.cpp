@@ -115,8 +115,8 @@ bool Expander::is_whole_vector(const Rows& rows, ExprId physical) {
     return rows.count == 1 && parts_of(rows) == 1 && make.type(rows.first) == p.types.uint && is_at_vector(physical);
 }
 
-/// The distance in addresses from the first element to behind the last one, if it is a constant, and so small that
-/// nothing overflows.
+/// The distance in addresses from the first element to one past the last element, if it is a constant, and so small
+/// that nothing overflows.
 std::optional<std::uint64_t> Expander::span_of(const Rows& rows) {
     if (rows.count == 1) return row_width;
     constexpr std::uint64_t largest = 1u << 24;
@@ -159,7 +159,7 @@ ExprId Expander::vector_at(const Rows& rows, ExprId first_vector, ExprId row, st
     return make.add(make.add(first_vector, make.multiply(row, apart)), make.uint(part));
 }
 
-/// The number of vectors of a row: that of the numbers of an element.
+/// The number of vectors of a row: as many as an element has numbers, since a row has four elements.
 std::uint32_t Expander::parts_of(const Rows& rows) { return p.types.components(cx.structure_at(rows.place).element); }
 
 /// The index of the first vector of the first row, whose first element is at `physical`.

@@ -1,7 +1,7 @@
 // Expander: `sample`, `gather` and `compare`, which access the elements around a point. Of an image that keeps each
 // element at its own address, the device's sampler filters, gathers or compares the texels, if it can for the image's
-// shape and format. Texels that it can gather but not compare, `compare` gathers and compares by arithmetic. All other
-// elements are read one by one, and `sample` and `compare` interpolate by arithmetic.
+// shape and format. If it can gather the texels but not compare them, `compare` gathers them and compares by
+// arithmetic. All other elements are read one by one, and `sample` and `compare` interpolate by arithmetic.
 #include "ir/chain.h"
 #include "lower/expand.h"
 #include "lower/memory.h"
@@ -56,7 +56,7 @@ ExprId Expander::image_extent(const Place& place) {
     return p.exprs.add(std::move(extent));
 }
 
-/// The point, counted from the first texel of the image.
+/// A point that is given relative to the range, in the coordinates of the whole image.
 ExprId Expander::in_image(const Place& place, ExprId at) {
     if (!is_range(place)) return at;
     const ExprId origin = from_origin(place, make.zero(cx.structure_at(place).domain_type));
@@ -160,8 +160,8 @@ ExprId Expander::texel_near(const Place& place, ExprId texel) {
     return make.intrinsic(Intrinsic::clamp, type, {texel, make.zero(type), last});
 }
 
-/// The elements around a point, each read separately. Element centres lie at +0.5. Beyond an image its edge counts,
-/// beyond other structures what they give there.
+/// The elements around a point, each read separately. Element centres lie at +0.5. Beyond the edge of an image the
+/// nearest texel is taken; other structures give there what they give to reads.
 Expander::Around Expander::around(const Place& place, ExprId at) {
     const Structure& structure = cx.structure_at(place);
     const bool is_image = is_texel_address(place);

@@ -146,9 +146,9 @@ void Counting::visit(ExprId id, Where where) {
             ++plan_.records[found].uses;
             return decide(Decision::repeated, found);
         }
-        // A local is declared before the statement, so that its value is always computed, and once. A load under a
-        // condition must not be, since its address may be invalid; nor what the condition of a while loop computes anew
-        // in each round.
+        // A local is declared before the statement, so its value is computed once and unconditionally. This is not
+        // allowed for a load under a condition, whose address may be invalid, nor for values in the condition of a
+        // while loop, which are computed anew for each iteration.
         if (where == Where::before || (where == Where::conditional && !numbers_.has_load(id))) {
             begin_record(number);
             plan_.records.back().name = name_in_source(id);
@@ -296,7 +296,7 @@ ExprId Rewriting::visit(ExprId id) {
     return local == node.local ? id : cx.make.local(local);
 }
 
-/// The first use of a value: makes a local of it if there are more.
+/// The first use of a value: makes a local of it if there are more uses.
 ExprId Rewriting::visit_first(ExprId id, Record& record) {
     const ExprId value = visit_operands(id);
     if (record.uses < 2) return value;

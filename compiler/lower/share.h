@@ -1,5 +1,5 @@
 // Common subexpression elimination: expressions that are used more than once in a scope become named locals before
-// their first use, and a `let` with the value of an earlier one is replaced by that.
+// their first use, and uses of a `let` whose value an earlier local has use that local.
 //
 // Needs: statements of memory operations, whose expressions may share nodes. Guarantees: expressions are trees small
 // enough to print; nothing is moved past a write that it depends on, and no load is moved out of a condition.

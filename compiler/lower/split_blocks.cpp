@@ -23,7 +23,8 @@ public:
         }
         for (StmtId id : body) {
             const Stmt& stmt = cx.p.stmts[id];
-            // Its declaration, which gives a value, stays; so what assigns the array stays, too.
+            // The declaration of a mutable local with a value stays in the body; so what assigns it must stay there,
+            // too.
             if (stmt.op == StmtOp::let && !stmt.uninitialized) others_.insert(stmt.local);
             if (!fills(id)) note_assigned(id);
         }
@@ -47,8 +48,8 @@ private:
         });
     }
 
-    /// Leaves out a compound statement that assigns an array of others_, and with it all arrays that it assigns; false
-    /// if there is none.
+    /// Removes from statements_ a compound statement that assigns an array of others_, and adds all arrays that it
+    /// assigns to others_; false if there is none.
     bool leave_out_others() {
         const auto found = std::ranges::find_if(statements_, [&](StmtId id) {
             bool assigns_other = false;
@@ -86,7 +87,7 @@ private:
     Context& cx;
     BlockValues values_;
     std::vector<StmtId> statements_;  ///< compound statements that fill only such arrays
-    IdSet<Local> filled_, others_;    ///< arrays assigned in such a statement; arrays that stay
+    IdSet<Local> filled_, others_;    ///< arrays assigned in such statements; locals that stay in the body
 };
 
 }  // namespace

@@ -123,8 +123,8 @@ void Expander::expand_leaving(const std::vector<StmtId>& body) {
     }
 }
 
-/// Expands a statement that may return, so that the statements after it (`rest`) are skipped then. True if it has
-/// expanded these, too.
+/// Expands a statement that may return, such that the statements after it (`rest`) are skipped if it does. True if this
+/// has expanded `rest`, too.
 bool Expander::expand_past(const Stmt& stmt, const std::vector<StmtId>& rest) {
     if (stmt.op == StmtOp::return_) return false;
     const bool is_in_loop = frame_->leaving->loops != 0;

@@ -58,7 +58,7 @@ bool Strength::is_step(ExprId id) {
            (is_local(node.operands[1]) && is_uniform(cx, node.operands[0]) && node.binary == BinaryOp::add);
 }
 
-/// The expression as an earlier local plus or minus an amount that is uniform but for conditions (c ? step : 0);
+/// The expression as an earlier local plus or minus an amount that is uniform except for conditions (c ? step : 0);
 /// absent: there is no such local, or no gain.
 ExprId Strength::relative(ExprId id) {
     if (!is_sum(id) || !numbers_.is_fixed(id) || is_uniform(cx, id)) return {};
@@ -85,8 +85,8 @@ ExprId Strength::relative(ExprId id) {
     return cx.make.binary(nearest.is_negative ? BinaryOp::subtract : BinaryOp::add, base, amount);
 }
 
-/// Makes base + (c ? step : 0) of c ? base + step : base, if step is uniform: a select between values that are at hand
-/// needs no branch.
+/// Makes base + (c ? step : 0) of c ? base + step : base, if step is uniform: neither value of this select has to be
+/// computed, so that it needs no branch.
 ExprId Strength::around_select(const Expr& node, Operands operands) {
     const Expr* named = &cx.p.exprs[operands[1]];
     // A temporary is used elsewhere, too, so base + step is computed anyway: then the select stays.

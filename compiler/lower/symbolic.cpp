@@ -114,8 +114,8 @@ bool Symbols::varies(const Sum& sum) const {
     });
 }
 
-/// Eliminates an unknown: the maximum (`high`) or minimum of the sum over all its values. None if the sum is not known
-/// to be monotonic in the unknown, or that has no bound on this side.
+/// Eliminates an unknown: the maximum (`high`) or minimum of the sum over all values of the unknown. None if the sum is
+/// not known to be monotonic in the unknown, or if the unknown lacks the bound at which the maximum or minimum lies.
 std::optional<Sum> Symbols::without(const Sum& sum, Unknown unknown, bool high, unsigned depth) const {
     std::map<std::size_t, Sum> factors;
     for (const auto& [product, factor] : sum) {

@@ -2,8 +2,8 @@
 // negative. lower/bounds.h compares addresses with the size of a memory by them, for all sizes at once.
 //
 // An unknown is a size, which has a lower bound and is the same for all addresses; or a number that varies with the
-// address; or the result of an operation on such. Numbers are mathematical integers: callers have to treat arithmetic
-// that may wrap around.
+// address; or the result of an operation on unknowns. Numbers are mathematical integers: callers have to handle
+// arithmetic that may wrap around.
 #pragma once
 
 #include <cstdint>

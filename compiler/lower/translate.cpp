@@ -1,4 +1,4 @@
-// Expander: translation of addresses, by the stages of `via` one after the other. A parameter's physical address of the
+// Expander: translation of addresses, by the stages of `via` one after the other. The physical address of a parameter's
 // current element (its "centre") is computed once, before the kernel's body.
 #include "ir/chain.h"
 #include "ir/effects.h"
@@ -113,7 +113,7 @@ ExprId Expander::all_less(ExprId address, ExprId extent) {
 /// The function to translate with. In the wide form scalar physical addresses may exceed 2^32; components of vectors do
 /// not.
 FunctionId Expander::translate_of(const Translator& translator, TypeId address, const Structure& structure) const {
-    // Where the memory is a structure, the result is a virtual address, with 32 bits an axis.
+    // Where the memory is a structure, the result is a virtual address, with 32 bits per axis.
     if (!cx.is_wide() || !translator.wide || !structure.base.empty()) return translator.translate;
     return address == p.types.uint64 ? translator.wide_of_wide : translator.wide;
 }

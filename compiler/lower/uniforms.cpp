@@ -13,7 +13,7 @@ using namespace ir;
 
 namespace {
 
-/// Up to so many operations on parameters that exist anyway are cheaper than one more parameter.
+/// Up to this many operations on parameters that exist anyway are cheaper than one more parameter.
 constexpr unsigned shader_operations = 3;
 
 std::string word_for(BinaryOp op) {
@@ -65,7 +65,7 @@ private:
     /// For each body the uniform values in it, in the order of their uses.
     std::vector<std::vector<ExprId>> lifted_values_;
     std::unordered_map<ValueNumber, std::uint32_t> slots_;  ///< the parameters of values that have become one
-    // Those from here to top_ are for the body that is being rewritten.
+    // The members from visited_ to top_ are for the body that is being rewritten.
     NodeMap<ExprId, ExprId> visited_{cx.first_expr};
     std::unordered_map<ValueNumber, unsigned> counts_;  ///< number of uses of uniform values that the shader computes
     std::unordered_map<ValueNumber, LocalId> locals_;   ///< the locals that hold these values

@@ -9,7 +9,8 @@
 namespace gliftc::lower {
 
 /// Every uniform expression becomes a parameter, which the host computes, unless it is a constant, or a few operations
-/// on parameters that the pass has anyway, or of a type that cannot be a parameter (an optional, or with empty parts).
+/// on parameters that the pass has anyway, or of a type that cannot be a parameter (an optional, or a type that has
+/// empty structs in it).
 void move_uniforms(Context& cx, const std::vector<std::vector<StmtId>*>& bodies);
 
 /// For library functions: only the state itself becomes parameters, and the shader computes uniform expressions, so

@@ -21,8 +21,8 @@ struct Value {
     ExprId narrow, wide;
 };
 
-/// How a copy holds a local or a function's result: as the original does; in 64 bits; or `exact`, in 64 bits of which
-/// all but sums and the like (Widener::exact) use the low 32.
+/// How a copy holds a local or a function's result. narrow: as the original does. wide: in 64 bits. exact: in 64 bits,
+/// of which only sums and the like (Widener::exact) use the upper 32.
 enum class Width : std::uint8_t { narrow, exact, wide };
 
 struct Copied {
@@ -173,9 +173,9 @@ ExprId Widener::widened(const Value& value) {
     return convert(type, value.narrow);
 }
 
-/// Whether the 32-bit value has wrapped around at 2^32 where the exact number is negative or has more bits: a signed
-/// number, a complement, in translators also a difference, each also as a part of a vector, in a select, and in a
-/// local, parameter or result of Width::exact.
+/// Whether the 32-bit value has wrapped around at 2^32 where the exact number is negative or has more bits: a
+/// conversion from a signed or 64-bit number, a complement, in translators also a difference or a negation; each also
+/// as a part of a vector, in a select, and in a local, parameter or result of Width::exact.
 bool Widener::wraps(const Expr& narrow) const {
     const auto operand_wraps = [&](ExprId operand) { return wraps(p.exprs[operand]); };
     switch (narrow.op) {
@@ -302,8 +302,8 @@ Value Widener::unary(Expr node) {
     return joined(std::move(node), {of});
 }
 
-/// Whether the low bits of the result depend on nothing but the low bits of the operands, so that they are right in 64
-/// bits as they are in 32.
+/// Whether the low bits of the result depend on nothing but the low bits of the operands: then the operation in 64 bits
+/// gives the same low 32 bits as that in 32 bits.
 bool is_modular(BinaryOp op) {
     switch (op) {
     case BinaryOp::add:
@@ -379,7 +379,7 @@ Value Widener::call(Expr node) {
     return copy.result == Width::wide ? note(id) : Value{id, {}};
 }
 
-/// Intrinsics that mean the same in any width take 64-bit operands, in extents findMSB does, too; the operands of
+/// Intrinsics that mean the same in any width take 64-bit operands. In extents findMSB does, too. The operands of all
 /// others are narrowed to 32 bits.
 Value Widener::intrinsic(Expr node) {
     switch (node.intrinsic) {

@@ -22,7 +22,8 @@ void check_variable(Body&, const ast::Stmt&, ir::ExprId target);
 void declare_variable(Body&, ir::LocalId);
 /// Whether an earlier check of this pipeline found that the variable declared at `name` lies on the device.
 bool lies_on_device_later(const Body&, Span name);
-bool is_of_innermost_arm(const Body&, ir::LocalId);  ///< whether the variable is declared there
+/// Whether the variable is declared in the innermost arm around the code being checked, not outside of it.
+bool is_of_innermost_arm(const Body&, ir::LocalId);
 /// The initial value of a variable, brought to the device where an assignment needs the variable there.
 ir::ExprId as_declared(Body&, ir::ExprId value, Span name);
 

@@ -29,8 +29,8 @@ class Assigned {
 public:
     Assigned(Context& context, ir::LocalId once) : c(context), once_(once) {}
 
-    /// The locals that every path through the part assigns, but for paths that end in `discard`; absent: all paths end
-    /// so.
+    /// The locals that are assigned on every path through the part, except paths that end in `discard`; absent: all
+    /// paths end in `discard`.
     std::optional<Locals> of(const std::vector<ir::StmtId>& part) {
         State state;
         walk(part, state);

@@ -29,8 +29,8 @@ bool returns_none(const Context& c, const std::vector<ast::StmtId>& body) {
     });
 }
 
-/// Makes the function blocks(), block(i) or block_size() of a structure. The language fixes their types, so that
-/// parameters are written without. Absent after an error.
+/// Makes the function blocks(), block(i) or block_size() of a structure. The language fixes their types, so that none
+/// are written. Absent after an error.
 ir::FunctionId make_function(Context& c, const Env& env, std::uint32_t index, ast::DeclId id,
                              const std::vector<ir::TypeId>& params, ir::TypeId result) {
     const ast::Decl& decl = c[id];
@@ -198,7 +198,7 @@ std::vector<std::uint32_t> deciding(const ir::Kernel& kernel) {
 }  // namespace
 
 void find_space(Context& c, ir::Kernel& kernel) {
-    // Draws run over corners and pixels. Kernels with a group, and those that take several elements an invocation,
+    // Draws run over corners and pixels. Kernels with a group, and those whose invocations take several elements,
     // compute with positions in the range.
     if (kernel.raster || kernel.grouped() || kernel.items != 1) return;
     const std::vector<std::uint32_t> params = deciding(kernel);

@@ -27,7 +27,7 @@ std::optional<Operand> call_of_blocks(Body&, const Operand& self, ast::Identifie
 /// those that are `at`; else those read by `each` or `near`. If all of them have blocks, Kernel::space is the first of
 /// them and Kernel::same_space the others; all must have their blocks from the same ir::Structure, which is their own
 /// or a memory along their chains (else an error). Kernel::space stays empty for draws, for kernels with a group, and
-/// for those that take several elements an invocation.
+/// for those whose invocations take several elements.
 void find_space(Context&, ir::Kernel&);
 
 /// Makes a pipeline over a structure that declares blocks, which gives their number as a value on the device, for the

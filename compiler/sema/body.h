@@ -55,9 +55,10 @@ struct Symbol {
 
 enum class OperandKind : std::uint8_t { error, value, meta, structure, memory, iterator };
 
-/// What a pipeline that returns a range (`-> range<N, T>`) returns slices of.
+/// The result of a pipeline that returns a range (`-> range<N, T>`): a slice of a structure with N-dimensional
+/// addresses and elements T.
 struct RangeResult {
-    ir::TypeId domain, element;  ///< of N and T; error if they were not found
+    ir::TypeId domain, element;  ///< the address type for N, and T; the error type after an error
     ir::TypeId slice;            ///< the type of the returned slices, known from the first return
 };
 
@@ -85,12 +86,12 @@ struct Body {
     const Env& env;
     BodyKind kind = BodyKind::function;
     std::vector<std::unordered_map<Name, Symbol>> scopes = {{}};
-    ir::Definitions lets;  ///< values of the locals of `let` and `const`, but for made structures and `if let`
+    ir::Definitions lets;  ///< values of the locals of `let` and `const`, except made structures and `if let`
     /// Pipelines: the constructor arguments of each structure that the pipeline makes.
     std::unordered_map<ir::LocalId, ir::Operands> made;
     std::vector<ir::StmtId>* block = nullptr;  ///< the list to which statements are added; null: expressions only
     ir::TypeId result;                         ///< the type that `return` gives
-    unsigned loops = 0;  ///< the loops around the statement within its innermost arm; 0: no `break`, no `continue`
+    unsigned loops = 0;  ///< loops around the statement in its innermost arm; 0: `break`, `continue` are errors
     unsigned depth = 0;  ///< how deeply the statement is nested
     ir::Kernel* kernel = nullptr;
     ir::Part part = ir::Part::whole;  ///< the vertex or the fragment part of a draw; whole: the kernel does not draw
@@ -190,7 +191,7 @@ Operand check_unary(Body&, ast::ExprId, ir::TypeId wanted);
 Operand check_binary(Body&, ast::ExprId, ir::TypeId wanted);
 Operand check_conditional(Body&, const ast::Expr&, ir::TypeId wanted);
 Operand check_otherwise(Body&, const ast::Expr&, ir::TypeId wanted);  ///< `a ?? b`
-bool has_equality(const ir::Program&, ir::TypeId);                    ///< `==` and `!=` apply to two of the type
+bool has_equality(const ir::Program&, ir::TypeId);                    ///< whether values of the type have `==`, `!=`
 ir::ExprId make_struct_equality(Body&, bool negated, ir::ExprId left, ir::ExprId right, Span);
 /// The value that `target op= value` assigns; `before` is the target's old value.
 ir::ExprId check_compound(Body&, const ast::Stmt&, ir::ExprId before);

@@ -189,7 +189,7 @@ ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tre
     }
     if (!diagnostics.has_errors()) check_given(c);
     if (!diagnostics.has_errors()) require_transfers_of_arguments(c);
-    // As in close_scope(), no warnings beside errors.
+    // No warnings if there are errors, as in close_scope().
     for (std::uint32_t i = 0; i < modules.size() && !diagnostics.has_errors(); ++i)
         if (modules[i].is_root) warn(c, modules[i].tree->decls);
     if (!diagnostics.has_errors() && settings.looks_into_tables) require_transfers_of_tables(c);

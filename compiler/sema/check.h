@@ -36,8 +36,8 @@ struct LoadedModule {
     std::vector<std::uint32_t> uses;
 };
 
-/// The module whose structure Box and kernels move, fill and list elements for the host. The loader loads it also where
-/// no module imports it.
+/// The module with the structure Box and the kernels by which the host moves, fills and lists elements. The loader
+/// loads it even if no module imports it.
 inline constexpr std::string_view transfer_module = "std.transfer";
 
 /// Checks what the root modules declare without generic parameters: first types, translators, constants and aliases of

@@ -18,9 +18,9 @@ ir::TypeId hint_for_second(Body& body, ast::ExprId second, ir::TypeId first, ir:
     return first == types.error || types.kind(first) == ir::TypeKind::optional ? first : types.optional(first);
 }
 
-/// Checks both operands and unifies their types: literals and `none` take the other operand's, a value beside an
-/// optional is wrapped, and one that the host knows beside one on the device is computed there. `wanted` is the type
-/// hint for the operand that is checked first, and for a `none` beside it.
+/// Checks both operands and unifies their types: literals and `none` take the other operand's type, a value beside an
+/// optional is wrapped, and a value that the host knows is computed on the device if the other one lies there. `wanted`
+/// is the type hint for the operand that is checked first, and for a `none` beside it.
 std::pair<ir::ExprId, ir::ExprId> check_sides(Body& body, ast::ExprId yes, ast::ExprId no, ir::TypeId wanted) {
     const Context& c = body.context;
     const bool is_swapped = typing_of(c, no) < typing_of(c, yes);

@@ -41,7 +41,8 @@ ir::ExprId substitute_state(Context&, ir::ExprId, const ir::Stage&);
 /// The value returned by a function that is a single `return`; else absent.
 ir::ExprId single_return(const ir::Program&, ir::FunctionId);
 
-/// An instance of the structure of std.transfer that holds a box of elements, with that many dimensions, in a buffer.
+/// The instance of std.transfer's structure Box that holds a box of such elements, with that many dimensions, in a
+/// buffer. Absent after an error, or if std.transfer is not loaded.
 std::optional<std::uint32_t> box_of(Context&, std::uint32_t dimensions, ir::TypeId element, Span use);
 
 /// Whether the statements contain operations of Level::structure, such as reads of elements and translations of
@@ -50,7 +51,7 @@ bool reads_memory(const ir::Program&, const std::vector<ir::StmtId>&);
 
 /// A pipeline that calls the function in a pass of one invocation and returns the result, which stays on the device.
 /// Its parameters are the function's structures, then its values; `on_device` says which of the values lie on the
-/// device.
+/// device. Gives its index in Program::pipelines; absent after an error.
 std::optional<std::uint32_t> pipeline_of_function(Context&, ir::FunctionId, Span use,
                                                   const std::vector<bool>& on_device = {});
 
@@ -62,7 +63,7 @@ ir::ExprId structure_argument(Context&, ir::LocalId, Span);
 
 /// Adds a pipeline that makes a temporary of one element, of structure `box`, runs the kernel over it and returns the
 /// element. The temporary is the kernel's last argument, `arguments` are the others. `pipeline` comes with its name and
-/// parameters.
+/// parameters. Returns the pipeline's index in Program::pipelines.
 std::uint32_t pipeline_of_kernel(Context&, ir::Kernel kernel, ir::Pipeline pipeline, ir::Operands arguments,
                                  std::uint32_t box);
 

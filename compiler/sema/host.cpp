@@ -95,7 +95,7 @@ ir::ExprId value_argument(Body& body, const Argument& argument, ir::TypeId wante
     return fits ? value : coerce(body, value, wanted, body.context[argument.written].span);
 }
 
-/// The operand that a call without a result gives, such as that of a kernel.
+/// The operand that a call without a result gives, such as a call of a kernel.
 Operand no_value(Body& body, Span span) {
     return value_operand(body, add(body.program(), ir::Op::constant, body.types().void_, span), span);
 }
@@ -338,7 +338,7 @@ std::optional<Operand> check_expect(Body& body, std::string_view name, const ast
 }
 
 /// Checks `temp name = Structure(arguments);`, or a `let` or `var` without a written type whose value is a call or a
-/// slice, such as `let part = a[0..n];`. True: the statement is checked.
+/// slice, such as `let part = a[0..n];`. Always true, which tells callers that the statement has been checked.
 bool check_structure_declaration(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
     bool is_temp = stmt.kind == ast::StmtKind::temp;

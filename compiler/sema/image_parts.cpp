@@ -17,7 +17,7 @@ ir::ExprId first_two(ir::Program& p, ir::ExprId vector, Span span) {
     return both;
 }
 
-/// The extent of a mip level: halved once a level, one texel at least along each axis. The number of layers stays the
+/// The extent of a mip level: halved once per level, one texel at least along each axis. The number of layers stays the
 /// same.
 ir::ExprId extent_of_level(Body& body, ir::ExprId extent, ir::MemoryShape shape, ir::ExprId level, Span span) {
     ir::Program& p = body.program();

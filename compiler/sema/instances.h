@@ -21,7 +21,7 @@ std::optional<std::uint32_t> instantiate_kernel(Context&, ast::DeclId, const Env
 
 /// The radius of a parameter `near<S, r>`; reports one that is missing or out of range.
 std::uint32_t window_radius(Context&, const Env&, const ast::Param&);
-/// The extents after `group`, 1 for those of three that are not written; all 0 if there are none.
+/// The three extents after `group`: 1 for each that is not written, all 1 after an error; all 0 if there is no `group`.
 std::array<std::uint32_t, 3> group_of(Context&, const Env&, const std::vector<ast::ExprId>& written);
 
 /// `passed` has an entry for each parameter: of a range, the structure instance; of a value, `lies_on_device` if the

@@ -162,7 +162,7 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
 }
 
 /// Finds the address type of the domain that the kernel runs over. Reports `each`, `at` and `near` parameters with
-/// another one, and a kernel that has neither `each` nor `at`.
+/// another address type, and a kernel that has neither `each` nor `at`.
 void find_domain(Context& c, const ast::Kernel& written, ir::Kernel& kernel, bool parameters_are_good) {
     const ir::KernelParam* first = nullptr;
     for (const ir::KernelParam& param : kernel.params) {

@@ -41,8 +41,8 @@ std::optional<std::uint32_t> home_of(const Context& c, ir::TypeId id) {
     return std::nullopt;
 }
 
-/// Reports that two imports declare the name, the same whatever their order. Returns the declaration with which
-/// checking goes on.
+/// Reports that two imports declare the name; the message does not depend on the order of the imports. Returns the
+/// declaration with which checking goes on.
 ast::DeclId report_ambiguous(Context& c, ast::Identifier name, ast::DeclId one, ast::DeclId other) {
     const auto module_of = [&](ast::DeclId decl) -> const std::string& {
         return c.text(c.modules[c.module_of.at(decl)].tree->name.name);

@@ -34,7 +34,8 @@ ir::TypeId type_of(Context&, const Env&, ast::ExprId);
 ir::TypeId type_of(Context&, const Env&, const ast::Param&);
 
 /// The value of a compile-time expression of the wanted type; if that is absent, of its own type, which is uint for
-/// integer literals without suffix (others without suffix are then an error). Reports otherwise.
+/// integer literals without suffix (others without suffix are then an error). Absent after an error, also if the
+/// expression is not known at compile time.
 std::optional<ir::Value> constant_of(Context&, const Env&, ast::ExprId, ir::TypeId wanted = {});
 
 /// The checked value of a `const` declaration.

@@ -40,9 +40,9 @@ bool follow_given(Body& body, Whole& whole) {
     return false;
 }
 
-/// The structure that has the elements of an argument: the last one of its memory chain. Where a temporary was given
-/// that structure, the place is the one that was given, so that one structure has one place. None for slices and
-/// values.
+/// The structure that has the elements of an argument: the last one of its memory chain. If it was given to a
+/// temporary's constructor, the place is the one that was given there, not that of the temporary's member, so that one
+/// structure has one place. None for slices and values.
 std::optional<Whole> root_of(Body& body, const ir::Expr& argument) {
     const ir::Program& p = body.program();
     if (argument.op != ir::Op::structure_value || p.types.kind(argument.type) != ir::TypeKind::structure)

@@ -25,7 +25,7 @@ struct Candidate {
 
 struct CheckedArguments {
     std::vector<Operand> operands;  ///< of kind error, without a span, where `waits` is set
-    std::vector<bool> waits;        ///< for each argument, whether it is checked once its parameter's type is known
+    std::vector<bool> waits;        ///< for each argument: it is checked only once its parameter's type is known
     bool failed = false;
 };
 
@@ -59,7 +59,7 @@ CheckedArguments check_arguments(Body& body, const std::vector<ast::ExprId>& arg
     return result;
 }
 
-/// Whether an argument made of untyped literals can take a parameter's type; true for other arguments.
+/// Whether an argument made of literals without suffix can take a parameter's type; true for other arguments.
 bool takes_literal(Context& c, ast::ExprId argument, ir::TypeId parameter) {
     if (!is_flexible(c, argument) || parameter == c.types().error) return true;
     const ir::TypeId taken = operand_hint(c.types(), parameter), own = operand_hint(c.types(), own_type(c, argument));
@@ -125,7 +125,7 @@ std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner,
     return env;
 }
 
-/// Whether the window of a function's `near` parameter is no larger than that of the argument; reports where it is.
+/// Whether the window of a function's `near` parameter is no larger than that of the argument; reports a larger one.
 bool fits_window(Body& body, const Env& env, const ast::Param& param, const Operand& argument) {
     if (param.pattern != ast::Pattern::near) return true;
     std::uint32_t radius = window_radius(body.context, env, param);
@@ -136,7 +136,7 @@ bool fits_window(Body& body, const Env& env, const ast::Param& param, const Oper
     return false;
 }
 
-/// Whether the caller has the workgroup that the function declares, if it declares one; reports where not.
+/// Whether the caller has the workgroup size that the function declares, if it declares one; reports if not.
 bool fits_group(Body& body, ast::DeclId id, const Env& env, const ast::Expr& call) {
     Context& c = body.context;
     const auto& function = std::get<ast::Function>(c[id].body);

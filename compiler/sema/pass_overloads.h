@@ -22,7 +22,8 @@ std::optional<ast::DeclId> choose_pass(Body&, const std::vector<ast::DeclId>& ov
                                        const std::vector<PassArgument>& arguments, const ast::Expr& call,
                                        const Operand* owner);
 
-/// The kernel's `at` parameter if it has exactly one: its argument may be omitted if another parameter gives the range.
+/// The index of the kernel's `at` parameter if it has exactly one: its argument may be omitted if another parameter
+/// gives the range.
 std::optional<std::size_t> only_address(const std::vector<ast::Param>&);
 /// Infers generic arguments from the call's arguments.
 void infer_arguments(Body&, Arguments&, const std::vector<ast::Param>&, const std::vector<PassArgument>&);

@@ -23,7 +23,8 @@ ir::TypeId range_domain(Context& c, const Env& env, ast::ExprId dimensions) {
     return c.types().vector(c.types().uint, *n);
 }
 
-/// Whether slices of the structure are ranges over `domain` of `element`; an error at `span` if not.
+/// Whether the structure has addresses of type `domain` and elements of type `element`; reports an error at `span` if
+/// not.
 bool check_range(Context& c, std::uint32_t structure, ir::TypeId domain, ir::TypeId element, Span span) {
     if (domain == c.types().error || element == c.types().error) return true;  // reported before
     const ir::Structure& instance = c.program.structures[structure];
@@ -79,7 +80,7 @@ ir::TypeId declared_result(Body& body, const ast::Pipeline& written) {
 }
 
 /// Checks the body, again from the beginning as long as an assignment shows that one more variable must lie on the
-/// device (check_variable): it must do so from its declaration on.
+/// device (check_variable): the variable must lie there from its declaration on.
 void check_pipeline_body(Body& body, const std::vector<ast::StmtId>& statements, ir::Pipeline& pipeline) {
     const Body fresh = body;
     const Diagnostics::Mark mark = body.context.diagnostics.mark();

@@ -50,7 +50,7 @@ void look(const ir::Program& program, ir::FunctionId id, Flow& flow) {
 }
 
 /// Weakens properties that a translator of a structure which this translator reads does not have, since each read is
-/// translated in turn. The memories of those structures are not followed.
+/// translated in turn. Where the memory of such a structure is a structure, the translators of that one are left out.
 void add_tables(const ir::Program& program, ir::Translator& translator) {
     ir::Properties& properties = translator.properties;
     for (std::uint32_t structure : translator.structures) {

@@ -23,8 +23,8 @@ std::string why_kept(Body& body, const Operand& target) {
     return "";
 }
 
-/// Whether the temporary was constructed over `other` wherever the member is constructed over `given`, a member of the
-/// container.
+/// Whether the temporary's constructor was given `other`, or a part of it, wherever the member's constructor is given
+/// `given`, a member of the container, or the same part of that.
 bool is_made_over(const Body& body, ir::LocalId temporary, const ir::MemberStructure& member, std::uint32_t given,
                   ir::LocalId other) {
     std::vector<ir::Expr> structures;
@@ -199,7 +199,7 @@ bool check_replace(Body& body, const ast::Stmt& stmt) {
     body.program().stmts[id].local = *temporary;
     body.replacements.push_back({target.place.members[0], *temporary, written.span, body.block});
     emit(body, id);
-    body.scopes.back().erase(c[stmt.value].name);  // the member has its memory now
+    body.scopes.back().erase(c[stmt.value].name);  // its memory is the member's: the name ends here
     return true;
 }
 

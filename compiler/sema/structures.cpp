@@ -69,7 +69,8 @@ std::optional<MemoryText> read_memory(Context& c, ast::ExprId id) {
     return std::nullopt;
 }
 
-/// Whether the type is the name of a generic parameter: an error in its argument is then reported where that is given.
+/// Whether the type is the name of a generic parameter: an error in the argument for it is then reported where that
+/// argument is given.
 bool is_generic_name(const Body& body, ast::ExprId type) {
     const ast::Expr& expr = body.context[type];
     return expr.kind == ast::ExprKind::name && body.env.find(expr.name) != nullptr;

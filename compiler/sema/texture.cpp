@@ -120,7 +120,8 @@ Operand compare(Body& body, const Operand& self, const std::vector<ast::ExprId>&
 }
 
 /// Whether the structure is not written by scatter, nor through a parameter that is `out` or `inout`; `coherent` and
-/// `calls` are allowed. Reports one that is: other invocations may write the elements around a point.
+/// `calls` are allowed. Reports a structure that is so written: other invocations may write the elements around a
+/// point.
 bool is_read(Body& body, const Operand& self, std::string_view name, Span span) {
     const bool is_param = body.kernel != nullptr && self.place.root < body.kernel->params.size();
     const ir::KernelParam* const param = is_param ? &body.kernel->params[self.place.root] : nullptr;

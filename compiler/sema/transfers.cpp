@@ -55,9 +55,9 @@ std::optional<std::uint32_t> box_of(Context& c, std::uint32_t axes, ir::TypeId o
     return c.types()[type].index;
 }
 
-/// Adds the kernel by which C++ lists the elements that are there (read_resident), and the boxes that it fills. Adds
-/// none for views, for structures whose elements are computed, and where every address is known to have its own
-/// element.
+/// Adds the kernel by which C++ lists the elements that are there (read_resident), and the types of the boxes that it
+/// fills. Adds none for views and structures whose elements are computed, nor for a structure without blocks in which
+/// every address is known to have an element of its own.
 static void list_of(Context& c, ir::Program::Transfer& transfer, Span use) {
     const ir::Structure structure = c.program.structures[transfer.structure];
     if (!ir::has_resident_part(c.program, structure)) return;
@@ -110,7 +110,7 @@ void require_transfers(Context& c, std::uint32_t index, Span use) {
         element.type = structure.element;
         if (auto kernel = transfer_kernel(c, "write_box", {linear, self}, use)) {
             write = *kernel;
-            // The kernel visits the elements of the box, not the structure's blocks: a box is mostly a small part of
+            // The kernel visits the elements of the box, not the structure's blocks: a box is usually a small part of
             // the structure.
             c.program.kernels[write].space.reset();
         }

@@ -33,7 +33,7 @@ bool becomes(const ir::Types&, ir::TypeId from, ir::TypeId to);
 /// Whether the type is or contains an optional.
 bool holds_optional(const ir::Program&, ir::TypeId);
 
-/// Reports `what` of a type that is an optional, or an array of them. False: it is none.
+/// Whether the type is an optional or an array of optionals, which `what` cannot be; reports it then.
 bool is_refused_optional(Context&, ir::TypeId, std::string_view what, Span);
 
 }  // namespace gliftc::sema

@@ -169,7 +169,7 @@ void Uniformity::loop_(ir::StmtId id) {
         if (stmt.op == ir::StmtOp::for_ && bound == stmt.value) raise(locals_[{call_, stmt.local}], flow);
     }
     control_flow_ = worse(control_flow_, exit);
-    if (stmt.op == ir::StmtOp::while_) value(stmt.value);  // again, in the control flow that breaks and continues leave
+    if (stmt.op == ir::StmtOp::while_) value(stmt.value);  // again: breaks and continues may have made it divergent
     const Interval entry = interval_;
     const bool reports = std::exchange(reports_, false);
     if (may_leave) walk(stmt.body);  // an invocation that leaves in one round is missing from the start of the next

@@ -4,7 +4,7 @@
 // While such an expression is being checked it is *open*: a tree of plain types, as if the host knew the values, whose
 // leaves on the device are nodes Op::device_value. Where the whole expression is used it is *closed*: one pass of one
 // invocation computes it, and a call of that pass replaces the tree, with a device type. An expression that is a single
-// leaf needs no pass: the value behind it is taken.
+// leaf needs no pass: it is replaced by the leaf's operand, which has a device type.
 #pragma once
 
 #include "sema/body.h"
@@ -31,18 +31,19 @@ bool is_open(const Body&, ir::ExprId);
 /// Makes a value of a device type a leaf (Op::device_value) of an open expression; returns any other operand unchanged.
 Operand opened(Body&, Operand);
 ir::ExprId opened(Body&, ir::ExprId);
-/// Makes a value of a device type of an open expression, by a pass where it is more than a leaf; returns any other
-/// operand unchanged.
+/// Replaces an open expression by a value of a device type, which a pass computes unless the expression is a single
+/// leaf; returns any other operand unchanged.
 Operand closed(Body&, Operand);
 ir::ExprId closed(Body&, ir::ExprId);
-/// Computes the expression in a pass, also if the host knows its value: a value of a device type.
+/// Computes the expression in a pass, even if the host knows its value; gives a value of a device type.
 ir::ExprId on_device(Body&, ir::ExprId);
 /// Whether the expression has a device type.
 bool is_on_device(const Body&, ir::ExprId);
 
 /// Changes a value parameter of the kernel to pattern `argument`: a value on the device.
 void make_argument(Context&, ir::Kernel&, std::size_t param, Span use);
-/// A copy of a kernel, made once, whose parameters with `on_device` set are values on the device.
+/// A copy of a kernel whose parameters with `on_device` set are values on the device; made once, and found again when
+/// it is asked for again. Its index in Program::kernels.
 std::uint32_t kernel_with_arguments(Context&, std::uint32_t kernel, const std::vector<bool>& on_device, Span use);
 
 }  // namespace gliftc::sema

@@ -7,7 +7,8 @@
 namespace gliftc::sema {
 
 /// Looks at the functions, kernels, pipelines and tests among the declarations, but not into structures. Looks at
-/// syntax trees, not at instances, so that each generic declaration is warned about once.
+/// syntax trees, not at instances, so that each generic declaration is warned about once. In tests it warns only of
+/// unreachable statements; in draws it does not warn of `x = x`.
 void warn(Context&, const std::vector<ast::DeclId>& declarations);
 
 }  // namespace gliftc::sema

@@ -253,7 +253,7 @@ bool fits_writing(Body& body, const Env& env, const ast::Param& param, const Ope
 
 namespace {
 
-/// Whether the caller may have this effect through the structure that it passes; reports where not.
+/// Whether the caller may have this effect through the structure that it passes; reports if not.
 bool may_have(Body& body, const ir::Function& called, const ir::Effect& effect, const Operand& through, Span span) {
     Context& c = body.context;
     if (body.effects == nullptr) {

@@ -30,7 +30,7 @@ void declare_writing(Body&, const ast::Param&, ir::KernelParam made, ir::Place, 
 /// adds the effects (`calls` gives none).
 void declare_with(Body&, const ast::Function&, ir::Function&);
 
-/// Whether the caller may access the argument by the pattern of the function's parameter; reports where not.
+/// Whether the caller may access the argument by the pattern of the function's parameter; reports if not.
 bool fits_writing(Body&, const Env&, const ast::Param&, const Operand& argument);
 
 /// Adds the effects of the called function to those of the function or kernel that calls it. `given`: the structures

@@ -19,7 +19,7 @@ struct Span {
     bool operator==(const Span&) const = default;
 };
 
-/// The smallest span that contains both; they are of one file.
+/// The smallest span that contains both, which must be of one file. If one of them has no file, the other.
 inline Span join(Span a, Span b) {
     if (!a) return b;
     if (!b) return a;
@@ -34,8 +34,8 @@ struct Position {
 
 /// One file's text with its line starts.
 struct SourceFile {
-    std::string path;  ///< of the command line, or found for an import; normalised by driver/load.cpp, separators are
-                       ///< '/'. "<stdin>": standard input
+    std::string path;  ///< as given on the command line or found for an import, normalised by driver/load.cpp:
+                       ///< separators are '/'. "<stdin>": standard input
     std::string text;
     std::vector<std::uint32_t> line_starts;  ///< byte offset of each line's first byte
 };

@@ -1,5 +1,5 @@
 // The syntax tree: made by the parser, read by sema. No names are resolved. Comments of enumerators show the syntax or
-// say which fields of the node are used; words behind the syntax say where it is allowed, or what it means. The comment
+// say which fields of the node are used; words after the syntax say where it is allowed, or what it means. The comment
 // of a field that only some kinds use begins with these kinds; what it holds there follows after a colon.
 //
 // Types are expressions: `Array<4, float>`, `float4`, `T[8]`, `vec<N, uint>?` use the same nodes as values, and sema
@@ -202,7 +202,7 @@ struct Struct {
     Span extern_span;
     // Filled from the C++ header before sema, as are `fields`:
     std::string extern_name;             ///< as C++ writes it: "sim::Particle"
-    std::vector<std::uint32_t> offsets;  ///< bytes, one a field
+    std::vector<std::uint32_t> offsets;  ///< in bytes, one per field
     std::uint32_t size = 0;              ///< bytes
 };
 
@@ -214,7 +214,7 @@ struct Enum {
     std::vector<Enumerator> enumerators;
 };
 
-/// Members are functions. A body is parsed, but sema does not look at it.
+/// Members are functions. Their bodies, if written, are parsed, but sema ignores them.
 struct Interface {
     std::vector<DeclId> members;
 };

@@ -43,8 +43,8 @@ private:
         return limit;
     }
 
-    /// The index of the piece after the attributes `@name(arguments) @name…` that stand in one line from `from` on, if
-    /// that piece begins a new line and is no comment; else `from`.
+    /// The index of the piece after the attributes `@name(arguments) @name…` that begin at `from` and stand on one
+    /// line, if that piece begins a new line and is no comment; else `from`.
     std::uint32_t end_of_attribute(std::uint32_t from, std::uint32_t limit) const {
         std::uint32_t end = from;
         while (end < limit && pieces_[end].is(TokenKind::at_sign) && (end == from || !pieces_[end].first_on_line)) {
@@ -190,7 +190,7 @@ private:
         ++at_;
     }
 
-    /// Formats enumerators, one a line.
+    /// Formats enumerators, one per line.
     void enumerators(std::uint32_t close, std::size_t indent) {
         while (at_ < close) {
             new_line(indent);
@@ -207,7 +207,7 @@ private:
         }
     }
 
-    /// Formats the pieces up to `end`, with line breaks where needed; `room` columns stay free after the last one.
+    /// Formats the pieces up to `end`, with line breaks where needed; `room` columns stay free after the last piece.
     void wrap(std::uint32_t end, std::size_t indent, std::size_t room) {
         std::uint32_t first = at_;
         std::vector<std::size_t> alignment;

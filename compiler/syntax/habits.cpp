@@ -121,7 +121,7 @@ template <std::size_t n> std::string find(const Habit (&habits)[n], std::string_
     return found == std::end(habits) ? std::string() : std::string(found->hint);
 }
 
-/// The type for a name of GLSL: float3 for vec3, float4x4 for mat4; empty if it is none.
+/// What Glift calls a type of GLSL: float3 for vec3, float4x4 for mat4; empty if the name is not that of such a type.
 std::string glsl_type(std::string_view name) {
     constexpr Habit scalars[] = {{"vec", "float"}, {"ivec", "int"},    {"uvec", "uint"},
                                  {"bvec", "bool"}, {"dvec", "double"}, {"mat", "float"}};
@@ -163,8 +163,8 @@ const Token& Parser::head() const {
     return tokens_[at];
 }
 
-/// A hint for syntax of another language: how Glift writes it. Recognised by the tokens around the error; empty if
-/// nothing fits.
+/// A hint for syntax of another language: how Glift writes it. Recognised by the tokens around the error and by
+/// `wanted`, what the parser expects there; empty if nothing fits.
 std::string Parser::habit(std::string_view wanted) const {
     using enum TokenKind;
     const auto before = [&](std::uint32_t back) { return cursor_ >= back ? tokens_[cursor_ - back] : Token{}; };

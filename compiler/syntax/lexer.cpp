@@ -111,7 +111,7 @@ private:
         push(kind, begin, name, meaning);
     }
 
-    /// A word with characters beyond ASCII: one error, unless the text is not valid UTF-8, which is reported once. It
+    /// A word with characters beyond ASCII: one error, unless the text is not valid UTF-8, which run() has reported. It
     /// counts as an identifier if it has an ASCII letter, digit or '_', else as a bad_character.
     void foreign_word(std::size_t begin) {
         std::size_t first = begin;
@@ -244,7 +244,7 @@ private:
         push(kind, begin);
     }
 
-    /// The longest of `c`, `c=`, `cc`, `cc=` that is a token.
+    /// Takes the longest of `c`, `c=`, `cc`, `cc=` that is a token; TokenKind::end stands for one that is none.
     void family(char c, TokenKind one, TokenKind with_equal, TokenKind two, TokenKind two_with_equal) {
         bool doubled = two != TokenKind::end && look(1) == c;
         if (doubled && two_with_equal != TokenKind::end && look(2) == '=') return take(two_with_equal, 3);

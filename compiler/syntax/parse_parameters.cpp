@@ -72,7 +72,7 @@ ast::Pattern Parser::pattern_here() const {
         {Word::instance, Pattern::instance},
         {Word::range, Pattern::range},
     }};
-    // A name may follow, too: parse_pattern reports that.
+    // An identifier may follow instead of '<', as in `each S`: parse_pattern() reports the missing '<'.
     if (peek(1).kind != TokenKind::less && peek(1).kind != TokenKind::identifier) return Pattern::none;
     for (auto [word, pattern] : patterns)
         if (at_word(word)) return pattern;

@@ -300,7 +300,7 @@ ast::ExprId Parser::parse_generic_arguments(ExprId base, std::uint32_t first) {
     return add(std::move(expr));
 }
 
-/// Whether the token, `>` and more characters, closes enclosing generic arguments.
+/// Whether the token is `>>`, `>=` or `>>=` and can close generic arguments around the ones being looked at.
 bool Parser::closes_outer(TokenKind kind) const {
     return open_angles_ > 0 && (kind == greater_greater || kind == greater_greater_equal || kind == greater_equal);
 }

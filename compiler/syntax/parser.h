@@ -8,7 +8,7 @@
 
 namespace gliftc {
 
-/// Never fails: a syntax error is reported, and what has it becomes an error node, or is left out.
+/// Never fails: a syntax error is reported, and the construct that has it becomes an error node, or is left out.
 ast::Module parse(std::uint32_t file, const Sources& sources, Names& names, ast::Tree& tree, Diagnostics& diagnostics);
 
 /// The same for a file that has been lexed. Sets the roles of the tokens, and shortens those that it takes in parts,

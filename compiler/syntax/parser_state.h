@@ -206,7 +206,7 @@ private:
     std::vector<std::uint16_t> heights_;  // height of the tree of each expression from first_expr_ on; limited by add()
     std::uint32_t unclosed_at_ =
         0xffffffffu;  // where a missing `}` was reported, so that enclosing braces do not report it again
-    std::uint32_t badly_indented_ = 0xffffffffu;  // first `{` whose `}` is indented otherwise: likely lacks its own
+    std::uint32_t badly_indented_ = 0xffffffffu;  // first `{` whose `}` is indented differently: may lack its own
 };
 
 }  // namespace gliftc

@@ -10,7 +10,7 @@ namespace gliftc {
 /// `(+ a (* b 2))`: fully parenthesised, for types and values.
 std::string print(ast::ExprId expr, const ast::Tree& tree, const Names& names);
 
-/// One declaration, field, item or statement a line, indented by its depth.
+/// One declaration, field, item or statement per line, indented by its depth.
 std::string print(const ast::Module& module, const ast::Tree& tree, const Names& names);
 
 }  // namespace gliftc

@@ -17,7 +17,7 @@ enum class TokenKind : std::uint8_t {
     floating,
     bad_number,  // malformed; the parser reports it
     string,
-    bad_character,  // one or several characters that no token has; reported already
+    bad_character,  // one or several characters that begin no token; reported already
 #define PUNCTUATION(name, text) name,
 #define KEYWORD(text) kw_##text,
 #define WORD(text)

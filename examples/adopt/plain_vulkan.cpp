@@ -201,7 +201,7 @@ ColourImage::~ColourImage() {
     vkFreeMemory(device_, memory_, nullptr);
 }
 
-/// Records no barrier after the clear: the barriers that Glift records with its passes order these after it.
+/// Records no barrier after the clear: Glift records barriers with its passes, which order the passes after the clear.
 void ColourImage::clear(VkCommandBuffer commands, float value) const {
     constexpr VkImageSubresourceRange all = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
     const VkImageMemoryBarrier general = {.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,

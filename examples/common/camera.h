@@ -14,7 +14,7 @@ struct Camera {
     bool operator==(const Camera&) const = default;
 };
 
-/// The camera's `up`; another axis if the camera looks along it, so that it would say nothing.
+/// The camera's `up`; another axis if the camera looks along `up`, which then does not say how the picture is turned.
 glift::float3 up_of(const Camera& camera);
 
 /// The matrix from world to clip coordinates, for a picture `aspect` times as wide as high.
@@ -34,8 +34,8 @@ CubeFace cube_face(unsigned face);
 glift::float4x4 cube_projection_of(const glift::float3& eye, unsigned face, float opening, float near, float far);
 
 /// The camera moved on a sphere around its target, by angles in radians, and closer to the target by a factor. A
-/// positive `to_the_right` moves the eye to the right, so that the scene turns to the left; `upwards` raises the eye,
-/// at most to 1.5 above the horizontal (y is up).
+/// positive `to_the_right` moves the eye to the right, so that the scene turns to the left; `upwards` raises the eye.
+/// The eye's latitude is clamped to [-1.5, 1.5] (y is up).
 Camera orbited(const Camera& camera, float to_the_right, float upwards, float closer);
 
 }  // namespace camera

@@ -30,7 +30,7 @@ std::string unpacked(const std::string& path) {
     while ((count = gzread(file.get(), part.data(), static_cast<unsigned>(part.size()))) > 0)
         bytes.append(part, 0, static_cast<std::size_t>(count));
     if (count < 0) throw std::runtime_error(path + ": is damaged: gzip cannot unpack it");
-    // Only closing says that the file ended in the middle of what is packed.
+    // Only gzclose reports that the file ended in the middle of the compressed data.
     if (gzclose(file.release()) != Z_OK) throw std::runtime_error(path + ": is truncated: gzip finds no end");
     return bytes;
 }

@@ -29,7 +29,7 @@ struct Box {
 /// names the file and what is wrong, also where a triangle has a corner that is not finite.
 Mesh read(const std::string& path);
 
-/// The bounding box of the triangles: points that none has do not count. Of an empty mesh it is from 0 to 0.
+/// The bounding box of the triangles; points that no triangle has do not count. Of an empty mesh it is from 0 to 0.
 Box bounds_of(const Mesh& mesh);
 
 /// Moves and uniformly scales the triangles into the unit cube, so that its longest side has length 1.

@@ -112,7 +112,7 @@ public:
                     static_cast<unsigned long long>(submissions), static_cast<unsigned long long>(waits));
     }
 
-    /// Whether the pool had room for all pages whenever that was looked at: after the beginning, and before each
+    /// Whether the pool had room for all pages whenever that was checked: after the first allocation and at each
     /// report.
     bool is_whole() const { return most_refused_ == 0; }
 

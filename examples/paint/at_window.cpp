@@ -126,7 +126,8 @@ private:
         dab_milliseconds_ = (now() - start) / n;
         is_old_ = true;
         count_ += n;
-        // A file would refuse a longer stroke. Each touch adds few, so that half of it leaves room for the last one.
+        // Files of strokes allow most_dabs dabs in a stroke. A touch adds few, so that beginning a new stroke after
+        // half of them keeps every stroke within the limit.
         if (count_ > strokes::most_dabs / 2) begin_stroke(event);
     }
 
@@ -238,7 +239,7 @@ private:
     std::size_t undoable_;  ///< the first so many strokes of `done_` are on the model; the others were undone
     std::optional<window::Button> held_;
     float2 last_;
-    std::size_t count_ = 0;  ///< of the current stroke's dabs
+    std::size_t count_ = 0;  ///< number of the current stroke's dabs
     std::string save_error_;
     double dab_milliseconds_ = 0;
     glift::uint lost_ = 0;

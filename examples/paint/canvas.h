@@ -61,7 +61,7 @@ public:
     void begin(const strokes::Stroke& stroke);
     void dab(const paint::Brush& brush);
     glift::uint end();
-    /// Reads a brush's picture ahead of `begin`, which throws no error of it then.
+    /// Reads a brush's picture ahead of `begin`, so that errors of the picture are thrown here and not by `begin`.
     void prepare(const strokes::Brush& brush) { tip_of(brush.picture); }
     bool undo() { return history_.undo(device_, octree_); }
     bool redo() { return history_.redo(device_, octree_); }

@@ -24,7 +24,7 @@ public:
     explicit History(HistoryBudget budget = {}) : budget_(budget) {}
 
     /// Adds a step for a stroke that has ended, from the journal of what it changed. Steps that had been undone are
-    /// dropped. A stroke that changed no page has a step, too, an empty one: so steps are counted as strokes are.
+    /// dropped. A stroke that changed no page has a step, too, an empty one: so there is one step for each stroke.
     void add(const glift::Device& device, journal::Octree& octree, journal::Journal& journal);
 
     /// undo() restores the pages of the last step that is not undone to what they were before its stroke; redo(), those

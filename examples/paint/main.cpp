@@ -47,7 +47,7 @@ void say_lost(std::size_t stroke, glift::uint lost) {
             stroke + 1, lost);
 }
 
-/// The stroke from which the first one of a file takes what it leaves out; its brush is the first one at a window, too.
+/// The stroke from which the first stroke of a file takes what it leaves out. A window begins with its brush, too.
 strokes::Stroke first_of(const Arguments& a) {
     strokes::Stroke stroke;
     stroke.brush.picture = a.brush;
@@ -108,8 +108,9 @@ bool are_one_file(const std::string& a, const std::string& b) {
     return std::filesystem::equivalent(a, b, error);
 }
 
-/// The command line that makes the window's last picture again, without what was laid over the paint, from the recorded
-/// strokes; from the saved paint alone if that has replaced what the strokes were put on.
+/// The command line that makes the window's last picture again from the recorded strokes, without the layers shown over
+/// the paint. If saving has overwritten the file that was loaded (--load and --save name one file), that file has all
+/// strokes already, and they are left out.
 std::string words_of(const Arguments& a, const Orbit& orbit, glift::uint2 size) {
     char view[200];
     std::snprintf(view, sizeof view, " --turn %.9g --upwards %.9g --closer %.9g --target %.9g %.9g %.9g",
@@ -124,7 +125,8 @@ std::string words_of(const Arguments& a, const Orbit& orbit, glift::uint2 size) 
            std::to_string(size.x) + " " + std::to_string(size.y) + view + " --out " + command_line::quoted(a.out);
 }
 
-/// Says what goes wrong, instead of throwing it: other files are still to be written. Whether nothing did.
+/// Prints an error of `work` instead of throwing it, since other files are still to be written. Returns whether there
+/// was none.
 template <class Work> bool tried(const Work& work) {
     try {
         work();
@@ -135,7 +137,7 @@ template <class Work> bool tried(const Work& work) {
     }
 }
 
-/// Whether all that was to be written is.
+/// Runs the window. Returns whether it ended without an error and all files were written.
 bool run_window(const Arguments& a) {
     const std::vector<strokes::Stroke> first = {first_of(a)};
     if (!a.record.empty()) strokes::text_of(first);  // refuses what could not be recorded at the end
@@ -150,7 +152,7 @@ bool run_window(const Arguments& a) {
         write_results(a, canvas);
     };
     const bool has_ended = tried([&] { paint_at(window, canvas, orbit, a.layers, first[0].brush, strokes, save); });
-    // The strokes first, which no picture and no error may cost.
+    // The strokes first: they must not be lost if something else cannot be written.
     const bool is_recorded = a.record.empty() || tried([&] { strokes::write(a.record, strokes); });
     const bool is_saved = tried([&] { write_results(a, canvas); });
     const bool is_whole = has_ended && is_recorded && is_saved;
@@ -180,7 +182,7 @@ void add_octree_options(CLI::App& app, Arguments& a) {
         ->capture_default_str();
 }
 
-/// Strokes from a file, or in a window.
+/// Options of strokes, from a file or in a window.
 void add_stroke_options(CLI::App& app, Arguments& a) {
     auto* strokes = app.add_option("--strokes", a.strokes, "A file of strokes to paint, a JSON object a line");
     app.add_option("--brush", a.brush, "A PNG as the brush, where strokes name none: white paints, black does not")

@@ -56,7 +56,8 @@ std::vector<float3> bent(const mesh::Mesh& mesh, float angle) {
         const double across = static_cast<double>(p.x) - static_cast<double>(middle.x),
                      from = static_cast<double>(p.z) - static_cast<double>(middle.z), at = across * by,
                      half = std::sin(at / 2);
-        // The axis is 1 / angle behind the middle. Its distance stands in no sum, where it would leave no digits.
+        // The axis is 1 / angle behind the middle, which for small angles is very far: a difference of two distances
+        // from it would have no correct digits. Therefore cos(at) - 1 is computed as -2 sin^2(at / 2).
         points.push_back({static_cast<float>(static_cast<double>(middle.x) + std::sin(at) / by + std::sin(at) * from),
                           p.y, static_cast<float>(static_cast<double>(p.z) - 2 * half * half * (1 / by + from))});
     }

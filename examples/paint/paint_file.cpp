@@ -30,17 +30,17 @@ constexpr Word version = 2, cells = 16, texels_of_page = 17 * 17 * 17;
 constexpr std::size_t header_words = 16, used_words = 9, page_words = texels_of_page + 1;
 constexpr Word most_levels = 8, most_at_once = 1024;
 
-/// Of words that follow others, whose checksum is `before`.
+/// The checksum of words and of those before them, whose checksum is `before` (0: there are none).
 Word checksum(std::span<const Word> words, Word before = 0) {
     return static_cast<Word>(crc32_z(before, reinterpret_cast<const Bytef*>(words.data()), words.size_bytes()));
 }
 
-/// Begins with the page's number, so that pages that changed places are found.
+/// The checksum of a page's number and texels: with the number, so that pages that changed places are found.
 Word checksum_of_page(Word number, std::span<const Word> texels) { return checksum(texels, checksum({&number, 1})); }
 
 Word pages_of(Word levels) { return ((1u << 3 * levels) - 1) / 7; }
 
-/// The page of the next coarser level that a page lies in; of the coarsest one, that itself.
+/// The page of the next coarser level that a page lies in; for the coarsest page, that page itself.
 Word parent_of(Word page) {
     if (page == 0) return 0;
     Word depth = 1;

@@ -24,8 +24,8 @@ struct Header {
 /// happens, `path` is the old file or the new one. Throws std::runtime_error, which names the file and what is wrong.
 void save(const std::string& path, const glift::Device& device, journal::Octree& octree, const glift::float3& ground);
 
-/// Makes the checks of `load` that need no octree on the words of a file that has so many bytes, and returns its
-/// header. Throws std::runtime_error, as `load` does for a file of the name `path`.
+/// Makes the checks of `load` that need no octree, on the words of a file of `bytes` bytes, and returns its header.
+/// Throws std::runtime_error, as `load` does for a file of the name `path`.
 Header check(const std::string& path, std::span<const glift::uint> words, std::size_t bytes);
 
 /// Loads the pages of a file into an octree, in place of those that it has. The file is read and checked whole before

@@ -19,7 +19,7 @@ struct Brush {
     float grain = 0;        ///< how much a noise pattern weakens the paint: 0 not at all, 1 down to nothing in places
     float opacity = 1;      ///< how much of the colour a stroke leaves, however often it passes, 0 to 1
     float flow = 0.5f;      ///< how much of the stroke's colour one dab leaves at its middle, 0 to 1
-    float cells = 24;       ///< a dab paints on the octree's coarsest level whose cells fit into the radius so often
+    float cells = 24;       ///< a dab paints on the octree's coarsest level on which the radius has so many cells
     glift::float3 colour{0.8f, 0.2f, 0.1f};
     glift::uint blend = paint::Blend::over;
     std::string picture;  ///< a PNG: white leaves all of the colour, black none; empty: the brush is round
@@ -57,8 +57,8 @@ private:
     double left_ = -1;  ///< distance from `last_` to the next dab, in pixels; below 0: there was no touch yet
 };
 
-/// The dabs along a stroke's whole path. If they are more than most_dabs, only the first ones: still more than
-/// most_dabs.
+/// The dabs along a stroke's whole path. If there are more than most_dabs, only the first ones, but still more than
+/// most_dabs of them, so that a caller can tell.
 std::vector<paint::Brush> dabs_of(const Stroke& stroke);
 
 /// Converts the camera to the Viewpoint of surface.glift, for pictures of this size.

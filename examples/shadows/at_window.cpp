@@ -63,7 +63,8 @@ private:
             if (event.key == 'S') save_(frame_->picture(choice_.view));
         }
     }
-    /// Says what became of a frame some frames ago, whose counts have come meanwhile: nothing waits for the device.
+    /// Takes over the counts of an earlier frame, once their download is ready, as the texts that the panel shows. Then
+    /// begins to download those of the last frame. Nothing waits for the device.
     void look_at_counts() {
         if (counts_ && counts_.ready()) {
             shadows::Status status;
@@ -113,8 +114,8 @@ private:
     std::optional<shown::Shown> shown_;
     scenes::Scene scene_;
     glift::Download counts_;
-    Method counted_ = Method::matched;  ///< whose frame `counts_` are of
-    std::string told_, lost_;           ///< of a frame some frames ago
+    Method counted_ = Method::matched;  ///< the method of the frame that `counts_` are of
+    std::string told_, lost_;           ///< about an earlier frame: its counts; what is missing
     window::Button button_ = window::Button::left;
     glift::float2 place_{};
     bool has_panel_ = true;

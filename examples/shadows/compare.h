@@ -8,7 +8,7 @@
 #include <string>
 
 struct Agreement {
-    std::size_t pixels = 0;     ///< pixels that the light may reach, off a band of a pixel around true edges of shadows
+    std::size_t pixels = 0;     ///< pixels that the light may reach, outside a band of a pixel around true shadow edges
     std::size_t different = 0;  ///< those of `pixels` that are lit where rays say shadowed, or the reverse
     std::size_t in_band = 0;    ///< pixels that the light may reach in that band
 

@@ -11,8 +11,8 @@ namespace {
 
 using glift::float3;
 
-/// A light's axes, at right angles: the last one looks forward. Those of a point light are the world's, as of its
-/// faces.
+/// A light's axes, at right angles: the last one looks forward. Those of a point light are the world's, as are those of
+/// its faces.
 std::array<float3, 3> axes_of(const camera::Camera& light, LightKind kind) {
     if (kind == LightKind::point) return {float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)};
     const float3 forward = glift::normalize(light.target - light.eye);
@@ -20,10 +20,12 @@ std::array<float3, 3> axes_of(const camera::Camera& light, LightKind kind) {
     return {right, glift::cross(forward, right), forward};
 }
 
-/// The length of the longest component: the distance along the axis of the face of a cube that sees a place.
+/// The largest absolute value of a component: for a place relative to a point light, its distance along the axis of the
+/// face that sees it.
 float longest_of(const float3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// No point of a triangle has a shorter longest component: neither of the box around it nor of its plane.
+/// A lower bound of `longest_of` over the points of a triangle: the larger one of the bounds for its bounding box and
+/// for its plane.
 float least_of(const std::array<float3, 3>& corners) {
     const auto [a, b, c] = corners;
     float least = 0;
@@ -68,9 +70,9 @@ camera::Camera fitted_light(const scenes::Scene& scene, LightKind kind, float op
             most = std::max(most, kind == LightKind::point ? longest_of(corner) : corner.z);
     }
     light.far = std::max(light.far, (1 + more) * most);
-    // In sight the components across are at most `opening` times the one forward.
+    // Of a point in sight, the components across are at most `opening` times the one forward.
     const float before_all = (1 - more) * least / std::max(opening, 1.0f);
-    // A spot may see nothing, where that distance says nothing.
+    // If a spot light sees no triangle, that distance means nothing, and may be beyond `far`.
     light.near = std::max(light.near, std::min(before_all, 0.99f * light.far));
     return light;
 }

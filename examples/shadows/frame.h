@@ -29,7 +29,7 @@ View view_of(const std::string& name);
 Filter filter_of(const std::string& name);
 LightKind light_of(const std::string& name);
 
-/// A quadtree's: 131,072 cells a side where a page has 32.
+/// Of a quadtree: with pages of 32 cells a side, the finest level then has 131,072 cells a side.
 constexpr std::uint32_t most_levels = 13;
 
 /// The program's options (add_knobs of main.cpp) say what each setting is.
@@ -54,17 +54,19 @@ struct Lighting {
     std::vector<float> lit;              ///< the share of the light that gets there, 0 to 1
 };
 
-/// A text about a frame's pages, the empty one for a standard map, which has none.
+/// A text about a frame's pages; empty for a standard map, which has no pages.
 std::string text_of(const shadows::Status& status, Method method);
-/// What is missing in a frame whose counts have lost pairs, and the remedy.
+/// A text for a frame with `lost` pairs: that shadows are missing, and the remedy.
 std::string text_of_lost(const shadows::Status& status);
 
 class Frame {
 public:
+    /// Throws std::runtime_error if a point light has too many levels, or fewer than 6 pages.
     Frame(glift::Device device, const Settings& settings, glift::uint2 size);
 
     /// Sets the scene of the next frames. Writes the mesh to the device only if it is another one. Pages that `cached`
     /// keeps are of one mesh and one light: where one of these changes, each method's next frame makes all pages anew.
+    /// Throws std::runtime_error if the scene has no triangles.
     void set_scene(const scenes::Scene& scene);
     /// Takes over `bias`, `step`, `finest`, `filter`, `cached` and `rounds` for the next frames. The other settings
     /// stay as they are.
@@ -87,10 +89,10 @@ public:
     std::uint32_t standard_side() const {
         return settings_.light == LightKind::point ? settings_.standard / 2 : settings_.standard;
     }
-    /// The tangent of half the angle that a spot sees, or a face of a point light: 90 degrees, and a texel of the
-    /// standard map.
+    /// The tangent of half the angle that a spot light sees, or that a face of a point light sees: 90 degrees and, on
+    /// each side, a texel of the standard map more.
     float opening() const;
-    /// Of each of the light's faces.
+    /// The matrices from the world to clip coordinates of the light's faces: six of a point light, else one.
     std::vector<glift::float4x4> lights() const;
     eye::Viewpoint viewpoint() const;
     /// A picture of the last frame: on the device; below, read from it.
@@ -135,7 +137,7 @@ private:
         if (const auto* some = std::get_if<shadows::Shadows64>(&structures)) return use_copy(*some);
         return use_copy(std::get<shadows::Shadows32>(structures));
     }
-    /// The level of the pages that have a whole map each.
+    /// The level on which one page covers a whole map.
     std::uint32_t coarsest() const { return settings_.levels - 1; }
     std::uint32_t quadtree_levels() const { return settings_.levels + (settings_.light == LightKind::point ? 2 : 0); }
 

@@ -65,7 +65,8 @@ scenes::Scene scene_of_file(const std::string& file) {
 /// A generated scene of that name, or else a file, which is read once.
 SceneAt scene_of(const std::string& name) {
     const bool is_generated = std::ranges::find(scenes::names(), name) != scenes::names().end();
-    // What is neither is taken for a name, unless it looks like a file's: the error then lists the names.
+    // A text that is neither is taken for a scene's name, so that the error lists the names, unless it looks like a
+    // file's name.
     if (is_generated || (!std::filesystem::exists(name) && name.find_first_of("./") == std::string::npos))
         return [name](float time) { return scenes::make(name, time); };
     return [scene = scene_of_file(name)](float) { return scene; };
@@ -274,7 +275,8 @@ void add_options(CLI::App& app, Arguments& a) {
     app.footer("GLIFT_DEVICE=gpu|lavapipe|host|NAME chooses the device.");
 }
 
-/// What a path says, or a walk along recorded paths does without, cannot be asked for beside it.
+/// Makes options exclude each other: those whose values a path file gives exclude --path; those that a walk along
+/// recorded paths (--agreement, --popping) does not use exclude these two.
 void exclude(CLI::App& app) {
     for (const char* way : {"--right", "--up", "--closer", "--light-right", "--light-closer", "--approach", "--turn"})
         for (const char* path : {"--path", "--agreement", "--popping"})

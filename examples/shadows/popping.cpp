@@ -14,7 +14,7 @@ constexpr std::array keys = {"rmsm", "asm", "standard"};
 
 /// How the light of pixels changes from one frame to the next.
 struct Changes {
-    std::size_t pixels = 0;   ///< pixels that rays find lit, or shadowed, in both frames, off the band
+    std::size_t pixels = 0;   ///< pixels that rays find lit, or shadowed, in both frames, outside the band
     std::size_t flipped = 0;  ///< those of `pixels` whose light changes by more than a half
     double largest = 0;       ///< largest change of light, 0 to 1
     double within = 0;        ///< 99.9 % of the pixels change by no more

@@ -53,8 +53,8 @@ struct Axes {
     }
 };
 
-/// The axes of the light's faces. As in shadow_map.glift, the only face has all of the map; a point light's six have
-/// one of its 4 x 4 squares each.
+/// The axes of the light's faces. As in shadow_map.glift, a single face covers the whole map; a point light's six faces
+/// cover one of its 4 x 4 squares each.
 std::vector<Axes> faces_of(const Frame& frame) {
     const camera::Camera& light = frame.light();
     if (frame.light_kind() == LightKind::spot) return {Axes::of(light, 1, 0)};
@@ -130,8 +130,8 @@ public:
         return light_at(point_of(face_at(s.x, s.y), s.x, s.y, s.z));
     }
 
-    /// Whether the plane that a pixel shows has another answer somewhere within a pixel: at eight places on each of
-    /// three circles.
+    /// Whether the plane that a pixel shows has another answer somewhere within one pixel of the pixel's centre: at
+    /// eight places on each of three circles.
     bool differs_within_a_pixel(std::size_t pixel) const {
         const Light own = light_of(pixel);
         for (int k = 0; k < 24; ++k) {
@@ -142,7 +142,8 @@ public:
     }
 
 private:
-    /// The answer at the point of the plane that a pixel shows which is seen so many pixels beside the pixel's centre.
+    /// The answer for the plane that a pixel shows, at the point that is seen `x` and `y` pixels from the pixel's
+    /// centre.
     Light light_beside(std::size_t pixel, double x, double y) const {
         const glift::float4& s = lighting_.surface[pixel];
         const glift::float3& slope = lighting_.slopes[pixel];
@@ -159,7 +160,7 @@ private:
         return light_at(from + along * (dot(a - from, normal) / dot(along, normal)));
     }
 
-    /// The face that has a place of the map.
+    /// The face whose part of the map has a place.
     std::size_t face_at(double s, double t) const {
         return faces_.size() == 1 ? 0 : static_cast<std::size_t>(std::floor(4 * t) * 4 + std::floor(4 * s));
     }
@@ -172,8 +173,8 @@ private:
             faces_[0].is_parallel ? near_ + depth * (far_ - near_) : far_ * near_ / (far_ - depth * (far_ - near_));
         return from + along * distance;
     }
-    /// How far a point is before the light, along the axis of the face that sees the point; `way` leads from the point
-    /// to the light.
+    /// The distance of a point from the light along the axis of the face that sees the point; `way` leads from the
+    /// point to the light.
     double distance_before(const Vector& way) const {
         double most = dot(way, faces_[0].forward) * -1.0;
         for (const Axes& face : faces_) most = std::max(most, dot(way, face.forward) * -1.0);

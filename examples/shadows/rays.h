@@ -14,14 +14,14 @@ enum class Light : unsigned char { unknown, reached, shadowed };
 
 struct Reference {
     std::vector<Light> light;
-    /// Whether a true edge of a shadow lies within a pixel, so that either answer may be right.
+    /// Whether a true edge of a shadow is at most a pixel away, so that either answer may be right.
     std::vector<unsigned char> at_edge;  // not vector<bool>, whose elements threads cannot write independently
 };
 
-/// Traces rays to the light from what each pixel of a frame shows; they begin at `bias`, a part of the light's range,
-/// from the surface. A pixel is at an edge if one of the eight pixels around it has the other answer. Where
-/// `is_doubted` says that some method decides otherwise than the ray, more rays look for an edge between pixels.
-/// `is_doubted` is called from several threads.
+/// Traces rays to the light from what each pixel of a frame shows. They begin a little away from the surface: by `bias`
+/// times the light's range, far - near. A pixel is at an edge if one of the eight pixels around it has the other
+/// answer. Where `is_doubted` says that some method decides otherwise than the ray, more rays look for an edge between
+/// pixels. `is_doubted` is called from several threads.
 Reference trace(const Frame& frame, const Lighting& lighting, float bias,
                 const std::function<bool(std::size_t pixel, Light)>& is_doubted);
 

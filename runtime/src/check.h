@@ -1,5 +1,5 @@
-// Checks of arguments, the same for every device. Each throws wrong_argument; check_call throws aliased_memory, too,
-// and what check_draw throws.
+// Checks of arguments, the same for every device. Each throws wrong_argument; check_call throws aliased_memory and
+// too_large, too.
 #pragma once
 
 #include <glift/commands.h>

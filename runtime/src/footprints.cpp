@@ -39,7 +39,7 @@ struct Places {
     std::uint64_t first = 0;
     std::int64_t stride[4] = {};
     std::uint64_t count[4] = {1, 1, 1, 1};
-    std::uint64_t width = 0;  ///< bytes of an element; after merge_axes of a contiguous row of them
+    std::uint64_t width = 0;  ///< bytes of an element; after merge_axes, of a contiguous row of elements
 
     Places(const Footprint& footprint, const Box& box) : width(footprint.table->element_bytes) {
         const auto place = [&](const Extent& at) { return footprint.table->place(footprint.structure, at) * width; };
@@ -55,7 +55,7 @@ struct Places {
 
     bool is_empty() const { return std::ranges::find(count, 0u) != std::end(count); }
     std::uint64_t rows() const { return count[0] * count[1] * count[2] * count[3]; }
-    /// First byte and end of all elements.
+    /// The first byte of all elements, and the end of the last one.
     std::pair<std::uint64_t, std::uint64_t> hull() const {
         std::uint64_t low = first, high = first;
         for (unsigned axis = 0; axis < 4; ++axis) {
@@ -170,7 +170,7 @@ struct Pair {
                first.box.origin == second.box.origin && first.box.size == second.box.size && have_one_translation();
     }
     /// Whether both parameters' addresses are translated with the same memories: each one that the translator of the
-    /// first reads, such as a page table, is bound for the second at the same name.
+    /// first reads, such as a page table, is bound for the second under the same name.
     bool have_one_translation() const {
         for (std::size_t i = 0; i < memories.size(); ++i) {
             const Binding& table = kernel.bindings[i];

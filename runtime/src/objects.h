@@ -118,7 +118,7 @@ private:
     std::atomic<bool> closed_{false};
 };
 
-/// What a draw may be on a device.
+/// A device's limits on draws.
 struct DrawLimits {
     /// The size of the viewport. At most 16384 along each axis: as far as the host's rasteriser goes (host/raster.h).
     uint2 viewport = {16384, 16384};

@@ -1,4 +1,5 @@
-// Redirects the device's own stream, within a body of Device::record or Device::workspace_bytes, to that of the body.
+// Redirects the device's own stream, within a body of Device::record or Device::workspace_bytes, to the stream of the
+// body.
 #include "recording_scope.h"
 
 #include "report.h"
@@ -17,7 +18,7 @@ struct Redirection {
     std::shared_ptr<Stream> stream;
 };
 
-/// Those of the bodies that run on this thread, innermost last.
+/// The redirections by the bodies that run on this thread, innermost last.
 thread_local std::vector<Redirection> redirections;
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Redirects the device's own stream, within a body of Device::record or Device::workspace_bytes, to that of the body.
+// Redirects the device's own stream, within a body of Device::record or Device::workspace_bytes, to the stream of the
+// body.
 #pragma once
 
 #include "objects.h"

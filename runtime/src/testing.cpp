@@ -56,7 +56,7 @@ struct ScalarReader {
     }
 };
 
-/// Where an element's scalars lie, and how far the next element is.
+/// Where an element's scalars lie, and how many bytes it is from one element to the next.
 struct Places {
     struct Part {
         char kind;
@@ -125,7 +125,7 @@ public:
         for (const std::string& note : notes) std::printf("      %s\n", note.c_str());
     }
 
-    /// For a translator that other tests check, after all of them: reports what they found.
+    /// For a translator that other tests check: reports what they found. Called after all of them have run.
     void run_as_made(const TestCase& test) {
         const auto found = translations_.find(test.title);
         if (found != translations_.end()) {

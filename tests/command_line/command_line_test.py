@@ -116,7 +116,8 @@ for word in ("unknown-name", "E-unknown-name", "[unknown-name]"):
 expect(json.loads(here.run("explain", "--json", "unknown-name").stdout)["example"].startswith("module"), "explain --json ID")
 says(here.run("explain", "unknwon-name"), 2, "did you mean 'unknown-name'?")
 
-# The formatter: every file is done, and the exit code says whether one could not be, or is not formatted.
+# The formatter: an error in one file does not keep it from the others; the exit code says whether a file could not be formatted or,
+# with --check, is not formatted.
 many = Folder(good="module good;\n", loose="module   loose;\nfn f( ) { }\n", last="module last;\n\nfn f() { }\n",
               **{f"broken{k}": "module broken;\nfn f( { \n" for k in range(3)})
 (many.path / "folder.glift").mkdir()

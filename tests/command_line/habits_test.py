@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Tests every hint for users of other languages (compiler/syntax/habits.cpp): what it tells them to write compiles, and the word that it
-is for is none of Glift's: habits_test.py GLIFTC"""
+explains is not a word of Glift: habits_test.py GLIFTC"""
 import re
 
 from gliftc import Folder, expect, finish, says, sources
@@ -17,7 +17,7 @@ def table(name):
     return {word: (hint or strings[shared]).replace('\\"', '"') for word, hint, shared in entries}
 
 
-# What hints quote, and declarations that use it. `…` and what is a part of a declaration are completed.
+# The texts that hints quote, each with declarations that use it, in which `…` and parts of declarations are completed.
 BITS = "fn f{n}(x: float) -> uint {{ return floatBitsToUint(x); }}"
 USES = {
     "mix": "fn f{n}(x: float) -> float {{ return mix(x, 2.0, 0.5); }}",
@@ -38,7 +38,7 @@ USES = {
     "s.sample(x)": "kernel k{n}(x: at<Line>, s: in any<Film>, to: out each<Line>) {{ to = s.sample(float2(1.5)).x; }}",
     "s[a] = x": "kernel k{n}(a: at<Line>, x: in each<Line>, s: out scatter<Line>) {{ s[a] = x; }}",
     "a: at<S>": "kernel k{n}(a: at<Line>, to: out each<Line>) {{ to = float(a); }}",
-    "at": "",  # in the same hint
+    "at": "",  # in the hint that quotes "a: at<S>"
     "barrier()": "kernel k{n}(a: at<Line>, to: out each<Line>) group(64) {{ barrier(); to = 1.0; }}",
     "count(s)": "kernel k{n}(n: uint, to: out each<Line>) {{ to = float(n); }}\npipeline p{n}(s: inout Line) {{ k{n}(count(s), s); }}",
     "let x = …;": "fn f{n}() -> int {{ let x = 1; return x; }}",
@@ -46,7 +46,7 @@ USES = {
     "->": "fn f{n}(x: float) {{ }}",
     "true": "fn f{n}() -> bool {{ return true; }}",
     "false": "fn f{n}() -> bool {{ return false; }}",
-    "use std.array;": "",  # at the top
+    "use std.array;": "",  # in `lines` below
     'extern struct S from "s.h";': 'extern struct S from "s.h";',
     "fn f(x: float) -> float { … }": "fn f{n}(x: float) -> float {{ return x; }}",
     "const n = 3;": "const n{n} = 3;",
@@ -56,7 +56,7 @@ USES = {
     "structure": "structure S{n} = Array<1, float>;",
     "type real = float;": "type real{n} = float;",
     "fn f<T: type>(x: T) -> T { … }": "fn f{n}<T: type>(x: T) -> T {{ return x; }}\nfn g{n}() -> int {{ return f{n}(1); }}",
-    "module name;": "",  # at the top
+    "module name;": "",  # in `lines` below
 }
 TYPES = {"int", "uint", "int64", "uint64", "half", "float", "double"}
 
@@ -80,7 +80,7 @@ lines += [f"fn of_matrix{n}(x: float{n}x{n}) -> float{n}x{n} {{ return x; }}" fo
 here.write("name.glift", "\n".join(lines) + "\n")
 says(here.run("--check", "name.glift"), 0)
 
-# The words themselves: unknown, and answered by their hint.
+# The words themselves: each is unknown to Glift, and the error has its hint.
 for k, (word, hint) in enumerate(names.items()):
     here.write(f"n{k}.glift", f"module n{k};\nfn f() -> int {{ return {word}; }}\n")
 for k, (word, hint) in enumerate(declarations.items()):

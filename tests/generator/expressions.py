@@ -1,4 +1,4 @@
-"""Random expressions of a given type. Their results are the same on every device, but for those of `inexact`."""
+"""Random expressions of a given type. Their results are the same on every device, except for those of `inexact`."""
 from intrinsics import EVALUATED, EVERYWHERE, RANGES, read_table
 from model import (BOOL, DOUBLE, FLOAT, FLOATS, HALF, INT, INT64, INTEGERS, NUMBERS, SIGNED, UINT, UINT64, Array, Enum, Matrix, Node,
                    Optional, Scalar, Struct, Vector, is_shaped, joined, literal, scalar_of, size_of, vector)
@@ -298,8 +298,9 @@ class Expressions:
         return self._defined(intrinsic.name, types, arguments, t)
 
     def _defined(self, name, types, arguments, t):
-        """A call whose result is the same on every device: the bits of a NaN would not be, nor the sign of a zero from min, max,
-        clamp, and reflect (whose product may be a zero of constants alone)."""
+        """A call whose result is the same on every device. Two things differ between devices: the bits of a NaN, for which the
+        functions that take bits get 0.5 instead; and the sign of a zero that min, max, clamp or reflect give (in reflect a product of
+        constants may be a zero), to which a zero is added."""
         if name.endswith(("BitsToUint", "BitsToInt", "BitsToUint64", "Half2x16", "packUnorm4x8")) and not name.startswith("unpack"):
             arguments = [Node("without_nan(", argument, ")", type=type) for argument, type in zip(arguments, types)]
         node = Node(name, "(", *joined(arguments), ")", type=t)

@@ -3,11 +3,11 @@
 
     generate.py GLIFTC [--seeds FIRST..LAST] [--kernels N] [--minutes M] [--device NAME] [--keep FOLDER] [--found FOLDER]
 
-A program has N kernels with tests and, for functions that the compiler can evaluate, constants that it
-computes by calls of them.
-`gliftc test` runs it twice: as it is, and with the wide form (64-bit addresses) of each kernel (GLIFT_WIDE_ELEMENTS). A
-program that fails is shrunk to a small .glift file, which is printed and stored in the folder of --found. --keep keeps
-the built programs, which run without a compiler.
+A program has N kernels with tests. For functions that the compile-time evaluator can compute, it also has constants
+that are calls of them, and tests that a kernel computes the same values.
+`gliftc test` runs a program twice: as it is, and with the wide form (64-bit addresses) of each kernel
+(GLIFT_WIDE_ELEMENTS). A program that fails is shrunk to a small .glift file, which is printed and stored in the folder
+of --found. --keep keeps the built programs, which run without a compiler.
 """
 import argparse
 import os

@@ -165,7 +165,7 @@ class Kernels:
             kernel.scope.reads.append((vector(4, element), self.gather(name, inside, element)))
 
     def gather(self, name, inside, element):
-        """The four elements around a point inside or outside of the structure, at quarters of elements."""
+        """The four elements around a point inside or outside of the structure, whose coordinates are multiples of 1/4."""
         def found(expressions, scope, depth):
             low = -expressions.random.between(0, 4)
             return Node(f"{name}.gather(float2(int2(", inside(expressions, scope, depth), f")) * 1.25 + float2({low}.0))",
@@ -204,7 +204,7 @@ class Kernels:
         return Node("gt(sum % 3u == 0u, ", value, ", ", self.expressions.of(t, scope, 3), ")", type=t)
 
     def combined_structures(self):
-        """Structures whose elements `scatter` can combine, in buffers and in images: those of one int, uint or float."""
+        """Structures whose elements `scatter` can combine, in buffers and in images: structures whose element is one int, uint or float."""
         return [s for s in self.structures.all if s.element in (INT, UINT, FLOAT)]
 
     def add_scatter(self, kernel, name):
@@ -419,7 +419,8 @@ class Kernels:
         return value
 
     def arms(self, kernel, values, calls):
-        """The kernel's calls: some under a condition on the device, in a loop with one, or over a slice whose end lies there."""
+        """The kernel's calls: some under a condition on the device, in a loop with such a condition, or over a slice whose end lies on
+        the device."""
         if kernel.axes == 1 and not any("at<Line, " in p.text for p in kernel.params):
             calls.append(self.call(kernel, values, f"[0..min(d[{self.random.below(8)}], {kernel.extent[0]}u)]"))
         condition = f"d[{self.random.below(8)}] % 2u == {self.random.below(2)}u"

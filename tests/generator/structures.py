@@ -206,7 +206,7 @@ class Structures:
         return self.random.choice(found) if found else None
 
     def over(self, name, axes, t):
-        """Memory that is a structure, with a translator before it or without."""
+        """A structure whose memory is another structure, with or without a translator."""
         inner = self.inner(axes)
         if not inner:
             return self.array(name, axes, t)

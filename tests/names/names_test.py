@@ -4,10 +4,10 @@
     names_test.py GLIFTC INCLUDE_FOLDER CXX [--all] [POSITION…]
 
 For each position in the language (names of fields, of locals, of kernels, …) a module has one declaration for each
-word. gliftc compiles the module to C++ and, for positions whose names reach shaders, to GLSL and that to SPIR-V; then the C++ compiler reads the C++ after the
-C and POSIX headers. Words are keywords of C++ and GLSL, names that headers of C and of the runtime declare, and names
-in gliftc's own output; without --all a sample of them. A word that the module itself uses is left out in positions
-where it would hide that name.
+word. gliftc compiles the module to C++ and, for positions whose names reach shaders, to GLSL, and the GLSL to SPIR-V; then the C++
+compiler reads the C++ after the C and POSIX headers. Words are keywords of C++ and GLSL, names that headers of C and of the runtime
+declare, and names in gliftc's own output; without --all a sample of them. A word that the module itself uses is left out in
+positions where it would hide that name.
 """
 import concurrent.futures
 import os
@@ -29,7 +29,7 @@ BODY = "pub kernel zuse%d(zx: in each<ZLine>, zy: out each<ZLine>) {\n    var zs
 
 
 def in_body(line):
-    """A maker of modules that declare the words, and use them in bodies of kernels, twelve words a kernel. `line` gives
+    """A maker of modules that declare the words, and use them in bodies of kernels, twelve words in each. `line` gives
     (declaration, use) of a word."""
     def module(entries):
         lines = [line(i, w) for i, w in entries]

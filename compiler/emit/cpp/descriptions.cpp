@@ -1,4 +1,5 @@
-// What the parts of a class or struct are called, for programs that look into structures without knowing them.
+// The function `describe` of generated classes and structs, which names their parts to programs that inspect structures
+// of any type.
 #include "emit/cpp/unit.h"
 
 namespace gliftc::cpp {

@@ -10,17 +10,17 @@
 
 namespace gliftc::cpp {
 
-/// The SPIR-V words of one kernel; a form that is empty does not exist on Vulkan devices.
+/// The SPIR-V words of one kernel. A form without words does not exist on Vulkan devices.
 struct KernelCode {
-    std::vector<std::uint32_t> direct, general, wide;  ///< compute shaders; of draws vertex shaders
+    std::vector<std::uint32_t> direct, general, wide;  ///< compute shaders; for draws, vertex shaders
     std::vector<std::uint32_t> direct_fragment, general_fragment, wide_fragment;  ///< fragment shaders of draws
 };
 
 struct Globals;
 
 struct Options {
-    /// The number of sources over which the code of the module's own kernels is spread, and also of those for the
-    /// kernels of other modules that it uses.
+    /// The code of the module's own kernels is spread over this many sources, and the code of the kernels of other
+    /// modules that it uses over as many more.
     std::uint32_t shards = 1;
     bool spirv_files = false;  ///< SPIR-V in files beside the sources, else within
     bool tests = false;        ///< also a function for each test of the module, and a table of them
@@ -56,11 +56,12 @@ struct Defined {
 std::vector<std::uint32_t> vulkan_kernels_of(const ir::Program& program, std::uint32_t module, const Options& options,
                                              const Defined& defined);
 
-/// What the module's outputs are called: its file without the extension; from standard input, the last part of its
-/// name.
+/// The stem of the names of the module's output files: the name of its source file without the extension; for standard
+/// input, the last part of the module's name.
 std::string file_stem(const ir::Program& program, const Sources& sources, std::uint32_t module);
 
-/// `code` is indexed as Program::kernels; it may be empty where no Vulkan code is wanted.
+/// Prints one module. `code` is indexed as Program::kernels; it may be empty if no Vulkan code is wanted. Adds to
+/// `defined` what the module's code defines, unless it is a test program.
 Module module_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, std::uint32_t module,
                  const std::vector<KernelCode>& code, const Options& options, Defined& defined);
 

@@ -20,7 +20,7 @@ using ir::TypeKind;
 struct Operator {
     const char* text;
     Level level;
-    Level operand;  ///< how loose an operand may be without parentheses
+    Level operand;  ///< the loosest level of an operand that needs no parentheses
 };
 
 Operator operator_of(BinaryOp op) {
@@ -110,8 +110,8 @@ Text print_binary(Printer& p, const Expr& expr) {
     case BinaryOp::logical_and:
     case BinaryOp::logical_or: break;
     }
-    // a && b && c, a + b - c: the left operand may be of the same operator without parentheses, in sums and products
-    // also of another of the same level.
+    // The left operand needs no parentheses if its operator is the same (a && b && c) or, in sums and products, another
+    // one of the same level (a + b - c). A shift or comparison that is an operand of another one always gets them.
     Text left = print(p, expr.operands[0]);
     const Expr& first = p.program.exprs[expr.operands[0]];
     const bool chain = first.op == Op::binary && left.level == op.level &&
@@ -204,8 +204,8 @@ std::string as_value(Printer& p, const Expr& part, std::string text) {
     return concat(type_text(p.globals, part.type, p.use_namespaces), "(", text, ")");
 }
 
-/// One side of `?:`. A bool as memory holds it (glift::Bool) is converted: if the other side is a bool, C++ could
-/// convert either to the other.
+/// One side of `?:`. A bool as memory holds it (glift::Bool) is converted to bool: if the other side is a bool, C++
+/// could convert either to the other, which is an error.
 std::string print_side(Printer& p, ExprId id, Level least) {
     const Expr& expr = p.program.exprs[id];
     const bool lies_in_memory =

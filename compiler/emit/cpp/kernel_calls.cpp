@@ -32,8 +32,9 @@ bool is_container(const Unit& unit, const KernelParam& param) {
            unit.program.structures[param.structure].kind == ir::StructureKind::adaptor;
 }
 
-/// The structures passed whose footprints (the elements that are accessed) the runtime compares, in the order of the
-/// parameters. `{}`, not compared: a container, of which members are accessed, and an argument that lies on the device.
+/// The arguments whose footprints (the elements that are accessed) the runtime compares, in the order of the
+/// parameters. `{}` stands for one that is not compared: a container, of which members are accessed, or a value on the
+/// device.
 std::string footprints_text(const Unit& unit, const Kernel& kernel) {
     std::string text;
     for (const KernelParam& param : kernel.params)
@@ -43,12 +44,14 @@ std::string footprints_text(const Unit& unit, const Kernel& kernel) {
     return text;
 }
 
-/// The expression before a member of the structure passed for a parameter: ranges point to their structure.
+/// What stands before a member's name in an access to the structure passed for a parameter: `name.` for a container,
+/// `name->` for a range, whose operator-> gives its structure.
 std::string object_of(const Unit& unit, const KernelParam& param) {
     return param_name(unit, param) + (is_container(unit, param) ? "." : "->");
 }
 
-/// The memory that holds the elements at a place of a structure passed for a parameter; empty: they are computed.
+/// The C++ expression of the memory that holds the elements at a place of a structure passed for a parameter; empty if
+/// they are computed.
 std::string memory_text(Unit& unit, const KernelParam& param, const ir::Place& place) {
     const ir::Structure& whole = unit.program.structures[param.structure];
     const ir::Structure& at = ir::structure_at(unit.program, whole, place.members);
@@ -173,8 +176,8 @@ void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& p
     out.line("commands.dispatch(" + name + "_kernel, " + call + "});");
 }
 
-/// The condition for the direct form, but for the one on sharing: all ranges are whole structures, and parameters that
-/// the form takes to be made alike (KernelParam::alike) have equal states.
+/// The condition under which a call may take the direct form, without the one on sharing, which print_choice adds: all
+/// ranges are whole structures, and parameters that the form assumes to have the same state (KernelParam::alike) do.
 std::string direct_condition(const Unit& unit, const Kernel& kernel) {
     std::string condition = "iteration.is_whole()";
     for (std::size_t i = 0; i < kernel.params.size(); ++i) {
@@ -190,7 +193,8 @@ std::string direct_condition(const Unit& unit, const Kernel& kernel) {
     return condition;
 }
 
-/// The dispatch of the form that the call can take.
+/// Prints the choice of a form for the call, and its dispatch: wide if the runtime requires it, else direct if its
+/// condition holds, else general.
 void print_choice(Unit& unit, Writer& out, const Kernel& kernel, const ir::Lowered::Forms& forms,
                   const std::string& name) {
     std::vector<std::pair<const Pass*, std::string>> choices;
@@ -223,8 +227,8 @@ std::optional<std::size_t> range_of_first_at(const Kernel& kernel) {
     return ir::range_giver(kernel.params, 0);
 }
 
-/// What stands before a value: `[[maybe_unused]] ` if no form of the kernel has a parameter that is computed from it,
-/// else nothing.
+/// What stands before the declaration of a value parameter: `[[maybe_unused]] ` if no form of the kernel has a
+/// parameter that is computed from it, else nothing.
 static std::string value_mark(const Unit& unit, std::uint32_t kernel, ir::LocalId value) {
     bool used = false;
     const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];
@@ -295,7 +299,8 @@ static void print_iteration(const Unit& unit, Writer& out, const Kernel& kernel)
     }
 }
 
-/// How many blocks are visited, and how large they are.
+/// Prints the call that tells the glift::Iteration how many elements a block has and how many blocks are visited, with
+/// a call of the pipeline that counts them if their number is computed on the device.
 static void print_blocks_visited(Unit& unit, Writer& out, const Kernel& kernel, const Pass& pass) {
     const KernelParam& param = kernel.params[*kernel.space];
     const ir::Place owner = *ir::blocks_of(unit.program, unit.program.structures[param.structure], {*kernel.space, {}});
@@ -313,8 +318,9 @@ static void print_blocks_visited(Unit& unit, Writer& out, const Kernel& kernel, 
     out.line(text + ");");
 }
 
-/// The check that all visited parameters of a kernel over blocks have the same blocks as the one whose blocks are
-/// visited: they must read them from the same memories.
+/// Prints the checks that the other visited parameters of a kernel over blocks have the same blocks as the parameter
+/// whose blocks are visited: the structures that the functions of the blocks read (ir::places_of_blocks) must lie in
+/// the same memories.
 static void print_same_blocks(Unit& unit, Writer& out, const Kernel& kernel) {
     const KernelParam& first = kernel.params[*kernel.space];
     for (std::uint32_t index : kernel.same_space) {

@@ -162,8 +162,8 @@ void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, co
     out.line("};");
 }
 
-/// Kernel::digest, by which Vulkan devices keep pipelines: FNV-1a of the kernel's SPIR-V and of all that is printed
-/// about it. Empty where there is no code for Vulkan devices.
+/// Kernel::digest, the key under which Vulkan devices cache pipelines: FNV-1a of the kernel's SPIR-V and of all that is
+/// printed about it. Empty where there is no code for Vulkan devices.
 std::string digest_text(const Unit& unit, std::uint32_t kernel, const std::string& printed) {
     if (kernel >= unit.code.size() || !unit.reach.vulkan_kernels.contains(kernel)) return "";
     std::uint64_t hash = 14695981039346656037u;
@@ -205,7 +205,8 @@ bool code_adds_functions(const Unit& unit, std::uint32_t kernel) {
            std::ranges::any_of(forms.wide.functions, is_missing);
 }
 
-/// Prints the structs of parameters of all forms, and the functions for the host device; gives these by form.
+/// Prints, for all forms, the structs of parameters and the functions for the host device. Returns the functions' names
+/// by form.
 static std::map<const Pass*, std::string> print_host_forms(Unit& unit, Writer& out, const ir::Lowered::Forms& forms,
                                                            std::uint32_t index) {
     std::map<const Pass*, std::string> host;
@@ -222,12 +223,12 @@ static std::map<const Pass*, std::string> print_host_forms(Unit& unit, Writer& o
     return host;
 }
 
-/// The workgroup memory of the form that needs most: in one form arrays may share memory that in another one do not.
+/// The bytes of workgroup memory of the form that needs most: arrays that share memory in one form may not in another.
 static std::uint32_t shared_bytes_of(const ir::Lowered::Forms& forms) {
     return std::max({forms.direct.shared_bytes, forms.general.shared_bytes, forms.wide.shared_bytes});
 }
 
-/// The fields of glift::Kernel that most kernels leave as they are.
+/// Prints the fields of glift::Kernel that most kernels leave at their defaults.
 static void print_rare_fields(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, const std::string& name) {
     const Pass& any = forms.general.exists ? forms.general : forms.direct;
     const std::array<std::uint32_t, 3>& items = variant_for(any, ir::Devices::shaders).assumes.elements;

@@ -9,7 +9,8 @@ namespace gliftc::cpp {
 
 namespace {
 
-/// How many kernels a source has on average at least: for fewer it is not worth compiling the headers once more.
+/// The number of sources that are used is the number of kernels divided by this, rounded up, but at most the number of
+/// shards: for fewer kernels it does not pay to compile the headers once more.
 constexpr std::size_t kernels_of_a_source = 8;
 
 /// A hash of the kernel's name alone, so that a kernel stays in its source when others come and go, as long as the

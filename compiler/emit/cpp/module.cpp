@@ -5,7 +5,7 @@
 //   <name>.glift.types.hpp            the structs and enums that the .hpp needs
 //   <name>.glift.internal.hpp         what .glift.cpp and .glift.library.cpp see: hidden classes and functions
 //   <name>.glift.cpp                  the module's own pipelines, members of classes, and functions that call kernels
-//   <name>.glift.library.cpp          the same of other modules, where no other source defines it
+//   <name>.glift.library.cpp          the same for other modules, unless another source defines it
 //   <name>.glift.kernels.cpp          the code of the module's own kernels (kernel_sources.cpp)
 //   <name>.glift.library.kernels.cpp  the code of kernels of other modules
 //
@@ -49,7 +49,7 @@ private:
     std::string open_;
 };
 
-/// All that is made for one module.
+/// Prints all files of one module.
 class ModulePrinter {
 public:
     ModulePrinter(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, std::uint32_t module,
@@ -114,8 +114,8 @@ ModulePrinter::ModulePrinter(const ir::Program& program, const ir::Lowered& lowe
     name_by_devices();
 }
 
-/// Adds the kind of device to the names of functions that other runs of gliftc may define, too, and that this run has
-/// code of for one kind only (host, Vulkan): the linker must not take one for the other.
+/// Adds the kind of device to the names of functions that other runs of gliftc may define, too, and for which this run
+/// has code for one kind of device only (host, Vulkan) or for none: the linker must not take one for the other.
 void ModulePrinter::name_by_devices() {
     const auto is_shared = [&](const std::string& key, std::uint32_t home) {
         return key.find('<') != std::string::npos || !has_source(home);
@@ -419,7 +419,8 @@ std::string ModulePrinter::library_source() {
     return out.take();
 }
 
-/// Notes for later modules of the run what this one defines. A test program shares nothing with those of other modules.
+/// Notes for later modules of the run what this one defines. A test program shares nothing with test programs of other
+/// modules.
 void ModulePrinter::note_definitions() {
     if (options_.tests) return;
     defined_.kernels.insert(reach_.kernels.begin(), reach_.kernels.end());
@@ -430,7 +431,7 @@ void ModulePrinter::note_definitions() {
 
 Module ModulePrinter::print() {
     Module result;
-    std::string own = source(), library = library_source();  // before the headers, which print from the same units
+    std::string own = source(), library = library_source();
     result.files.push_back({".glift.hpp", header()});
     result.files.push_back({".glift.types.hpp", types_header()});
     result.files.push_back({".glift.internal.hpp", internal_header()});

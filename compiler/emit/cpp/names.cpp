@@ -11,7 +11,7 @@ namespace {
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// The name with a '_' at its end, behind which a further ending can be put.
+/// The name with a '_' at its end, to which a number can be appended.
 std::string stem_of(const std::string& name) { return name.ends_with('_') ? name : name + "_"; }
 
 }  // namespace

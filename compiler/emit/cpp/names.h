@@ -1,4 +1,4 @@
-// Names in generated C++: as in the source where C++ allows it, else with a '_' or a number behind, or an 'n' before.
+// Names in generated C++: as in the source where C++ allows it, else with a '_' or a number appended, or an 'n' before.
 // docs/language.md, "Names in C++".
 #pragma once
 
@@ -11,8 +11,9 @@
 
 namespace gliftc::cpp {
 
-/// `text` as a C++ name: every run of characters that a name can't have is replaced by one '_', or left out at the end;
-/// an 'n' is put before names that would begin with a digit or '_', and a '_' is appended to keywords and macros.
+/// `text` as a C++ name: every run of '_' and of characters that a name can't have becomes one '_', which is left out
+/// at the end unless `text` ends with '_'; an 'n' is put before names that would begin with a digit or '_', and a '_'
+/// is appended to keywords and macros.
 std::string identifier(std::string_view text);
 
 /// Variables that the host code of every kernel declares: names of the source that equal one are changed.
@@ -45,14 +46,14 @@ public:
     void enter() { scopes_.emplace_back(); }
     void leave();
 
-    /// Says which names the generated code around the scopes uses itself: a name of the source that equals one gets a
-    /// '_' behind.
+    /// Says which names the generated code around the scopes uses itself: a '_' is appended to a name of the source
+    /// that equals one.
     void reserve(std::initializer_list<const char*> names);
     /// The same for a set, which must outlive the scopes.
     void avoid(const NameSet& names) { avoided_.push_back(&names); }
 
-    /// Declares identifier(wanted) in the innermost scope, with a '_' behind if it is reserved or avoided; or the first
-    /// of wanted_2, wanted_3, … that is free.
+    /// Declares identifier(wanted) in the innermost scope, with a '_' appended if it is reserved or avoided; or the
+    /// first of wanted_2, wanted_3, … that is free.
     std::string declare(std::string_view wanted);
     /// Declares a stem, from which names are formed with each of the suffixes; it is not a name itself. Returns
     /// `wanted`, or the first of wanted_2, wanted_3, … for which none of these names is taken.

@@ -24,7 +24,7 @@ struct PipelinePrinter {
     const Pipeline& pipeline;
     Printer p;
     std::string commands = "commands";  ///< the variable whose methods record passes
-    bool tracks = false;                ///< a test: its structures are kept to its end, to be compared
+    bool tracks = false;                ///< a test: its structures live to its end, to be compared
 
     PipelinePrinter(Unit& unit, const Pipeline& pipeline) : unit(unit), pipeline(pipeline), p(unit.globals) {
         p.names.reserve({"commands", "test"});
@@ -154,8 +154,8 @@ Text PipelinePrinter::expression(const Expr& expr) {
     ir::misplaced(expr.op, "emit/cpp: a pipeline");
 }
 
-/// The commands first, if the structure makes memory, then structures, then values, as the classes' constructors have
-/// them.
+/// Declares a temporary. The arguments are in the order of the class's constructor: the commands, if the structure
+/// makes memory, then structures, then values.
 void PipelinePrinter::temporary(const Stmt& stmt) {
     const ir::Type& type = unit.program.types[unit.program.locals[stmt.local].type];
     const ir::Structure& made = unit.program.structures[type.index];
@@ -266,8 +266,8 @@ void PipelinePrinter::keep_all() {
         made.emplace_back(p.local_names.at(stmt.local), index);
         keep(unit.name(unit.program.locals[stmt.local].name), made.back().first, index);
     }
-    // Structures come before their members, and those that share a structure before it: a check writes into the
-    // structure that it looks at.
+    // A check overwrites the structure that it looks at. So a structure is checked before its members, and a structure
+    // that was given another one (which was made earlier) before that one.
     std::ranges::reverse(made);
     for (std::size_t i = 0; i < made.size(); ++i) {
         const auto [object, index] = made[i];

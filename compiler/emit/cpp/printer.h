@@ -44,7 +44,8 @@ struct ClassNames {
     std::string base;  ///< the function for the memory, if that is a structure with a name other than the member's
     /// Names of its data members.
     std::vector<std::string> argument_fields, memory_fields, member_fields, host_fields, extent_fields;
-    NameSet own;  ///< names that bodies of its functions use: fields, pipelines, members that every such class has
+    NameSet own;  ///< names that bodies of its functions use: data members, pipelines, the structure's own functions,
+                  ///< members that every such class has
     NameSet all;  ///< these and its other functions: within the class they hide names of the namespace
 };
 
@@ -67,8 +68,8 @@ struct ProgramNames {
 
 ProgramNames program_names(const ir::Program& program);
 
-/// Whether a class keeps the member in a glift::Shared, which its copies have in common: the members that an adaptor
-/// makes can be replaced.
+/// Whether the class holds the member in a glift::Shared, so that all copies of an object share it: true of the members
+/// that an adaptor makes, since these can be replaced.
 bool is_held_by_handle(const ir::Structure& structure, std::size_t member);
 
 /// Whether code of a module may use the alias of a structure: one of its own, or a public one of a module that it
@@ -98,8 +99,8 @@ struct Globals {
     Globals(const ir::Program& program, const Sources& sources) : program(program), sources(sources) {}
 };
 
-/// Where generated code stands: in the namespace of the module `home`, in a file of the module `root`. Where both are
-/// one, structures have the names that the module gives them (aliases).
+/// Where generated code stands: in the namespace of the module `home`, in a file of the module `root`. If both are
+/// the same module, structures have the names that the module gives them (aliases).
 struct Surroundings {
     std::uint32_t root, home;
 };
@@ -115,12 +116,12 @@ struct Printer {
     Scopes names;
     const NameSet* class_names = nullptr;  ///< within a class: names that hide those of the namespace
     std::unordered_map<ir::LocalId, std::string> local_names;
-    std::unordered_map<ir::FunctionId, std::string> local_functions;  ///< declared where they are called
+    std::unordered_map<ir::FunctionId, std::string> local_functions;  ///< names of lambdas in the printed body
     /// Spells the operations that depend on what surrounds the body: parameters, loads, members, host operations of
     /// pipelines.
     std::function<Text(const ir::Expr&)> outer_expression;
     std::function<std::string(const ir::Expr&)> outer_place;  ///< the lvalue of a load, for atomic operations
-    std::function<void(const ir::Stmt&)> outer_statement;     ///< prints the statements that depend on it
+    std::function<void(const ir::Stmt&)> outer_statement;     ///< prints statements that depend on the surroundings
     /// Prints `return value;`; empty: as in C++.
     std::function<void(ir::ExprId)> print_return;
     /// Spells a local that is not simply a name (an element of an array over the workgroup); gives "" for others. May
@@ -164,7 +165,7 @@ std::string visible(const Printer& p, const std::string& name);
 void print_statements(Printer& p, const std::vector<ir::StmtId>& body);
 void print_statement(Printer& p, ir::StmtId stmt);
 std::string declare_local(Printer& p, ir::LocalId local);
-void mark_line(Printer& p, Span span);  ///< a comment with the source line where it changes
+void mark_line(Printer& p, Span span);  ///< prints a comment with the source line, if it is another one than before
 std::string file_name(const Sources& sources, std::uint32_t file);
 std::string place_text(const Sources& sources, Span span);         ///< laplacian.glift:8
 void require_function(Globals& globals, ir::FunctionId function);  ///< prints it to globals.functions if it isn't there

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t longest_name = 48;
 
-/// Names of members that generated classes of the kind have, all or some of them, themselves or from their base.
+/// Names that all or some generated classes of the kind, or their base classes, use for members, parameters and
+/// template parameters.
 NameSet members_of_class(ir::StructureKind kind) {
     NameSet names{"address", "box",        "commands",  "describe", "domain", "other",
                   "range",   "same_state", "type_name", "value",    "See",    "see"};
@@ -51,7 +52,8 @@ const NameSet& not_for_types() {
     return names;
 }
 
-/// Whether the structure's memory is a structure that has another name as a member: the class has a function for each.
+/// Whether the structure's memory is a structure that has another name as a member: then the class has an accessor for
+/// each of the two names.
 bool has_named_base(const ir::Structure& structure) {
     if (structure.base.empty()) return false;
     return structure.base.size() > 1 || structure.members[structure.base[0]].name != structure.base_name;
@@ -97,7 +99,8 @@ ClassNames class_names(const ir::Program& program, const NameSet& types, const i
     if (has_named_base(structure)) names.base = text(structure.base_name);
     for (const ir::Memory& memory : structure.memories) names.memories.push_back(text(memory.name));
     for (const ir::HostField& field : structure.host) names.host.push_back(text(field.name));
-    // Overloads share a name. Instances of one with generic parameters may take the same arguments.
+    // Overloads share a name. Instances of a generic pipeline may have the same parameters, so that their names
+    // include the generic arguments (name_of_instance).
     std::unordered_map<std::string, std::string> overloads;
     const auto overloaded = [&](const std::string& wanted) {
         std::string& name = overloads[wanted];

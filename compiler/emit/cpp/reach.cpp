@@ -166,7 +166,8 @@ void Collector::passes(const ir::Lowered::Forms& forms) {
     }
 }
 
-/// Adds what moves boxes of the structure between host and device. Programs call it, and few pipelines do.
+/// Adds the kernels and structures that move boxes of the structure between host and device, for all kinds of devices:
+/// the program calls them, on whatever device it made the structure on.
 void Collector::transfers(std::uint32_t structure) {
     if (!reach.moved.insert(structure).second) return;
     const Devices before = std::exchange(devices, {});
@@ -202,7 +203,7 @@ void Collector::structure(std::uint32_t index, bool visible) {
     const bool newly_visible = visible && reach.in_header.insert(index).second;
     if (!seen.insert(index).second && !newly_visible) return;
     for (const ir::MemberStructure& member : structure.members) this->structure(member.structure, visible);
-    // The class names them in what its pipelines take and give.
+    // The class declares its pipelines, so that the structures in their signatures come before it.
     for (std::uint32_t pipeline : structure.pipelines) signature(program.pipelines[pipeline], visible);
     if (std::ranges::find(reach.structures, index) == reach.structures.end()) reach.structures.push_back(index);
     for (ir::LocalId local : structure.constructor) type(program.locals[local].type, visible);
@@ -263,7 +264,8 @@ void Collector::pipeline(std::uint32_t index, bool visible) {
     owner = before;
 }
 
-/// The kinds of devices that may reach the end of the statements, of those that may reach their beginning (`come`).
+/// Visits the statements. `come` are the kinds of devices that may reach their beginning. Returns those that may reach
+/// their end.
 Devices Collector::steps(const std::vector<ir::StmtId>& body, Devices come) {
     const Devices before = std::exchange(devices, come);
     for (ir::StmtId id : body) step(program.stmts[id]);
@@ -356,7 +358,7 @@ Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& 
 }
 
 void add_inner_structs(Reach& reach, const ir::Program& program, const ir::Lowered& lowered) {
-    constexpr std::size_t share = 64;  // a thread for fewer would take longer
+    constexpr std::size_t share = 64;  // kernels per thread: starting a thread for fewer takes longer than it saves
     const std::vector<std::uint32_t> kernels(reach.kernels.begin(), reach.kernels.end());
     std::vector<Reach> found(kernels.size());
     for_each_parallel(kernels.size(), share, [&](std::size_t i) {

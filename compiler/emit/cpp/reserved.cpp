@@ -115,7 +115,7 @@ constexpr auto globals = std::to_array<std::string_view>({
 #include "emit/cpp/globals.inc"
 });
 
-/// Macros of compilers and systems that tools/cpp-names does not see here.
+/// Macros of other compilers and systems than those on which tools/cpp-names wrote the tables.
 constexpr auto other_macros = std::to_array<std::string_view>({
     "CALLBACK",
     "CONST",
@@ -141,8 +141,8 @@ static_assert(std::ranges::is_sorted(macros));
 static_assert(std::ranges::is_sorted(globals));
 static_assert(std::ranges::is_sorted(other_macros));
 
-/// For each first character, the lengths of the table's names that begin with it, a bit a length. Most names are told
-/// from those of the table by this alone.
+/// For each first character, a bit for each length that some name of the table with this first character has (bit 63:
+/// 63 or more). For most names that are not in the table this alone shows it.
 template <std::size_t n>
 constexpr std::array<std::uint64_t, 128> lengths_of(const std::array<std::string_view, n>& names) {
     std::array<std::uint64_t, 128> lengths{};

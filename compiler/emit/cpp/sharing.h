@@ -6,11 +6,11 @@
 
 namespace gliftc::cpp {
 
-/// Whether a call may give one memory for two bindings of the pass, of which one is written: they have one shape and
-/// format.
+/// Whether a call may give one memory for two bindings of the pass, at least one of which is written: they have the
+/// same shape and format.
 bool may_share(const ir::Pass& pass);
 
-/// The fields of glift::Binding that say which parameter the memory belongs to and how that accesses it.
+/// The fields of glift::Binding that say which parameter the memory belongs to and how the parameter accesses it.
 std::string sharing_fields(const ir::Program& program, const ir::Kernel& kernel, const ir::PassBinding& binding);
 
 }  // namespace gliftc::cpp

@@ -85,7 +85,8 @@ bool is_outer(const Printer& p, ir::LocalId local) { return p.outer_local && !p.
 void print_let(Printer& p, const Stmt& stmt) {
     const ir::Local& local = p.program.locals[stmt.local];
     const bool outer = is_outer(p, stmt.local);
-    // In C++ the name is in scope in its own initialiser, where it hides others: so it is declared first.
+    // In C++ the name is in scope in its own initialiser, where it hides others. So it is entered into p.names before
+    // the initialiser is printed.
     const std::string name = outer ? "" : declare_local(p, stmt.local);
     const std::string value = stmt.value ? print_any(p, stmt.value) : "";
     if (outer) {
@@ -121,8 +122,8 @@ bool is_used_up(const Printer& p, const std::vector<ir::StmtId>& body, std::size
 
 bool is_array(const Printer& p, ir::TypeId type) { return p.program.types.kind(type) == ir::TypeKind::array; }
 
-/// Whether an immutable `let` gives another name to an array that is not mentioned afterwards: then it is a reference,
-/// not a copy.
+/// Whether an immutable `let` copies an array variable that is not mentioned afterwards: then it is printed as a
+/// reference, not as a copy.
 bool is_name(const Printer& p, const std::vector<ir::StmtId>& body, std::size_t at) {
     const Stmt& stmt = p.program.stmts[body[at]];
     if (stmt.op != StmtOp::let || !stmt.value || p.program.locals[stmt.local].is_mutable) return false;

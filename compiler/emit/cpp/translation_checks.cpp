@@ -1,5 +1,5 @@
 // Generated checks of translators: `invert` undoes `translate`, a translator that is declared one-to-one maps no two
-// addresses to one, and boxes of elements that are written read back.
+// addresses to one, and boxes of elements have the values that were written when they are read back.
 #include "emit/cpp/translators.h"
 #include "ir/chain.h"
 #include "ir/walk.h"
@@ -241,7 +241,7 @@ std::string why_never(const ir::Program& program, const Structure& structure) {
     return "";
 }
 
-/// Makes structures of several extents and checks each.
+/// Prints the function that makes structures of several extents and checks each.
 void print_check_of_extents(Unit& unit, Writer& out, std::uint32_t index, const std::string& name,
                             const std::string& check) {
     const Structure& structure = unit.program.structures[index];

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kernels_of_a_thread = 16;  ///< printing fewer takes less time than starting a thread
 
-/// Names the parameters of a kernel's generated function, apart from the function's own variables.
+/// Names the parameters of a kernel's generated function. The names differ from those of the function's own variables.
 void name_parameters(Unit& unit, const ir::Kernel& kernel) {
     Scopes names;
     names.avoid(unit.globals.type_names);

@@ -10,7 +10,7 @@
 
 namespace gliftc::cpp {
 
-/// What of the program a module's C++ contains, as indices in ir::Program.
+/// What a module's C++ contains of the program, as indices in ir::Program.
 struct Reach {
     std::set<std::uint32_t> kernels, pipelines, enums;
     /// The kernels and pipelines that may be called on the host device, and on Vulkan devices. Others have no code for
@@ -51,9 +51,9 @@ struct ModuleParts {
     const ProgramNames& names;
 };
 
-/// The code of one namespace that is made for a module. The namespace is the module's own, or that of another module:
-/// for what the module uses of that one and no other header or source defines (instances of generics, and all of
-/// modules that this run makes no files for).
+/// The code of one namespace that is made for a module. The namespace is the module's own, or another module's. The
+/// latter has what the module uses of the other one and no other header or source defines: instances of generics, and
+/// everything of modules that this run makes no files for.
 struct Unit {
     const ir::Program& program;
     const ir::Lowered& lowered;
@@ -101,7 +101,8 @@ void print_class_members(Unit& unit, Writer& out, std::uint32_t structure);
 // transfers.cpp
 /// The functions that move boxes of the structure between host and device, and list the elements that are resident.
 void print_transfers(Unit& unit, Writer& out, std::uint32_t structure);
-/// In the class: the declaration of the function that lists the resident elements; nothing where all always are.
+/// In the class: the declaration of the function that lists the resident elements; nothing for a structure all of whose
+/// elements are always resident.
 void print_list_declaration(const Unit& unit, Writer& out, std::uint32_t structure);
 
 // descriptions.cpp
@@ -117,7 +118,7 @@ void print_enum(const Unit& unit, Writer& out, std::uint32_t index);
 
 // kernel_code.cpp
 std::string kernel_code(Unit& unit, std::uint32_t kernel);
-/// Whether the kernel's code will add functions to those that the file shares.
+/// Whether the kernel's code will add functions to those that the file shares (Globals::functions).
 bool code_adds_functions(const Unit& unit, std::uint32_t kernel);
 
 // drawing.cpp
@@ -136,7 +137,7 @@ std::vector<File> kernel_sources(const ModuleParts& parts, const std::string& st
 /// The head of the function that calls a kernel, with the kernel's parameters from number `first` on.
 std::string kernel_signature(Unit& unit, std::uint32_t kernel, bool qualified, std::size_t first = 0);
 std::string kernel_function(Unit& unit, std::uint32_t kernel);
-/// Whether kernel_function will add functions to those that the file shares.
+/// Whether kernel_function will add functions to those that the file shares (Globals::functions).
 bool function_adds_functions(const Unit& unit, std::uint32_t kernel);
 /// A kernel whose first parameter is `at` may be called without it: the first `each` of the same structure gives the
 /// range.
@@ -149,8 +150,8 @@ void print_pipeline(Unit& unit, Writer& out, std::uint32_t pipeline);
 
 // translation_checks.cpp
 /// Prints the functions that check translations. The result has an entry for each stored structure with translators
-/// that the module's C++ contains, and for each structure of the module with translators that it does not: of that one,
-/// only why it is not checked.
+/// that the module's C++ contains. For a structure with translators that the module declares, but its C++ does not
+/// contain, it has an entry that only says why the structure is not checked.
 std::vector<TranslationCheck> print_translation_checks(Unit& unit, Writer& out);
 
 // tests.cpp
@@ -159,7 +160,7 @@ std::string scalars_of(const ir::Program& program, ir::TypeId type);
 /// The same for a structure's elements, with `n` for floats of eight-bit formats that some kernel draws to: devices
 /// round them differently.
 std::string kept_scalars(const ir::Program& program, std::uint32_t structure);
-/// The table `tests`, after what it needs; nothing where the module has none.
+/// The table `tests` of the module's tests and checks; nothing if it has none.
 void print_tests(Unit& unit, Writer& out);
 
 }  // namespace gliftc::cpp

@@ -104,7 +104,7 @@ std::string quoted(std::string_view text) {
     std::string result = "\"";
     for (std::size_t i = 0; i < text.size(); ++i) {
         const unsigned char c = static_cast<unsigned char>(text[i]);
-        const bool repeats = c == '?' && i > 0 && text[i - 1] == '?';  // ??/ was a backslash once
+        const bool repeats = c == '?' && i > 0 && text[i - 1] == '?';  // ??/ is a backslash where trigraphs are read
         if (c == '\n') result += "\\n";
         else if (c < 32 || c == 127) result += {'\\', digits[c >> 6], digits[c >> 3 & 7], digits[c & 7]};
         else if (c == '"' || c == '\\' || repeats) result += {'\\', static_cast<char>(c)};

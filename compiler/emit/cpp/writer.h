@@ -1,4 +1,4 @@
-// Text made line by line, indented by four spaces a block.
+// Text made line by line, indented by four spaces for each level of nesting.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
-// Writes that are combined (scatter<S, op>): one atomic operation on integers, and for sums of floats in images, which
-// need GL_EXT_shader_atomic_float. Other floats are kept as integers with their bits: sums in buffers are made by
-// compare-and-swap, minima and maxima by integer operations without a loop.
+// Writes that are combined (scatter<S, op>). Those of integers are one atomic operation, and so are sums of floats in
+// images (GL_EXT_shader_atomic_float). Other floats are stored as integers with the same bits: sums in buffers are made
+// by compare-and-swap in a loop, minima and maxima by atomic operations on integers without a loop.
 #include "emit/glsl/printer.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ std::string float_atomic(Printer& p, std::uint32_t binding, Combine combine) {
     return function_name(p, use);
 }
 
-/// The function that adds by compare-and-swap, again and again until no other invocation has come between.
+/// The function that adds by compare-and-swap, repeated until no other invocation has changed the element in between.
 std::string addition(Printer& p, const AtomicUse& use) {
     const std::string test = round_test(p, {}, p.pass.files.size() > 1 ? "line, file" : "line");
     const std::string element = element_text(p, use.binding, "index");

@@ -15,7 +15,8 @@ namespace {
 
 using PartOf = std::function<void(const std::string& selector, TypeId type)>;
 
-/// Visits the parts of a struct, an array or an optional, each with what is written behind the whole to select it.
+/// Visits the parts of a struct, an array or an optional, each with the text that selects it when appended to the whole
+/// (`.field`, `[2]`).
 void for_each_part(const Printer& p, TypeId id, const PartOf& visit) {
     const ir::Type type = p.program.types[id];
     if (type.kind == TypeKind::struct_) {

@@ -1,12 +1,12 @@
 // Division and square root that come out correctly rounded on devices whose own are not.
 //
 // A device's quotients may be 2.5 units in the last place off, and its roots are only as exact as 1 / inversesqrt
-// (Vulkan, "Precision of core SPIR-V instructions"). From an
-// approximation and a fused multiply-add the right result is found by Markstein's corrections; operands are brought
-// near 1 first, so that nothing overflows or is flushed. Results of halves are rounded from those of floats, which have
-// more than twice their digits, so that it is as if they were rounded once. tests/device/probe_exact measures
-// this: no difference from the CPU in 5 million pairs on an H200. Where the device's own results are exact (lavapipe,
-// whose fma is not fused), the runtime says so by specialisation constant 100.
+// (Vulkan, "Precision of core SPIR-V instructions"). Markstein's corrections, made with fused multiply-adds, get the
+// correctly rounded result from an approximation. Operands of roots, and quotients' operands far from 1, are scaled
+// to near 1 first, so that nothing overflows or is flushed to zero. Quotients and roots of halves are computed as
+// floats and rounded to halves: a float has more than twice the digits, so that rounding twice gives the same as
+// rounding once. tests/device/accuracy compares the results with the host device's. Where the device's own results are
+// correctly rounded (lavapipe, whose fma is not fused), the runtime says so by specialisation constant 100.
 #include "emit/glsl/printer.h"
 
 #include <bit>

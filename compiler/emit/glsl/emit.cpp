@@ -16,7 +16,7 @@ std::string capitalised(std::string name) {
     return name;
 }
 
-/// Arrays in workgroup memory that use one allocation, in turn, are one variable.
+/// Workgroup arrays that share an allocation (layout/workgroup.h) are one variable, whose name joins theirs: `a_or_b`.
 void name_shared(Printer& p) {
     for (const std::vector<ir::LocalId>& place : p.pass.shared_places) {
         std::vector<std::string> names;

@@ -26,10 +26,10 @@ struct Options {
     ir::Part part = ir::Part::vertex;  ///< of a draw: whose shader is printed
 };
 
-/// The shader of `pass`, or of a draw its part options.part. Descriptor set 0: memory k at binding k + 1 (in the wide
-/// form buffers are reached by address instead), the status record behind the memories; parameters are push constants
-/// or, where !pass.push_constants, a uniform or storage buffer at binding 0. Offsets are those of
-/// GL_EXT_scalar_block_layout.
+/// The shader of `pass`, or for a draw the shader of the part options.part. Descriptor set 0: memory k at binding k + 1
+/// (in the wide form buffers are reached by address instead), the status record at the binding after the last memory's;
+/// parameters are push constants or, where !pass.push_constants, a uniform or storage buffer at binding 0. Offsets are
+/// those of GL_EXT_scalar_block_layout.
 std::string glsl_of(const ir::Program& program, const Sources& sources, const ir::Pass& pass,
                     const Options& options = {});
 

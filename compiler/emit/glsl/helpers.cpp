@@ -1,6 +1,6 @@
-// Helpers: operations that GLSL lacks or does not define for all operands, as functions printed before the source's own
-// where they are used. Those of arithmetic give what the host device and the constant evaluator give, bit for bit, if
-// the division does (Rounding::correct); except `angle` (atan2) away from (0, 0).
+// Helpers: operations that GLSL lacks or does not define for all operands, as functions printed before those of the
+// source, if they are used. Those of arithmetic give the same bits as the host device and the constant evaluator if
+// division is correctly rounded (Rounding::correct), except `angle` (atan2) away from (0, 0).
 #include "emit/glsl/printer.h"
 
 #include <algorithm>
@@ -135,8 +135,9 @@ Conversion conversion_of(Helper helper) {
     }
 }
 
-/// Converts a float to 64 bits in two halves: NVIDIA's driver (580) shortens a conversion of whose result only the
-/// lower half is used to 32 bits, which saturate. Both steps are exact.
+/// Converts a floating-point number to an integer of 64 bits in two steps, the upper 32 bits and the lower ones. If a
+/// program uses only the lower half of a conversion to 64 bits, NVIDIA's driver (580) replaces it by a conversion to 32
+/// bits, which saturates. Both steps are exact.
 std::string saturating_conversion_64(const HelperUse& use, const std::string& type) {
     const Conversion c = conversion_of(use.helper);
     const bool is_signed = use.helper == Helper::to_int64;
@@ -159,7 +160,8 @@ std::string saturating_conversion(Printer& p, const HelperUse& use) {
     std::uint32_t count = p.program.types.components(use.a);
     if (count > 1) return by_component(c.prefix + std::string("vec") + std::to_string(count), name, type, count, false);
     if (is_wide && type != "float16_t") return saturating_conversion_64(use, type);
-    // Bounds of a half or double are those of float: it holds powers of two up to 2^64, half has infinity there.
+    // The bounds, 0 and powers of two up to 2^64, are exact as floats and doubles. A half is compared as a float, since
+    // they are beyond its largest number.
     std::string x = type == "float" ? "x" : type == "float16_t" ? "float(x)" : "x";
     std::string suffix = type == "double" ? "lf" : "";
     std::string low = use.helper == Helper::to_uint || use.helper == Helper::to_uint64 ? x + " > " + c.low + suffix
@@ -174,7 +176,8 @@ std::string saturating_conversion(Printer& p, const HelperUse& use) {
     return text;
 }
 
-/// Mesa's drivers convert a double to a float and that to a half, NVIDIA's does not.
+/// Rounds once on all drivers. For a plain conversion Mesa's convert the double to a float and that to a half, which
+/// rounds twice, and NVIDIA's does not.
 std::string half_of_double() {
     return "// Rounds once: to a float whose last bit is 1 where it is not exact, so that the half is that nearest to "
            "x.\n"
@@ -260,7 +263,8 @@ std::string arithmetic(Printer& p, const HelperUse& use) {
         const std::uint32_t count = types.components(use.a);
         if (count > 1) return by_component(t, "angle", t, count, true);
         const std::string pi = t + "(3.14159265)";
-        // 2^64, by which a float is scaled exactly. In floats, reciprocals of halves are finite.
+        // Floats whose reciprocals may be infinite are scaled by 2^64, which is exact. Halves are converted to floats,
+        // in which their reciprocals are finite.
         const std::string scaled = use.a == types.half
                                        ? "to_half(atan(float(y), float(x)))"
                                        : "max(abs(x), abs(y)) < 1e-30 ? atan(y * 18446744073709551616.0, "
@@ -284,8 +288,8 @@ std::string arithmetic(Printer& p, const HelperUse& use) {
         if (types.is_floating(use.a))
             return one_line(t + " sign_of(" + t + " x)", "x > " + zero_text + " ? " + one + " : x < " + zero_text +
                                                              " ? -" + one + " : " + zero_text);
-        // By its upper and lower 32 bits: lavapipe takes int64_t(k) > 0 for true where it unrolls a loop over k from 0u
-        // on.
+        // By its upper and lower 32 bits: where lavapipe unrolls a loop over k from 0u on, it evaluates int64_t(k) > 0
+        // to true even for k = 0u.
         return "int64_t sign_of(int64_t x) {\n    int high = int(x >> 32l);\n"
                "    return high < 0 ? -1l : (high | int(x)) != 0 ? 1l : 0l;\n}\n";
     }
@@ -367,7 +371,7 @@ std::string definition(Printer& p, const HelperUse& use) {
     throw std::logic_error("emit/glsl: unknown helper");
 }
 
-/// The helpers that `use` itself calls.
+/// Notes that the helpers that `use` itself calls are needed.
 // long: a case for each helper
 void need_inner(Printer& p, const HelperUse& use) {
     const ir::Types& types = p.program.types;
@@ -450,7 +454,7 @@ std::vector<std::string> helper_list(Printer& p) {
     std::vector<std::string> texts;
     for (const HelperUse& use : p.helpers) {
         std::string made = definition(p, use);
-        if (std::ranges::find(texts, made) == texts.end()) texts.push_back(std::move(made));  // an enum is a uint here
+        if (std::ranges::find(texts, made) == texts.end()) texts.push_back(std::move(made));  // enums print as uint
     }
     return texts;
 }

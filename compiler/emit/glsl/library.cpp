@@ -118,7 +118,7 @@ std::string heading(const Program& program, const Sources& sources, std::uint32_
            "_STATE (see below), " + macro + "_READONLY (nothing is written).\n";
 }
 
-/// `has_bindings`: something is bound even where the shader declares the state in a block of its own.
+/// `has_bindings`: there are memories, which are bound even if the shader declares the state in a block of its own.
 std::string macros_text(const std::string& macro, bool has_bindings) {
     std::string text = "#ifndef " + macro + "_SET\n#define " + macro + "_SET 0\n#endif\n";
     const std::string missing = has_bindings ? "#ifndef " + macro + "_BINDING\n"
@@ -135,7 +135,8 @@ std::string number_of(const std::string& text) {
     return std::to_string(hash & 0x7fffffffu);
 }
 
-/// Text that several files may have: once in a shader. Other text under the same macro is an error.
+/// Text that several included files may contain, guarded so that a shader has it once. Another text under the same
+/// macro is an error.
 std::string once(const std::string& macro, const std::string& text, const std::string& error) {
     const std::string number = number_of(text);
     return "#ifndef " + macro + "\n#define " + macro + " " + number + "\n" + text + "#elif " + macro + " != " + number +

@@ -232,7 +232,8 @@ std::string parameter_declaration(Printer& p, std::size_t i) {
 }
 
 /// Whether a parameter that lies in a buffer may be copied to a variable: scalars and vectors may, matrices are read in
-/// place. Structs, arrays and optionals have other types in a block than in a variable, which glslang's `?:` mixes up.
+/// place. Structs, arrays and optionals have other types in a block than in a variable, and glslang's `?:` does not
+/// convert between the two.
 bool is_copied(const Printer& p, const ir::PassParameter& parameter) {
     const ir::TypeKind kind = p.program.types.kind(parameter.type);
     return parameter.source != ir::ParameterSource::address && kind != ir::TypeKind::struct_ &&
@@ -292,7 +293,7 @@ std::string compare_text(Printer& p, const ir::Expr& expr) {
                            print_any(p, expr.operands[1]) + ")";
     if (p.pass.bindings[expr.slot].shape == MemoryShape::image2d) return "textureLod(" + name + ", " + at + ", 0.0)";
     const std::string flat = p.pass.bindings[expr.slot].shape == MemoryShape::imagecube ? "vec3(0.0)" : "vec2(0.0)";
-    return "textureGrad(" + name + ", " + at + ", " + flat + ", " + flat + ")";  // GLSL has no level here
+    return "textureGrad(" + name + ", " + at + ", " + flat + ", " + flat + ")";  // GLSL has no textureLod for it
 }
 
 }  // namespace
@@ -310,7 +311,8 @@ Text print_load(Printer& p, const ir::Expr& expr) {
                                                           : "0";
     std::string components = first_components(p, binding.element);
     if (expr.op == ir::Op::image_compare) return {compare_text(p, expr)};
-    // Devices give the texels counter-clockwise from the one with the smaller x and the larger y.
+    // textureGather gives the texels in the order (x, y + 1), (x + 1, y + 1), (x + 1, y), (x, y); the language's order
+    // is (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1).
     if (expr.op == ir::Op::image_gather)
         return {"textureGather(" + name + ", " + print_any(p, expr.operands[0]) + ").wzxy"};
     if (expr.op == ir::Op::image_sample)

@@ -92,7 +92,7 @@ const std::unordered_set<std::string_view>& reserved_words() {
 
 bool begins(std::string_view name, std::string_view prefix) { return name.substr(0, prefix.size()) == prefix; }
 
-/// Whether all names with this beginning are reserved: another ending does not help.
+/// Whether the name begins with a prefix that makes every name reserved, so that appending something does not help.
 bool has_reserved_beginning(std::string_view name) {
     for (std::string_view prefix : {"gl_", "GL_", "optional_", "atomic", "subgroup", "imageAtomic", "debugPrintf"})
         if (begins(name, prefix)) return true;
@@ -126,7 +126,7 @@ void Scopes::leave() {
 
 std::string Scopes::declare(std::string_view wanted) {
     std::string base = identifier(wanted), name = base;
-    if (has_reserved_beginning(base + "_")) base = name = "the_" + base;  // with a number behind it, too
+    if (has_reserved_beginning(base + "_")) base = name = "the_" + base;  // gl, too: gl_1 is reserved
     while (base.size() > 1 && base.back() == '_') base.pop_back();
     for (int n = 1; !is_free(name); ++n) name = base + "_" + std::to_string(n);
     used_.insert(name);

@@ -1,4 +1,4 @@
-// Names in GLSL: as in the source where possible, different from all that are visible, never a word of GLSL.
+// Names in GLSL: as in the source where possible, different from all that are visible, never reserved in GLSL.
 #pragma once
 
 #include <string>

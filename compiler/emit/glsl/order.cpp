@@ -2,9 +2,9 @@
 // coherent memory, which workgroups share, and barriers of a subgroup.
 //
 // On lavapipe (Mesa 22.3) the fence that these bring is a barrier: where only some subgroups of a workgroup reach it,
-// the others are ended silently. There read-modify-write operations order everything by themselves, since they are
-// sequentially consistent, and a subgroup does its statements one after the other. The runtime says so by
-// specialisation constant 102.
+// the others are ended silently. There no fences are needed: read-modify-write operations order everything by
+// themselves, since they are sequentially consistent, and the lanes of a subgroup run in lockstep. The runtime says so
+// by specialisation constant 102.
 #include "emit/glsl/printer.h"
 #include "ir/walk.h"
 

@@ -140,7 +140,7 @@ struct Printer {
     std::string function_prefix;  ///< put before these names, in files that shaders include beside others
     std::unordered_map<ir::LocalId, std::string> local_names;
     std::unordered_map<ir::LocalId, Bounds> bounds;
-    bool in_range_is_known = false;  ///< the shader returned already where in_range is false
+    bool in_range_is_known = false;  ///< the shader has returned already if in_range is false
 
     std::set<std::string> extensions;
     std::vector<ir::TypeId> struct_types;  ///< structs and optionals used, each after those in it
@@ -207,10 +207,10 @@ std::string texel_text(Printer& p, ir::ExprId id);
 std::string bindings_text(Printer& p);
 std::string parameter_members(Printer& p);
 std::string parameters_text(Printer& p);
-/// How the names in p.parameter_names read the parameters. Where they lie in a buffer and specialisation constant 103
-/// says so, the shader copies scalars and vectors to variables when it begins (print_parameter_copies): llvmpipe, which
-/// does not know that nobody writes them, would read them again for each lane wherever they are used. GPUs read them in
-/// place; there copies would take registers.
+/// Replaces the names in p.parameter_names by the expressions that read the parameters, which lie in a buffer. If
+/// specialisation constant 103 says so, the shader copies scalars and vectors to variables when it begins
+/// (print_parameter_copies): llvmpipe, which does not know that nobody writes them, would read them again for each lane
+/// wherever they are used. On GPUs they are read in place, since copies would take registers.
 void name_parameter_reads(Printer& p);
 void print_parameter_copies(Printer& p);
 /// Whether the binding's elements are floats that are combined by atomic operations on integers: it is declared as ints
@@ -273,7 +273,7 @@ std::string file_name(std::string_view path);
 
 // emit.cpp: the parts of a shader that a file of library functions has, too
 void name_structs(Printer& p);
-std::string callees_text(Printer& p);  ///< the functions of the pass, named now
+std::string callees_text(Printer& p);  ///< names and prints the functions of the pass
 std::string enumerators_text(const Printer& p);
 std::string extensions_text(Printer& p);
 

@@ -60,7 +60,7 @@ std::string assignment(Printer& p, const Stmt& stmt) {
     return target + " = " + text;
 }
 
-/// Whether the value's left operand is the assignment's target, as `x += y` wants.
+/// Whether the value's left operand is the assignment's target, as `x += y` requires.
 bool is_left_whole(Printer& p, const Stmt& stmt) {
     const Expr& value = p.program.exprs[stmt.value];
     if (value.op != ir::Op::binary) return false;
@@ -170,7 +170,8 @@ std::string memory_of_barriers(const Printer& p) {
            "gl_StorageSemanticsShared";
 }
 
-/// Execution and memory in one call: a separate fence beside a barrier costs an H200 up to a fifth of a pass.
+/// One call orders execution and memory: a separate fence beside a barrier makes a pass up to a fifth slower on an
+/// H200.
 std::string barrier_text(Printer& p) {
     const std::string memory = memory_of_barriers(p);
     if (memory == "gl_StorageSemanticsShared") return "barrier();";

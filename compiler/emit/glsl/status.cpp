@@ -2,10 +2,10 @@
 // loops.
 //
 // Some devices (lavapipe) end the loops of an invocation after a number of rounds, silently. They run the lanes of a
-// subgroup in step, so a round of one lane is a round of all: the count is the subgroup's (in draws the
+// subgroup in lockstep, so a round of one lane is a round of all: the count is the subgroup's (in draws the
 // invocation's). Each test of a loop's condition adds one to it, and the rounds of inner loops that run with no lane
 // active (idle_rounds). Specialisation constant 101 is the device's limit; where it is 0 nothing is counted and the
-// driver drops all of this.
+// driver's compiler removes all of this.
 #include "emit/glsl/printer.h"
 #include "ir/walk.h"
 
@@ -15,7 +15,7 @@ namespace gliftc::glsl {
 
 namespace {
 
-/// Invocations of the smallest subgroup that a device with a limit has.
+/// The smallest subgroup size of all devices that limit the rounds of loops.
 constexpr std::uint32_t smallest_subgroup = 4;
 
 bool names_files(const Printer& p) { return p.pass.files.size() > 1; }

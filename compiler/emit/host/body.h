@@ -17,7 +17,7 @@ struct Body {
     std::set<std::uint32_t> used_bindings, used_parameters;
     /// Names of the pointers to rows through which accesses go, by the access's binding and index operand.
     std::map<std::pair<std::uint32_t, ir::ExprId>, std::string> row_pointers;
-    /// The same for arrays that are filled once a block, by the local and the index operand.
+    /// The same for arrays that are filled once per block, by the local and the index operand.
     std::map<std::pair<ir::LocalId, ir::ExprId>, std::string> item_pointers;
     bool first_only = false;  ///< in workgroups: the printed code runs once, with the values of the first invocation
     std::string group_text;   ///< in workgroups: their size, as a uint3

@@ -140,7 +140,7 @@ void Part::print_statement(const Stmt& stmt, const std::function<void(const Stmt
     p.out.close();
 }
 
-/// Tests and blends what the fragments have drawn.
+/// Prints the late depth test, and the blending of the fragments' colours into the targets.
 void print_targets(Part& part) {
     const ir::Raster& raster = part.raster;
     cpp::Writer& out = part.p.out;
@@ -160,7 +160,8 @@ void print_targets(Part& part) {
     }
 }
 
-/// Where only some paths assign a depth, the others keep the triangle's.
+/// Prints the depths that the fragments begin with, which are interpolated from the triangle: where only some paths
+/// assign a depth, the others keep it.
 void print_depths(Part& part) {
     part.p.out.open("for (std::uint32_t pixel = 0; pixel < glift::host::block_pixels; ++pixel)");
     part.p.out.line(part.arrays.at(part.raster.depth->value) + "[pixel] = fragments.depth[pixel];");

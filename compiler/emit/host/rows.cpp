@@ -42,8 +42,8 @@ std::vector<RowAccess> row_accesses(const ir::Program& program, const std::vecto
 /// Whether it is a `let` of a value, which can be left out if nothing reads it.
 bool is_let(const Stmt& stmt) { return stmt.op == StmtOp::let && stmt.value; }
 
-/// A part of a row as the variant wants it: one that runs in blocks of glift::host::block_elements takes a part that is
-/// empty or at least a block long.
+/// The expression of a part of a row, fitted to the variant: a variant that runs in blocks of
+/// glift::host::block_elements takes a part that is empty or at least a block long.
 std::string in_blocks_text(const ir::Variant& variant, const std::string& part, const std::string& end) {
     return variant.order == ir::RowOrder::in_blocks ? "glift::host::in_blocks(" + part + ", " + end + ")" : part;
 }
@@ -120,8 +120,9 @@ std::string Rows::type_of(const RowAccess& access) {
     return (binding.access == ir::Access::read ? "const " : "") + cpp::storage_text(p.globals, binding.element);
 }
 
-/// Prints a pointer to the first element that the row accesses for each distinct pair of a memory or array and an index
-/// that advances along the row; before them the values that they need.
+/// Accesses of the row differ in what they access, a memory or an array, and in the index, which advances along the
+/// row. For each distinct pair of the two, prints a pointer to the first element accessed; before these pointers,
+/// prints the values that the indices need.
 void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::vector<RowAccess>& accesses,
                               const std::string& begin) {
     std::vector<ExprId> wanted;
@@ -143,7 +144,7 @@ void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::
     }
 }
 
-/// The statements without the `let`s that nothing reads, now that row pointers stand for what was computed with them.
+/// The statements without the `let`s that nothing reads, since row pointers replace the indices computed with them.
 std::vector<StmtId> Rows::without_unused(const std::vector<StmtId>& statements, IdSet<ir::Local>& read) const {
     const auto note = [&](const auto& self, ExprId id) -> void {
         if (!id) return;
@@ -204,8 +205,8 @@ void Rows::print_plain_loop(const ir::Variant& variant, const std::string& begin
     }
     IdSet<ir::Local> read;
     const std::vector<StmtId> kept = without_unused(statements, read);
-    // GLIFT_BLOCK is for the short rows of a kernel over blocks: it keeps the compiler from unrolling the loop, of
-    // which it could then make no vectors.
+    // GLIFT_BLOCK is for the short rows of a kernel over blocks: it keeps the compiler from unrolling the loop, which
+    // it could then not vectorise.
     if (variant.order != ir::RowOrder::ascending)
         p.out.line(variant.assumes.row != 0 ? "GLIFT_BLOCK" : "GLIFT_INDEPENDENT");
     if (accesses.empty()) {
@@ -322,7 +323,7 @@ void Rows::print_loop(const ir::Variant& variant, const std::string& begin, cons
     close_sections();
 }
 
-/// Declares an array that is filled once a block. It is not initialised.
+/// Declares an array that is filled once per block. It is not initialised.
 void print_array(Rows& rows, const Stmt& let) {
     cpp::Printer& p = rows.p;
     const ir::Type& type = rows.program.types[rows.program.locals[let.local].type];

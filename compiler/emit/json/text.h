@@ -1,4 +1,4 @@
-// JSON as text, written from the front to the back: an entry a line, two spaces a level.
+// JSON as text, written from the front to the back: one entry per line, indented by two spaces per level.
 #pragma once
 
 #include <concepts>
@@ -9,9 +9,9 @@ namespace gliftc::json {
 
 class Text {
 public:
-    /// An object, whose entries `entries` writes: key() and a value each.
+    /// An object. `entries` is called to write its entries, each by key() and then a value.
     template <class Entries> void object(Entries&& entries) { enclose('{', '}', entries); }
-    /// An array, whose entries `entries` writes: a value each.
+    /// An array. `entries` is called to write its values.
     template <class Entries> void array(Entries&& entries) { enclose('[', ']', entries); }
 
     void key(std::string_view name);

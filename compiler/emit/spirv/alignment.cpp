@@ -1,4 +1,4 @@
-// Needs: a valid module. Guarantees: the same module with other alignments.
+// Needs: a valid module. Guarantees: the same module with corrected alignment operands.
 #include "emit/spirv/alignment.h"
 
 #include <glslang/SPIRV/spirv.hpp>
@@ -19,7 +19,7 @@ constexpr std::size_t header_words = 5;
 
 spv::Op op_of(Instruction instruction) { return static_cast<spv::Op>(instruction[0] & 0xffffu); }
 
-/// Types, and the pointers into memory that is reached by address.
+/// The types of a module, and its pointers into memory that is accessed by device address.
 class Pointers {
 public:
     void note(Instruction i) {

@@ -39,7 +39,7 @@ bool is_after_annotations(spv::Op op) {
            op == spv::OpLine || op == spv::OpNoLine;
 }
 
-/// The instruction's form that is defined for not-a-number, of min, max and clamp; else the instruction itself.
+/// For FMin, FMax and FClamp, the instruction that is also defined for not-a-number; any other instruction as it is.
 std::uint32_t defined_form(std::uint32_t instruction) {
     switch (instruction) {
     case GLSLstd450FMin: return GLSLstd450NMin;

@@ -20,8 +20,8 @@ public:
     }
     /// A random number in [low, high).
     float between(float low, float high) { return low + (high - low) * (static_cast<float>(bits() >> 8) * 0x1p-24f); }
-    /// A random point of a box. Its numbers are drawn in a fixed order, as compilers are free to evaluate arguments in
-    /// any: z first, as g++ did when the scenes were made.
+    /// A random point of a box. Its numbers are drawn by statements in a fixed order, since compilers may evaluate
+    /// arguments in any order: z first, as g++ did when the scenes were made.
     glift::float3 inside(const glift::float3& low, const glift::float3& high) {
         const float z = between(low.z, high.z);
         const float y = between(low.y, high.y);

@@ -33,8 +33,8 @@ void add_leaf(mesh::Mesh& mesh, const float3& at, Random& random, float time) {
     for (const std::uint32_t corner : {0u, 1u, 2u}) mesh.corners.push_back(first + corner);
 }
 
-/// Adds a branch with three branches at its end, `depth` generations of them; those of the last one have leaves along
-/// them instead.
+/// Adds a branch with three branches at its end, and so on for `depth` generations; branches of the last generation
+/// have leaves along them instead.
 void add_branch(mesh::Mesh& mesh, const float3& from, const float3& direction, float length, float radius, int depth,
                 Random& random, float time) {
     const float3 to = from + direction * length;

@@ -140,7 +140,7 @@ void Display::wait(double seconds) {
 
 glift::uint2 Display::size() const {
     const glift::uint2 size = window_pixels(window_);
-    require();  // afterwards: where the connection broke, GLFW's size is any
+    require();  // after the call: if the connection broke in it, GLFW's size means nothing
     return size;
 }
 

@@ -23,7 +23,7 @@ template <class T> constexpr T divisor(T a, T b) {
 /// which is -0 for i = 0.
 template <class T> constexpr T subtract(T a, T b) { return static_cast<T>(a - b); }
 
-/// a / b; for integers a where b is 0 or the quotient overflows.
+/// a / b. For integers, the result is a where b is 0 or the quotient would overflow.
 template <class T> constexpr T divide(T a, T b) {
     if constexpr (std::is_integral_v<T>) return static_cast<T>(a / divisor(a, b));
     else return a / b;
@@ -32,7 +32,7 @@ template <class T> constexpr T divide(T a, T b) {
 /// a % b, with the sign of a; 0 where b is 0.
 template <class T> constexpr T remainder(T a, T b) { return static_cast<T>(a % divisor(a, b)); }
 
-/// Shifts take their amount modulo the width of a.
+/// Shifts take their amount modulo the width of a in bits. A right shift of a signed a keeps the sign.
 template <class T, class U> constexpr T shift_left(T a, U amount) {
     using V = std::make_unsigned_t<T>;
     return static_cast<T>(static_cast<V>(a) << (static_cast<V>(amount) & (sizeof(T) * 8 - 1)));
@@ -41,8 +41,8 @@ template <class T, class U> constexpr T shift_right(T a, U amount) {
     return static_cast<T>(a >> (static_cast<std::make_unsigned_t<T>>(amount) & (sizeof(T) * 8 - 1)));
 }
 
-/// A value as another scalar type. Floating to integer truncates; what does not fit becomes the nearest value that
-/// does, and NaN becomes zero.
+/// A value as another scalar type. A floating value becomes an integer by truncation: one that does not fit becomes the
+/// nearest integer that does, NaN becomes zero. An integer becomes a narrower one by dropping its high bits.
 template <class T, class U> constexpr T convert(U value) {
     if constexpr (std::is_same_v<U, half> && !std::is_same_v<T, half>) {
         return convert<T>(static_cast<float>(value));

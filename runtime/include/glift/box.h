@@ -44,8 +44,8 @@ constexpr std::uint64_t volume_of(const Extent& extent) {
 
 GLIFT_API std::string text_of(const Extent& extent, unsigned rank);
 
-/// A box of addresses of the structure `name`, whose extent is `domain`, for checks of bounds and overlap. Only the
-/// first `rank` axes count.
+/// A box of addresses of the structure `name`, whose domain has the extent `domain`, for checks of bounds and overlap.
+/// Only the first `rank` axes count.
 struct Box {
     const char* name;
     unsigned rank;

@@ -1,4 +1,4 @@
-// An ordered stream of passes and copies.
+// An ordered stream of passes (calls of kernels) and copies.
 //
 // What is put into a stream happens as if one after the other, in that order. The runtime knows what each pass and copy
 // reads and writes, so it places the barriers; independent passes get none and may overlap. Only wait(),
@@ -39,7 +39,8 @@ struct CopyRegion {
 };
 
 /// A box of texels of an image and its place in a buffer or in host bytes, where it is packed and row-major from byte
-/// `offset` on, a multiple of 4 and of a texel's bytes.
+/// `offset` on, a multiple of 4 and of a texel's bytes. `origin` and `extent` count texels of level `mip`; of cubes and
+/// arrays, whose face or layer is `face`, the third extent is 1.
 struct ImageRegion {
     std::uint64_t offset = 0;
     std::array<std::uint32_t, 3> origin = {0, 0, 0};
@@ -48,7 +49,7 @@ struct ImageRegion {
     std::uint32_t face = 0;  ///< of a cube; of an image2darray: its layer
 };
 
-/// A box of texels from one image to another of the same format.
+/// A box of texels from one image to another one of the same format. The fields mean what they do in ImageRegion.
 struct ImageCopyRegion {
     std::array<std::uint32_t, 3> from = {0, 0, 0}, to = {0, 0, 0}, extent = {1, 1, 1};
     std::uint32_t from_mip = 0, to_mip = 0, from_face = 0, to_face = 0;
@@ -62,7 +63,8 @@ public:
     explicit operator bool() const { return bool(object_); }
 
     bool ready() const;  ///< whether the bytes are there; neither waits nor submits
-    /// Waits for all commands before the download in its stream. Valid while this handle or a copy of it lives.
+    /// Waits for all commands before the download in its stream. The bytes are valid while this handle or a copy of it
+    /// lives. Throws what kernels reported (StatusRecord).
     std::span<const std::byte> get() const;
 
 private:
@@ -76,7 +78,7 @@ public:
     explicit Timestamp(std::shared_ptr<detail::TimestampObject> object) : object_(std::move(object)) {}
     explicit operator bool() const { return bool(object_); }
 
-    double seconds() const;  ///< waits until it is reached; the zero is arbitrary
+    double seconds() const;  ///< waits until it is reached; the origin of time is arbitrary
 
 private:
     detail::Held<detail::TimestampObject> object_;
@@ -90,7 +92,8 @@ inline double operator-(const Timestamp& later, const Timestamp& earlier) {
 /// A cheap handle to a stream: a device's own, a recording in progress, or the user's VkCommandBuffer (vulkan.h).
 /// Generated functions take `const Commands&`, so that they can be called with a Device too. Commands for a recording
 /// are accepted until the body of Device::record has returned, those for a command buffer until vulkan::finish; later
-/// ones throw.
+/// ones throw. All calls throw wrong_argument for arguments that cannot be used, such as an empty handle, a memory of
+/// another device, or a range or box outside its memory.
 class GLIFT_API Commands {
 public:
     Commands(const Device& device);  ///< the stream of Device::commands
@@ -108,6 +111,9 @@ public:
     bool needs_wide(const Kernel& kernel, std::span<const Memory> memories, const std::array<std::uint32_t, 4>& size,
                     Sharing sharing = Sharing::unknown) const;
 
+    /// Puts one call of a kernel into the stream. Throws wrong_argument where the call does not fit the kernel,
+    /// aliased_memory for bindings that may race (Sharing), and missing_form, missing_feature, too_large or loop_limit
+    /// where the device cannot run the kernel.
     void dispatch(const Kernel& kernel, const Call& call) const;
 
     /// The same stream, whose kernels have the values of these parameters (named as in the generated GLSL, `f_extent`;
@@ -122,8 +128,9 @@ public:
     Commands uninitialized() const;
 
     /// The same stream, whose passes and fills run only if `condition`, a bool on the device, is true (`where_not`:
-    /// false) when they are reached, and all conditions of `*this` hold. Else they run over nothing, and buffers
-    /// allocated here are not zeroed. Copies, uploads, downloads and timestamps throw an Error there.
+    /// false) when they are reached, and all conditions of `*this` hold. Else they run over nothing, and buffers that
+    /// these commands allocate are not zeroed. Copies, uploads, downloads and timestamps through these commands throw
+    /// wrong_argument.
     Commands where(DeviceValue condition) const;
     Commands where_not(DeviceValue condition) const;
     /// The same stream without conditions.
@@ -141,20 +148,23 @@ public:
 
     /// Replaces a container's member by `made`, a structure of the same type with other memories. All copies of the
     /// container share the member. `memories` are the old member's: recordings that use them can no longer be
-    /// submitted, and calls that are given them throw. Throws in a recording, and in a body of Device::workspace_bytes.
+    /// submitted, and calls that are given them throw. Throws wrong_argument in a recording and in a body of
+    /// Device::workspace_bytes.
     template <class S> void replace(S& member, S&& made, std::initializer_list<Memory> memories) const {
         note_replaced(memories);
         member = std::move(made);
     }
 
-    void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes,
-              std::uint32_t value = 0) const;  ///< offset and bytes: multiples of 4
+    /// Writes `value` to each 4-byte word of a part of a buffer. Offset and bytes are multiples of 4.
+    void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value = 0) const;
 
-    /// Copies between buffers. Source and target may be one memory if no region's source overlaps any region's target.
+    /// Copies between buffers. Source and target may be one memory if no region's source overlaps any region's target;
+    /// else that throws aliased_memory.
     void copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) const;
     void copy(const Memory& from, std::uint64_t from_offset, const Memory& to, std::uint64_t to_offset,
               std::uint64_t bytes) const;
 
+    /// Copies of texels without conversion. copy_images needs two different images of one format.
     void copy_to_image(const Memory& buffer, const Memory& image, std::span<const ImageRegion> regions) const;
     void copy_from_image(const Memory& image, const Memory& buffer, std::span<const ImageRegion> regions) const;
     void copy_images(const Memory& from, const Memory& to, std::span<const ImageCopyRegion> regions) const;
@@ -165,12 +175,14 @@ public:
     void upload_image(const Memory& image, std::span<const ImageRegion> regions,
                       std::span<const std::byte> bytes) const;
 
-    /// Copies to `bytes` host bytes. `to` of a region is an offset in them. Throws in a recording.
+    /// Copies to host memory of `bytes` bytes. `to` of a region is an offset in it; bytes that no region covers are
+    /// unspecified. Throws wrong_argument in a recording.
     Download download(const Memory& from, std::uint64_t offset, std::uint64_t bytes) const;
     Download download(const Memory& from, std::span<const CopyRegion> regions, std::uint64_t bytes) const;
     Download download_image(const Memory& image, std::span<const ImageRegion> regions, std::uint64_t bytes) const;
 
-    Timestamp timestamp() const;  ///< not in a recording
+    /// Not in a recording. Throws missing_feature where the device's queue has no timestamps.
+    Timestamp timestamp() const;
 
     void flush() const;  ///< submits what was put into the stream; not in a recording
     void wait() const;   ///< like flush, then waits until it is done; throws what kernels reported (StatusRecord)

@@ -33,14 +33,14 @@ struct DeviceProperties {
     std::uint64_t max_allocation_bytes = unlimited;  ///< of one buffer; an image may be limited to less
     /// The largest buffer that a descriptor covers. Kernels reach larger ones by their wide form (kernel.h).
     std::uint64_t max_storage_buffer_range = unlimited;
-    std::uint32_t shared_memory_bytes = 0;  ///< of a workgroup; kernels that declare more are refused
+    std::uint32_t shared_memory_bytes = 0;  ///< of a workgroup; kernels that declare more are refused (too_large)
     std::uint32_t max_push_constant_bytes = 128;
     std::array<std::uint32_t, 3> max_workgroups = {UINT32_MAX, UINT32_MAX, UINT32_MAX};
     std::array<std::uint32_t, 3> max_workgroup_size = {1024, 1024, 64};
     std::uint32_t max_workgroup_invocations = 1024;
     /// Iterations, summed over all loops of an invocation, after which the device leaves the invocation's loops.
     std::uint64_t loop_round_limit = unlimited;
-    /// An acquire or release fence that only some subgroups of a workgroup reach ends the other subgroups.
+    /// If only some subgroups of a workgroup reach an acquire or release fence, the other subgroups end there.
     bool fences_are_barriers = false;
     /// Helper invocations (pixels beside a triangle, which take part in derivatives) load the elements of buffers;
     /// false: they load zeros.
@@ -67,7 +67,7 @@ struct Statistics {
     std::uint64_t passes = 0;
     std::uint64_t barriers = 0;        ///< recorded between passes and copies (a replay counts none)
     std::uint64_t pipelines = 0;       ///< created for kernels
-    std::uint64_t waits = 0;           ///< calls of wait and Download::get, first ones of each Timestamp::seconds
+    std::uint64_t waits = 0;           ///< calls of wait and Download::get, and the first seconds() of each Timestamp
     std::uint64_t memories = 0;        ///< whose storage is not freed yet; host: parts of images count, too
     std::uint64_t bytes_used = 0;      ///< by memories, staging and parameters
     std::uint64_t bytes_reserved = 0;  ///< taken from the device, in blocks
@@ -78,7 +78,8 @@ class GLIFT_API Device {
 public:
     /// `host`, in lower case; or, in upper or lower case, `gpu`, `lavapipe` or part of a device's name. Without an
     /// argument the environment variable GLIFT_DEVICE decides, with the same values; without that, the best GPU, else a
-    /// CPU that runs Vulkan, which is logged once (log.h). Never the host unless asked.
+    /// CPU that runs Vulkan, which is logged once (log.h). Never the host unless asked. Throws no_loader, no_device,
+    /// unsupported_version, missing_feature, missing_layer, or wrong_argument for an invalid environment variable.
     ///
     /// Other environment variables: GLIFT_VALIDATE=1 turns on the validation layer; GLIFT_CACHE_DIR says where
     /// compiled pipelines are kept (default: $XDG_CACHE_HOME/glift or ~/.cache/glift; empty: nowhere);

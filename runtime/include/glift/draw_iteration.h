@@ -14,8 +14,8 @@
 
 namespace glift {
 
-/// Corners (vertices), instances and targets of one call. Arguments are added and checked one by one, in the kernel's
-/// order.
+/// Corners (vertices), instances and targets of one call. Arguments are added one by one, in the kernel's order; each
+/// is checked as it is added, and throws wrong_argument where it does not fit those before it.
 class DrawIteration {
 public:
     explicit DrawIteration(const Kernel& kernel) : kernel_(kernel) {}
@@ -24,7 +24,7 @@ public:
     template <class S> void corners(const char* name, const Range<S>& range) {
         add_counted(0, detail::box_of(name, range), range.is_whole(), range.device_counts());
     }
-    /// The same for instances.
+    /// A range with an element for each instance. All such ranges must have one size.
     template <class S> void instances(const char* name, const Range<S>& range) {
         add_counted(1, detail::box_of(name, range), range.is_whole(), range.device_counts());
     }
@@ -32,8 +32,8 @@ public:
     template <class S> void any(const char* name, const Range<S>& range) {
         add_any(detail::box_of(name, range), range.is_whole());
     }
-    /// A target: a range of an image, `memory`, that is drawn to. Each element's texel has the element's virtual
-    /// address. All targets must have ranges of one size that begin at the same pixel.
+    /// A target: a range of an image, `memory`, that is drawn to. The texel of each element lies at the element's
+    /// virtual address. All targets must have ranges of one size that begin at the same pixel.
     template <class S> void colour(const char* name, const Range<S>& range, const Memory& memory) {
         add_pixels(detail::box_of(name, range), range.is_whole(), range.device_counts());
         add_origin(detail::box_of(name, range));

@@ -1,8 +1,9 @@
 // Kernels that draw: a vertex shader, the rasteriser and a fragment shader.
 //
-// A draw runs over two axes: vertices and instances. Consecutive vertices form a primitive: three a triangle, two a
-// line, one a point. Form::spirv is the vertex shader, Form::fragment the fragment shader; both have the same bindings
-// and parameters. Output i of the fragment shader is colour target i. Each call gives the targets and the viewport.
+// A draw runs over two axes: vertices and instances. Consecutive vertices form a primitive: three form a triangle, two
+// a line, one a point. Form::spirv is the vertex shader, Form::fragment the fragment shader; both have the same
+// bindings and parameters. Output i of the fragment shader is colour target i. Each call gives the targets and the
+// viewport.
 #pragma once
 
 #include <glift/memory.h>
@@ -21,7 +22,8 @@ enum class Topology : std::uint8_t { triangles, lines, points };
 /// A fragment passes where `its depth <test> stored depth`.
 enum class DepthTest : std::uint8_t { less, less_equal, greater, equal, always };
 
-/// How a fragment's colour is blended with the stored one. `over`: premultiplied alpha.
+/// How a fragment's colour is blended with the stored one. `over` is source + (1 - source alpha) * stored, for colours
+/// that are premultiplied by alpha; `multiply` is source * stored.
 enum class Blend : std::uint8_t { replace, over, add, min, max, multiply };
 
 struct ColourTarget {
@@ -42,13 +44,14 @@ struct Drawing {
     bool derives_loads = false;
 };
 
-/// One mip level, and of a cube one face, of an array one layer, of an image that is drawn to.
+/// One mip level of an image that is drawn to; of a cube also one face, of an image2darray one layer (`face`).
 struct Attachment {
     Memory memory;
     std::uint32_t mip = 0, face = 0;
 };
 
-/// The targets of one call, and the viewport, which must lie inside each of them; they may be larger.
+/// The targets of one call, and the viewport, in pixels of the targets. It must lie inside each of them; they may be
+/// larger.
 struct DrawTargets {
     std::span<const Attachment> colours = {};  ///< in the order of Drawing::colours
     Attachment depth = {};                     ///< empty where Drawing::depth is null

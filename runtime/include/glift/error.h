@@ -10,7 +10,8 @@
 namespace glift {
 
 enum class ErrorCode : std::uint8_t {
-    no_loader,  ///< the library libvulkan.so.1, or that which GLIFT_VULKAN_LOADER names, is missing or no loader
+    no_loader,  ///< the library libvulkan.so.1, or the one that GLIFT_VULKAN_LOADER names, is missing or is not a
+                ///< Vulkan loader
     no_device,  ///< no Vulkan driver, no device, or none of the kind or name asked for
     unsupported_version,  ///< the loader's or the device's Vulkan is older than 1.3
     /// The device or its driver lacks what Glift, a kernel or the program asks for: a feature, an extension, a texel

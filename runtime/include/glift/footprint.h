@@ -1,4 +1,4 @@
-// The elements that a call may touch of one structure, with the structure's type erased. They are compared where one
+// The elements of one structure that a call may access, with the structure's type erased. They are compared where one
 // memory is passed for several parameters.
 #pragma once
 
@@ -70,9 +70,10 @@ struct Footprint {
 /// bindings. Cheap: every call asks.
 GLIFT_API bool is_shared(const Kernel& kernel, std::span<const Memory> memories);
 
-/// How the parameters overlap in the memories that they share. `footprints` are those of the structures and the values
-/// on the device that the kernel takes, in its order; `visited` is the box of the first range that it visits element by
-/// element (in a draw: vertex by vertex). Throws aliased_memory where it cannot rule out that invocations race.
+/// How the parameters overlap in the memories that they share. `footprints` are those of the parameters that are
+/// structures or values on the device, in the kernel's order; `visited` is the box of the first range that it visits
+/// element by element (in a draw: vertex by vertex). Throws aliased_memory where it cannot rule out that invocations
+/// race.
 GLIFT_API Sharing compare_footprints(const Kernel& kernel, std::span<const Memory> memories, const Box& visited,
                                      std::span<const Footprint> footprints);
 

@@ -30,12 +30,14 @@ constexpr std::uint16_t half_bits(float value) {
     return static_cast<std::uint16_t>(sign | result);
 }
 
-/// A float beside `value`, or equal to it, that rounds to the same half: its last bit is 1 where it is not exact.
+/// `value` rounded to odd: the equal float, or else the one of the two floats around it whose last mantissa bit is 1.
+/// Rounded to a half, it gives the same half as `value` does.
 constexpr float float_rounded_to_odd(double value) {
     const auto nearest = static_cast<float>(value);
     const double rest = value - static_cast<double>(nearest);
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(nearest);
-    // Smaller ones are below half of the smallest half; a NaN or an infinity is kept, since its rest is a NaN.
+    // Values this small become zero as halves, whatever their last bit is. A NaN or an infinite value is kept, since
+    // its rest is a NaN.
     const bool is_small = nearest < 1e-9f && nearest > -1e-9f, is_inexact = rest < 0 || rest > 0;
     if (is_small || !is_inexact || (bits & 1u)) return nearest;
     return std::bit_cast<float>((rest > 0) == (nearest > 0) ? bits + 1u : bits - 1u);

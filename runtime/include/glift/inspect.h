@@ -1,11 +1,11 @@
-// What a structure is made of and what is there, as a file from which `tools/inspect` draws pictures. Knows no
-// container: it follows what generated classes say of themselves (`describe`), and lists the elements that are there.
+// A structure's parts and its resident elements (resident.h), as a file from which `tools/inspect` draws pictures. No
+// container is known by name: the parts are those that generated classes list themselves (`describe`).
 //
 //     glift::inspect(grid, "grid").save("grid.inspection");
 //
-// Not part of <glift/glift.h>. For structures of any size. It waits for the device, and reads the elements in some
-// planes; of structures of which not all elements need be there, also all elements that are there, unless they are more
-// than InspectionOptions::most_elements.
+// Not part of <glift/glift.h>. For structures of any size. It waits for the device. It reads the elements in some
+// planes; if the structure may have elements that are not resident, it also reads all resident elements, unless they
+// are more than InspectionOptions::most_elements.
 #pragma once
 
 #include <glift/inspected_values.h>
@@ -22,11 +22,12 @@
 namespace glift {
 
 struct InspectionOptions {
-    std::uint32_t most_pixels = 512;  ///< along an axis of a picture of two axes; along one of one axis its square
-    std::uint64_t most_elements = std::uint64_t{1} << 25;  ///< where more are there, only planes are read
+    /// Along each axis of a picture of a plane. The picture of a structure of one axis has up to the square of this.
+    std::uint32_t most_pixels = 512;
+    std::uint64_t most_elements = std::uint64_t{1} << 25;  ///< where more are resident, only planes are read
 };
 
-/// A structure as text of the format that docs/inspection.md has.
+/// A structure as text in the format that docs/inspection.md describes.
 class Inspection {
 public:
     explicit Inspection(std::string text) : text_(std::move(text)) {}
@@ -48,8 +49,8 @@ namespace detail {
 
 // ---------------------------------------------------------------------------------------------------------- pictures
 
-/// A box of addresses, divided along each axis into `count` cells of `cell` addresses (the last one may have fewer), of
-/// which there are no more than `most`.
+/// A box of addresses, divided along each axis into `count` cells, `most` at most, of `cell` addresses each (the last
+/// one may have fewer).
 struct Cells {
     Extent first{}, size{1, 1, 1, 1}, cell{1, 1, 1, 1}, count{1, 1, 1, 1};
 
@@ -78,7 +79,8 @@ struct Cells {
     }
 };
 
-/// How many of these addresses, or places in a memory, lie in each cell of the domain, or of the memory.
+/// How many of these addresses lie in each cell of the domain; also for places in a memory, whose extent is then
+/// `domain`.
 template <class A> std::string json_counts(const std::vector<A>& addresses, const Extent& domain, std::uint32_t most) {
     constexpr unsigned rank = Axes<A>::count;
     const Cells cells({}, domain, rank > 2 ? Extent{most / 4, most / 4, 64, 8} : Extent{most, most, 1, 1});
@@ -91,7 +93,7 @@ template <class A> std::string json_counts(const std::vector<A>& addresses, cons
     return object.text();
 }
 
-/// Stands for the number of an element's place where no element is there, or where that number is no less than this.
+/// Stands for the number of an element's place where no element is resident, or where that number is no less than this.
 inline constexpr std::uint32_t no_place = UINT32_MAX;
 /// The place of an element in a memory of this extent as one number, counted in row-major order; `no_place` at most.
 inline std::uint32_t number_in(const Extent& place, const Extent& extent) {
@@ -110,8 +112,8 @@ struct Bounds {
             middle[i] = high[i] / 2;
         }
     }
-    /// Along the axes on which the domain is longer than a picture: from the first to the last of these addresses. The
-    /// middle becomes the one in the middle of the list.
+    /// Along the axes on which the domain is longer than a picture, narrows the box to the span of these addresses.
+    /// `middle` becomes the address in the middle of the list.
     template <class A> void narrow(const std::vector<A>& addresses, const Extent& domain, std::uint32_t most) {
         for (unsigned i = 0; i < 4; ++i) {
             if (domain[i] <= most) continue;
@@ -134,8 +136,9 @@ public:
     Planes(const S& structure, const Bounds& bounds, const Extent& places, std::uint32_t most)
         : structure_(structure), bounds_(bounds), places_(places), most_(most) {}
 
-    /// Planes along each two of the first three axes, through the middle; of one axis a line. Where the last of three
-    /// or four axes is short, as levels are, instead one plane along the first two axes for each of its values.
+    /// The planes through the middle along each pair of the first three axes; for a structure of one axis, a line.
+    /// Where the last of three or four axes is short, as an axis of levels is, instead one plane along the first two
+    /// axes for each of its values.
     std::string json() {
         constexpr unsigned last = rank - 1;
         if (rank >= 3 && bounds_.high[last] < 16) {
@@ -150,11 +153,11 @@ public:
     }
 
 private:
-    /// The most addresses that are read along an axis of a plane; along a line its square.
+    /// The most addresses that are read along an axis of a plane; along a line the square of this.
     static constexpr std::uint32_t most_read = 4096;
 
     /// Adds the plane along axes x and y, with the value and place of one element of each cell: NaN and no_place where
-    /// none is there.
+    /// none is resident.
     void add(const Extent& through, unsigned x, unsigned y) {
         Extent first = through, size{1, 1, 1, 1}, cells_along{1, 1, 1, 1};
         for (unsigned axis : {x, y}) {
@@ -327,7 +330,8 @@ private:
         return text;
     }
 
-    /// How many elements are there; none where every address of too large a domain would have to be looked at.
+    /// The number of resident elements; nullopt where the structure has no blocks and its domain has more than
+    /// most_searched addresses, each of which would have to be looked at.
     template <class S> static std::optional<std::uint64_t> count_of(const S& structure) {
         const std::uint64_t all = volume_of(extent_of(structure.domain()));
         if constexpr (HasList<S>) {
@@ -373,8 +377,8 @@ private:
 
 }  // namespace detail
 
-/// A structure, view or adaptor that gliftc generated: its parts, sizes, what its functions without arguments say, and
-/// the elements that are there, of each of its parts. Errors are those of `read_resident` and of its functions.
+/// Inspects a structure, view or adaptor that gliftc generated, and each of its parts: sizes, the results of its
+/// functions without arguments, and the resident elements. Errors are those of `read_resident` and of these functions.
 template <class S>
 Inspection inspect(const S& structure, const std::string& name = "structure", const InspectionOptions& options = {}) {
     detail::JsonObject json;

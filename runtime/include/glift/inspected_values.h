@@ -131,7 +131,7 @@ template <class T> std::string text_of_value(const T& value) {
 
 template <class T> double number_of(const T& value);
 
-/// The number of a struct's first field.
+/// Finds the number (number_of) of a struct's first field.
 struct FirstNumber : SeesNothing {
     template <class T> void value(const char*, const T& field) {
         if (!is_found) number = number_of(field);
@@ -141,8 +141,8 @@ struct FirstNumber : SeesNothing {
     bool is_found = false;
 };
 
-/// What a picture shows of a value: a scalar itself, a vector's first component, of a struct that of its first field; 0
-/// for all else.
+/// The number that a picture shows of a value: a scalar itself, of a vector the number of its first component, of a
+/// struct that of its first field; 0 for all else.
 template <class T> double number_of(const T& value) {
     if constexpr (components_of < T >> 1) {
         return number_of(value[0]);

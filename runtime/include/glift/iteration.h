@@ -14,8 +14,9 @@
 
 namespace glift {
 
-/// The elements that one call of a kernel visits. Arguments are added and checked one by one. What does not depend on a
-/// structure's type is not inline, since programs have many calls.
+/// The elements that one call of a kernel visits. Arguments are added one by one; each is checked as it is added, and
+/// throws wrong_argument where it does not fit those before it. What does not depend on a structure's type is not
+/// inline, since programs have many calls.
 class Iteration {
 public:
     explicit Iteration(const Kernel& kernel) : kernel_(kernel) {}
@@ -45,8 +46,8 @@ public:
         blocks(visited);
         block_count_ = count;
     }
-    /// Throws if two structures that are visited block by block may have different blocks. Each pair holds a memory
-    /// that the blocks of `first` are read from and that of `other`: they must be the same.
+    /// Throws wrong_argument if two structures that are visited block by block may have different blocks. Each pair
+    /// holds a memory that the blocks of `first` are read from and that of `other`: they must be the same.
     GLIFT_API void same_blocks(const char* first, const char* other,
                                std::initializer_list<std::pair<Memory, Memory>> memories) const;
     uint2 visited() const { return visited_; }
@@ -67,8 +68,8 @@ public:
 
     /// Whether one memory is bound twice and written: then `share` must be called.
     bool is_shared(std::span<const Memory> memories) const { return detail::is_shared(kernel_, memories); }
-    /// Sets `sharing` from the footprints of all structures and values on the device that the kernel takes, in its
-    /// order. Throws where it cannot rule out that invocations race.
+    /// Sets `sharing` from the footprints of all parameters that are structures or values on the device, in the
+    /// kernel's order. Throws aliased_memory where it cannot rule out that invocations race.
     void share(std::span<const Memory> memories, std::initializer_list<detail::Footprint> footprints) {
         sharing_ = detail::compare_footprints(kernel_, memories, first_, footprints);
     }

@@ -73,12 +73,13 @@ struct Binding {
     bool as_bits = false;              ///< a storage image of floats whose bits are accessed as ints
     std::uint32_t address_offset = 0;  ///< wide form, buffers: byte offset of the 64-bit address in the parameters
     std::uint32_t element_bytes = 4;   ///< buffers: bytes of an element
-    std::uint32_t parameter = 0;       ///< index of its structure among the parameters that are structures
+    /// Number of the binding's parameter among those that are structures or values on the device.
+    std::uint32_t parameter = 0;
     Reach reach = Reach::memory;
     std::uint32_t radius = 0;  ///< of Reach::window
     Combine combine = Combine::none;
     /// The parameters of which the kernel promises (@disjoint) that they access other elements than this binding's
-    /// parameter does: bit i for parameter i, of the first 32.
+    /// parameter does: bit i for the one with number i (as in `parameter`), up to 31.
     std::uint32_t apart_from = 0;
 
     bool is_apart_from(std::uint32_t other) const { return other < 32 && (apart_from >> other & 1) != 0; }
@@ -151,10 +152,10 @@ struct Form {
     std::uint32_t parameter_bytes = 0;
     bool push_constants = false;    ///< parameters are push constants, else the buffer at binding 0
     bool uniform_buffer = false;    ///< draws: that buffer is a uniform buffer, else a storage buffer
-    std::uint32_t size_offset = 0;  ///< byte offset in the parameters of the iteration size (`rank` uints)
-    /// Wide, rank 2 to 4: byte offset in the parameters of three uints, which the caller sets to zero and the runtime
-    /// to a part's first invocation: the shader adds them to gl_GlobalInvocationID. UINT32_MAX: none, iterations beyond
-    /// the device's limits are refused.
+    std::uint32_t size_offset = 0;  ///< byte offset, in the parameters, of the iteration size: `rank` uints
+    /// Wide, rank 2 to 4: byte offset, in the parameters, of three uints that the shader adds to gl_GlobalInvocationID.
+    /// The caller sets them to zero; where the runtime splits the iteration, it sets them to each part's first
+    /// invocation. UINT32_MAX: there are none, and iterations beyond the device's limits are refused (too_large).
     std::uint32_t base_offset = UINT32_MAX;
 };
 
@@ -185,12 +186,12 @@ struct Kernel {
     std::uint32_t line;
     std::uint32_t rank;                  ///< axes of the iteration, 1 to 4
     std::array<std::uint32_t, 3> group;  ///< workgroup size
-    std::uint64_t loop_rounds;           ///< bound on the iterations of one invocation's loops in total, their last
-                                         ///< tests included; UINT64_MAX if unknown. A bound beyond the device's
-                                         ///< loop_round_limit is refused (ErrorCode::loop_limit). A kernel without a
-                                         ///< bound counts the iterations of each subgroup where specialisation
-                                         ///< constant 101 (a uint) is the device's limit, not 0 for none, and
-                                         ///< reports when the count passes it
+    std::uint64_t loop_rounds;  ///< bound on the iterations of one invocation's loops in total, their last tests
+                                ///< included; UINT64_MAX if unknown. A bound beyond the device's loop_round_limit is
+                                ///< refused (ErrorCode::loop_limit). A kernel without a bound counts the iterations of
+                                ///< each subgroup (in draws of each invocation) and reports when the count reaches the
+                                ///< device's limit, which is specialisation constant 101 (a uint); where that is 0
+                                ///< there is no limit, and nothing is counted
     std::span<const Binding> bindings;
     Form direct, general, wide;
     std::span<const Parameter> parameters = {};      ///< what Commands::specialised can fix
@@ -200,10 +201,10 @@ struct Kernel {
                                                     ///< bindings.size() + 1 in every form
     std::uint32_t shared_bytes = 0;                 ///< workgroup memory
     SourceLine longest_loop = {};                   ///< the loop with the most iterations, for errors
-    std::span<const char* const> other_files = {};  ///< that reports may name, beside `file`
+    std::span<const char* const> other_files = {};  ///< files that reports may name, beside `file`
     const Drawing* drawing = nullptr;  ///< of a kernel that draws (drawing.h); its rank is 2: corners, instances
-    std::uint64_t digest = 0;  ///< hash of what pipelines and reports depend on of the above: kernels of equal digest
-                               ///< share them. 0: the runtime computes it at each call, which takes microseconds
+    std::uint64_t digest = 0;  ///< hash of those members that pipelines and reports depend on: kernels of equal digest
+                               ///< share both. 0: the runtime computes it at each call, which takes microseconds
 };
 
 }  // namespace glift

@@ -1,4 +1,4 @@
-// Boxes of a structure's elements as copies on the host, which are written back.
+// Copies on the host of boxes of a structure's elements, which are written back.
 #pragma once
 
 #include <glift/api.h>
@@ -20,7 +20,8 @@ GLIFT_API void log_unwritten(const char* type, const std::exception& error) noex
 }  // namespace detail
 
 /// A copy of a box of elements on the host, written back to the structure when it is unmapped or goes out of scope.
-/// Keeps the structure's memory alive. An error while it goes out of scope is logged (log.h): unmap() throws it.
+/// Keeps the structure's memory alive. An error of writing back is thrown by unmap(), but only logged (log.h) by the
+/// destructor.
 template <class S> class Mapped {
 public:
     using Address = typename S::Address;
@@ -40,7 +41,8 @@ public:
         }
     }
 
-    /// The address counts from the box's origin.
+    /// The address counts from the box's origin. Throws wrong_argument for one outside the box; this and values() also
+    /// after unmap().
     Element& operator[](Address address) {
         const Extent a = detail::extent_of(address, 0), n = detail::extent_of(size_);
         const detail::Box box{S::type_name, detail::Axes<Address>::count, a, {1, 1, 1, 1}, n};

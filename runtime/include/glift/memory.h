@@ -42,10 +42,10 @@ public:
     std::array<std::uint32_t, 3> extent() const { return description().extent; }
 
     /// One level of an image, as an image of its own over the same texels: it may be read, written and drawn to while
-    /// other levels are. Throws wrong_argument where there is none.
+    /// other levels are. Throws wrong_argument where there is no such level.
     Memory mip(std::uint32_t level) const;
     /// One layer of an image2darray or one face of a cube, of level 0, as an image2d over the same texels. Throws
-    /// wrong_argument where there is none.
+    /// wrong_argument where there is no such layer or face.
     Memory layer(std::uint32_t layer) const;
 
     explicit operator bool() const { return bool(object_); }

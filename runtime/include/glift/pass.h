@@ -29,8 +29,8 @@ struct Patch {
     bool joins = false;  ///< same offset as the patch before it: the minimum of the two is written
 };
 
-/// A bool on the device, four bytes, and what it must be for a pass to run. Where it is not, the pass runs over
-/// nothing.
+/// A bool on the device, four bytes, and what it must be for a pass to run. If the bool differs from that, the pass
+/// runs over nothing.
 struct Condition {
     DeviceValue value;
     bool wanted = true;
@@ -55,14 +55,15 @@ inline const Form& form_of(const Kernel& kernel, FormName name) {
     return kernel.direct;
 }
 
-/// What is known of memories that a call binds several times and writes through at least one binding. Left aside are
-/// bindings whose writes combine alike (Binding::combine) or that the kernel promises to be apart
-/// (Binding::apart_from).
+/// What is known of memories that a call binds several times and writes through at least one binding. Pairs of bindings
+/// whose writes combine alike (Binding::combine), or which the kernel promises to be apart (Binding::apart_from), are
+/// not considered.
 enum class Sharing : std::uint8_t {
     unknown,    ///< nothing: refused (ErrorCode::aliased_memory), unless all these bindings are read_write
-    apart,      ///< no invocation accesses what another one writes, nor by another binding what it writes itself
-    one_place,  ///< no invocation accesses what another one writes, but some access an element by one binding that
-                ///< they write by another one: not in the direct form
+    apart,      ///< no element that an invocation writes is accessed by another invocation, or by the same one through
+                ///< another binding
+    one_place,  ///< no element that an invocation writes is accessed by another invocation, but some elements are
+                ///< accessed by their own invocation through two bindings: not in the direct form
 };
 
 /// One call of a kernel. Spans need to live only until Commands::dispatch returns.

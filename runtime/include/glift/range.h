@@ -51,7 +51,7 @@ public:
     Range() = default;
     Range(const S& structure) : structure_(structure), size_(structure.domain()), whole_(true) {}
     Range(const S& structure, Address origin, Address size) : structure_(structure), origin_(origin), size_(size) {}
-    /// The first elements along each axis: as many as a value on the device says, `size` at most.
+    /// The first elements from `origin` on along each axis: as many as a value on the device says, `size` at most.
     Range(const S& structure, Address origin, Address size, DeviceScalar<Address> count)
         : structure_(structure), origin_(origin), size_(size), counts_{{std::move(count), {}}} {}
     Range(const S& structure, Address origin, Address size, std::vector<detail::DeviceCount> counts)
@@ -62,11 +62,12 @@ public:
     Address origin() const { return origin_; }
     Address size() const { return size_; }
     bool is_whole() const { return whole_; }
-    /// Device values: their minimum, and `size()` at most, is the number of elements along each axis. None where the
-    /// host knows it.
+    /// Values on the device: along each axis the number of elements is the minimum of these and of `size()`. Empty
+    /// where the host knows the number.
     const std::vector<detail::DeviceCount>& device_counts() const { return counts_; }
 
-    /// A box within this one, whose `origin` counts from that of this one.
+    /// A box within this one, whose `origin` counts from that of this one. Throws wrong_argument where it lies outside
+    /// this one.
     Range range(Address origin, Address size) const {
         require_inside(origin, size);
         Range part(structure_, origin_ + origin, size);
@@ -92,6 +93,7 @@ public:
         require_inside(address, Address(1));
         return structure_.element(commands, origin_ + address);
     }
+    /// Reads `size()` elements along each axis, whatever the device counts say. Waits as Structure::read does.
     std::vector<typename S::Element> read() const { return structure_.read(origin_, size_); }
 
 private:
@@ -115,7 +117,8 @@ template <class S> typename S::Address size_of(const Range<S>& range) { return r
 
 }  // namespace detail
 
-/// The box [first, last), which pipelines write a[first .. last]. `place` is the source location, for errors.
+/// The box [first, last), which pipelines write a[first .. last]. `place` is the source location, for errors. Throws
+/// wrong_argument unless first <= last <= size along each axis.
 template <class S> auto slice(const S& from, typename S::Address first, typename S::Address last, const char* place) {
     const Extent begin = detail::extent_of(first, 0), end = detail::extent_of(last, 0);
     const Extent whole = detail::extent_of(detail::size_of(from));
@@ -125,7 +128,7 @@ template <class S> auto slice(const S& from, typename S::Address first, typename
     return from.range(first, last - first);
 }
 
-/// How many elements a structure or a box has; throws where the number does not fit a uint.
+/// How many elements a structure or a box has; throws too_large where the number does not fit a uint.
 template <class S> uint element_count(const S& structure) {
     return fitted(detail::volume_of(detail::extent_of(detail::size_of(structure))), "count of a structure's elements");
 }

@@ -28,7 +28,7 @@ public:
     /// Device::workspace_bytes of the same device.
     void submit() const;
 
-    /// The size of the workspace.
+    /// The size of the workspace in bytes.
     std::uint64_t workspace_bytes() const;
 
 private:
@@ -42,7 +42,7 @@ GLIFT_API Device begin_measuring(const Device& device);
 GLIFT_API std::uint64_t measured_bytes(const Device& measuring);
 
 /// The scope of a body of Device::record or Device::workspace_bytes: this thread's commands to the device go into
-/// `commands`, which accept no more when it ends.
+/// `commands`, which accept no more when the scope ends.
 class GLIFT_API RecordingScope {
 public:
     RecordingScope(const Device& device, const Commands& commands);

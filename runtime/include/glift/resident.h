@@ -1,4 +1,5 @@
-// The elements of a structure that are there: whose addresses are mapped to memory, as those in resident pages are.
+// The resident elements of a structure, also said to `be there`: those whose addresses are mapped to memory, for
+// example the elements of resident pages.
 #pragma once
 
 #include <glift/range.h>
@@ -12,11 +13,11 @@
 
 namespace glift {
 
-/// Elements that are there, in the order of their addresses, x running fastest: entry i of each list is of one element.
+/// Resident elements, in the order of their addresses, x running fastest. Entries i of the lists belong to one element.
 template <class A, class P, class T> struct Resident {
     std::vector<A> addresses;
-    /// Where the addresses are translated to, in the structure's own memory; empty for structures of which all is
-    /// always there.
+    /// Where the addresses are translated to, in the structure's own memory; empty for structures whose elements are
+    /// always all resident.
     std::vector<P> places;
     std::vector<T> values;
 
@@ -28,11 +29,11 @@ namespace detail {
 
 [[noreturn]] GLIFT_API void throw_not_searched(const char* type, std::uint64_t elements);
 
-/// The most addresses that are looked at one by one, which takes a minute on a CPU. For more, `resident` throws
+/// The most addresses that are looked at one by one: about a minute at 1 ns per address. For more, `resident` throws
 /// too_large.
 inline constexpr std::uint64_t most_searched = std::uint64_t{1} << 36;
 
-/// Structures of which not all of the domain need be there. Their member `list` runs a kernel that lists what is there;
+/// Structures whose elements need not all be resident. Their member `list` runs a kernel that lists the resident ones;
 /// `Place` is the type of an address in their own memory.
 template <class S>
 concept HasList = requires {
@@ -70,8 +71,8 @@ private:
     std::uint32_t entries_;
 };
 
-/// Lists the elements of the range that are there, into lists on the device that have room for `most`. Returns how many
-/// are there; if the number is `most`, brings the lists to the host, to `found`.
+/// Writes the resident elements of the range to lists on the device that have room for `most` entries. Returns the
+/// number of resident elements; if that is `most`, copies the lists to `found` on the host.
 template <class S>
 std::uint32_t list(const Range<S>& range, const Commands& commands, std::uint32_t most, ResidentOf<S>& found) {
     const Memory counter = commands.allocate({.name = "counter", .bytes = 4});
@@ -92,7 +93,7 @@ template <class T> std::vector<T> in_order(const std::vector<T>& values, const s
     return sorted;
 }
 
-/// The elements of a box that are there, sorted by address. One pass counts them, another one lists them.
+/// The resident elements of a box, sorted by address. One pass counts them, another one lists them.
 template <class S> ResidentOf<S> resident(const Range<S>& range, const Commands& commands) {
     const std::uint64_t searched = volume_of(extent_of(range.size()));
     if (!S::has_blocks && searched > most_searched) throw_not_searched(S::type_name, searched);
@@ -111,7 +112,7 @@ template <class S> ResidentOf<S> resident(const Range<S>& range, const Commands&
     return {in_order(found.addresses, order), in_order(found.places, order), in_order(found.values, order)};
 }
 
-/// The same for a box of a structure of which all is there; `values` are the box's, in row-major order.
+/// The same for a box of a structure whose elements are all resident; `values` are the box's, in row-major order.
 template <class S>
 ResidentOf<S> all_of(typename S::Address origin, typename S::Address size, std::vector<typename S::Element> values) {
     using A = typename S::Address;

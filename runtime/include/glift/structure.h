@@ -34,8 +34,8 @@ concept HasRows = requires(const S& s, typename S::Address a) {
 
 inline constexpr std::size_t most_rows = 1 << 16, most_regions = 1024;
 
-/// The box as copy regions from row-major host bytes; adjacent rows are merged. None where rows are not contiguous, or
-/// where there are too many rows or regions: a kernel moves such boxes.
+/// The box as copy regions from row-major host bytes; adjacent rows are merged. Nullopt where rows are not contiguous,
+/// or where there are too many rows or regions: a kernel moves such boxes.
 template <class S> std::optional<std::vector<CopyRegion>> rows_of(const S& structure, typename S::Address origin,
                                                                   typename S::Address size) {
     using Address = typename S::Address;
@@ -69,8 +69,8 @@ template <class S> std::optional<std::vector<CopyRegion>> rows_of(const S& struc
     return regions;
 }
 
-/// Checks a structure passed in as a member of another one. Throws if it is empty, or unless `alike`: whether it was
-/// made with the arguments that the declaration gives that member.
+/// Checks a structure passed in as a member of another one. Throws wrong_argument if it is empty, or if `alike` is
+/// false: `alike` says whether it was made with the arguments that the declaration gives that member.
 template <class S> S&& part(S&& made, bool alike, const char* name) {
     if constexpr (requires { made.device(); }) (void)made.device();
     if (alike) return std::move(made);
@@ -134,7 +134,8 @@ public:
         return Range<Self>(self(), origin, size);
     }
 
-    /// Writes a box of elements from the host; the values are copied before the call returns.
+    /// Writes a box of elements from the host; the values are copied before the call returns. Throws wrong_argument
+    /// where the box lies outside the domain, or where there is not one value per element.
     void write(A origin, A size, std::span<const T> values) {
         check("write", origin, size);
         if (values.size() != count(size))
@@ -144,7 +145,8 @@ public:
     }
     void write(std::span<const T> values) { write({}, self().domain(), values); }
 
-    /// Waits for all commands before it in the stream, not for later ones.
+    /// Reads a box of elements to the host. Waits for all commands before it in the stream, not for later ones. Throws
+    /// wrong_argument where the box lies outside the domain.
     std::vector<T> read(A origin, A size) const {
         check("read", origin, size);
         std::vector<T> values(count(size));
@@ -157,9 +159,9 @@ public:
     }
     std::vector<T> read() const { return read({}, self().domain()); }
 
-    /// The elements of a box that are there (for which `find` of the language finds one), with their addresses. Where
-    /// the structure has blocks only these are looked at, else all addresses of the box. Waits as `read` does. Gives a
-    /// Resident.
+    /// The resident elements of a box (those that `find` of the language finds), with their addresses, as a Resident.
+    /// Where the structure has blocks only these are looked at, else all addresses of the box: too_large is thrown for
+    /// more than 2^36. Waits as `read` does.
     auto read_resident(A origin, A size) const {
         check("read_resident", origin, size);
         const Commands commands(device());

@@ -18,13 +18,13 @@ namespace glift {
 /// The tolerance between two devices where a test uses functions that are not exact (docs/language.md, Accuracy),
 /// relative to the larger of 1 and the value.
 inline constexpr double inexact_tolerance = 1e-3;
-/// The absolute tolerance, in tests that are not exact, of colours of eight bits that are drawn: each device rounds
-/// them in its way, and again where it blends.
+/// The absolute tolerance, in tests that are not exact, of colours that are drawn to channels of eight bits: devices
+/// round these in different ways, and again at each blending.
 inline constexpr double drawn_tolerance = 2.01 / 255.0;
 
-/// A copy of all elements of a structure, of a box or of a buffer, for comparison, and the layout of an element,
-/// `scalars`: one letter a scalar (f float, n float that draws write to eight bits, h half, d double, u uint, i int, b
-/// bool, U uint64, I int64), a point for each byte of padding, which nothing writes.
+/// A copy of all elements of a structure, of a box or of a buffer, for comparison. `scalars` is the layout of an
+/// element: one letter for each scalar (f float, n float that draws write to eight bits, h half, d double, u uint, i
+/// int, b bool, U uint64, I int64) and a dot for each byte of padding, which nothing writes.
 struct KeptStructure {
     std::string name;
     unsigned rank;
@@ -61,8 +61,8 @@ public:
     std::vector<std::string> failures;
     std::vector<std::string> notes;  ///< what was not compared or checked
     std::vector<KeptStructure> kept;
-    /// The translators that were checked with the state of structures that this test made: by title, the failures
-    /// found.
+    /// The translators that were checked with the state of structures that this test made: the failures found, by the
+    /// title of the check.
     std::map<std::string, std::vector<std::string>> translations;
 
     GLIFT_API void expect(bool condition, const char* place);
@@ -82,9 +82,10 @@ public:
                         tolerance, std::string(place) + ": expect_same", failures);
     }
 
-    /// Keeps all elements of a structure, to be compared with those of another device. False where its domain is too
-    /// large to read: then the caller keeps its memories and tables. Of an array in a buffer that is too large it only
-    /// notes that it was not compared.
+    /// Keeps all elements of a structure, to be compared with those of another device. Returns false where the domain
+    /// is too large to read address by address (largest_kept): then the caller keeps the structure's memories and
+    /// tables instead. An array in a buffer that is larger than largest_compared is not kept; that is noted, and the
+    /// result is true.
     template <class S> bool keep(const char* name, const S& structure, std::string_view scalars) {
         if (!structure) return true;
         const Extent domain = detail::extent_of(structure.domain());
@@ -109,7 +110,8 @@ public:
     GLIFT_API void keep_memory(const Commands& commands, const char* name, const Memory& memory,
                                std::string_view scalars);
 
-    /// A structure made with arguments that the checks choose; empty where the device or the structure refuses them.
+    /// A structure made with arguments that the checks choose; nullopt where the device or the structure refuses the
+    /// arguments.
     template <class S, class... Arguments>
     std::optional<S> make(const Commands& commands, const Arguments&... arguments) {
         try {
@@ -124,7 +126,8 @@ public:
     /// Why `make` made nothing at all; empty: it made something, or was not called.
     std::string why_nothing_was_made() const { return made_ == 0 ? refused_ : std::string(); }
 
-    /// Checks a translation with the state of a structure that this test made, once for each title.
+    /// Runs `check`, which checks a translation with the state of a structure that this test made; only once for each
+    /// title.
     template <class Check> void check_as_made(const char* title, const Check& check) {
         check_as_made(
             title, [](const void* body) { (*static_cast<const Check*>(body))(); }, &check);
@@ -159,8 +162,8 @@ GLIFT_API void fail_box(Test& test, const char* name, unsigned rank, const Exten
                         const Extent& wrong, const Extent& domain);
 }
 
-/// Checks with one box that boxes of a structure cover their elements exactly once: what is written to it comes back,
-/// and nothing else changes. Does nothing where the domain is empty or has more than 2^20 elements.
+/// Checks with one box that writing a box reaches each of its elements and no others: what is written to the box is
+/// read back, and nothing else changes. Does nothing where the domain is empty or has more than 2^20 elements.
 template <class S, class Value> void check_boxes(Test& test, const char* name, S& structure, const Value& value) {
     using A = typename S::Address;
     using T = typename S::Element;
@@ -195,14 +198,14 @@ struct TestCase {
     const char* title;
     const char* place;  ///< file:line
     bool exact;         ///< all passes are exact: devices agree bit for bit
-    /// Null: a translator that other tests check as they make structures with it.
+    /// Null: the case is a translator, which the other tests check with the structures that they make.
     void (*run)(Test& test, const Commands& commands);
     const char* why_not_alone = "";  ///< if `run` is null: why it cannot be checked by itself
 };
 
 /// `program [--filter TEXT] [--device NAME]`: runs the tests whose titles contain TEXT on the host device and, unless
 /// NAME is `host`, on the device of that name (Device::open), and compares what they leave behind. Returns the exit
-/// code.
+/// code: 0, or 1 if a test failed or a device could not be opened.
 GLIFT_API int run_tests(std::span<const TestCase> tests, int argc, char** argv);
 
 }  // namespace glift

@@ -15,7 +15,7 @@
 namespace glift::vulkan {
 
 /// The features to make a device with: those of Vulkan 1.0 to 1.3 and of float atomics that this physical device has,
-/// without a few that cost speed, serve capture tools or that Glift has no use for. Chain `features` (a
+/// without a few that cost speed, that serve capture tools, or that Glift has no use for. Chain `features` (a
 /// VkPhysicalDeviceFeatures2 with all the rest behind it) into VkDeviceCreateInfo::pNext, add your own, and enable the
 /// extensions.
 class GLIFT_API DeviceFeatures {
@@ -35,10 +35,10 @@ private:
     std::unique_ptr<Chain> chain_;
 };
 
-/// The user's objects, which must outlive the Device and everything made from it. The queue's family must support
-/// compute. Glift uses the queue only inside its calls, during which no other thread may use it. Needed on the device:
-/// Vulkan 1.3, scalarBlockLayout, timelineSemaphore, bufferDeviceAddress, synchronization2, hostQueryReset; for draws
-/// also dynamicRendering.
+/// Vulkan objects of the user's program, which must outlive the Device and everything made from it. The queue's family
+/// must support compute. Glift uses the queue only inside its calls, during which no other thread may use it. Needed on
+/// the device: Vulkan 1.3, scalarBlockLayout, timelineSemaphore, bufferDeviceAddress, synchronization2, hostQueryReset;
+/// for draws also dynamicRendering.
 struct Objects {
     VkInstance instance = VK_NULL_HANDLE;
     VkPhysicalDevice physical = VK_NULL_HANDLE;
@@ -49,13 +49,13 @@ struct Objects {
     PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;  ///< null: the system's loader
 };
 
-/// A device over the user's own. Throws unsupported_version, missing_feature, no_loader, wrong_argument. Vulkan does
-/// not tell which features a VkDevice was made with: the physical device's are queried, and assumed to have been
-/// enabled (DeviceFeatures), except for sparse binding, which is not used.
+/// A device over the user's Vulkan device. Throws unsupported_version, missing_feature, no_loader, wrong_argument.
+/// Vulkan does not tell which features a VkDevice was made with: the physical device's are queried, and assumed to have
+/// been enabled (DeviceFeatures), except for sparse binding, which is not used.
 GLIFT_API Device adopt(const Objects& objects);
 
-/// Extensions to enable beside those that Glift uses itself; the names are copied. A window wants those of its surface
-/// (glfwGetRequiredInstanceExtensions), and VK_KHR_swapchain on the device.
+/// Extensions to enable beside those that Glift uses itself; the names are copied. A program that opens a window needs
+/// those of the window's surface (glfwGetRequiredInstanceExtensions), and VK_KHR_swapchain on the device.
 struct Extensions {
     std::span<const char*const> instance = {}, device = {};
 };
@@ -68,8 +68,9 @@ GLIFT_API Device open(const Extensions& extensions, std::string_view which = {})
 /// Records into the user's command buffer, which is in the recording state. A barrier against everything earlier on the
 /// queue comes first; `finish` records a barrier that makes the results visible to everything later. Both submit the
 /// device's own pending commands, among them those that zero new memories: submit the command buffer after `finish`.
-/// The returned Commands holds memories and parameters: keep it until the command buffer has run. No download,
-/// timestamp, flush or wait there.
+/// The returned Commands holds memories and parameters: keep it until the command buffer has run. download, timestamp,
+/// flush and wait throw wrong_argument there. So does record_into for the host device or a null command buffer, and
+/// finish for commands that are not from record_into.
 GLIFT_API Commands record_into(const Device& device, VkCommandBuffer commands);
 GLIFT_API void finish(const Commands& commands);
 
@@ -87,6 +88,8 @@ struct ImageHandle {
 };
 
 /// The Vulkan objects of a memory, for descriptors of the user's own. Call flush() before the user's commands use it.
+/// Throws wrong_argument for a memory of the host device, and for an image in place of a buffer or a buffer in place of
+/// an image.
 GLIFT_API BufferHandle buffer(const Memory& memory);
 GLIFT_API ImageHandle image(const Memory& memory);
 
@@ -105,7 +108,8 @@ struct UserImage {
 /// A memory over the user's image, which a structure is made with in place of its own: `Film(device, extent, memory)`.
 /// What is drawn or written to the structure then goes into the image. The image has to be in VK_IMAGE_LAYOUT_GENERAL
 /// whenever commands of Glift that use it run, and is left in it; its texels stay what they are until commands write
-/// them. Commands throw missing_feature where the usage lacks what they need. Throws wrong_argument.
+/// them. Commands throw missing_feature where the usage lacks what they need. Throws wrong_argument for the host
+/// device, a null image, an extent without texels, more mips than the extent has, or a format that Glift does not have.
 GLIFT_API Memory adopt_image(const Device& device, const UserImage& image);
 
 /// The Vulkan objects of a device, opened or adopted; `extensions` live as long as the device. A program may use the

@@ -8,8 +8,8 @@ namespace glift::detail {
 
 namespace {
 
-/// Of a workgroup, whose arrays are locals of the function that runs it. oneTBB's threads have stacks of 4 MiB, which
-/// also hold what the invocations keep across barriers.
+/// The limit of a workgroup's memory. Its arrays are local variables of the function that runs the workgroup: they lie
+/// on the stack of a oneTBB thread, of 4 MiB, together with what the invocations keep across barriers.
 constexpr std::uint32_t shared_memory_bytes = 1u << 20;
 
 class HostDevice final : public DeviceObject {

@@ -11,7 +11,7 @@
 
 namespace glift::detail {
 
-/// Runs each command before it returns. A lock serialises the threads.
+/// Runs each command before the call returns. A lock serialises commands of several threads.
 class HostStream : public Stream {
 public:
     HostStream(DeviceObject& device, HostCounters& counters) : device_(device), counters_(counters) {}
@@ -47,7 +47,7 @@ protected:
     HostCounters& counters_;
 
 private:
-    /// Recursive: submitting a recording holds it while the steps run, and each step locks it again.
+    /// Recursive: submitting a recording holds the lock while the steps run, and each step takes it again.
     std::recursive_mutex mutex_;
 };
 

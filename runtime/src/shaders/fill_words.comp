@@ -1,5 +1,5 @@
-// Fills words of a buffer, one an invocation: used for up to 1 MiB, and under conditions. vkCmdFillBuffer makes an H200
-// wait for all work before and after, which takes 5 us even for four bytes.
+// Fills words of a buffer, one per invocation: used for up to 1 MiB, and under conditions. vkCmdFillBuffer makes an
+// H200 wait for all work before and after, which takes 5 us even for four bytes.
 #version 460
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_scalar_block_layout : require

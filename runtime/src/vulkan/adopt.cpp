@@ -5,7 +5,8 @@
 
 #include <glift/error.h>
 
-// Only types of Vulkan's own header, which this one includes, are needed: it has no prototypes here (VK_NO_PROTOTYPES).
+// This header includes Vulkan's own. Only the types of that one are needed: it declares no functions here
+// (VK_NO_PROTOTYPES).
 #include <glift/vulkan.h>
 
 #include <cstdlib>

@@ -9,9 +9,9 @@
 
 namespace glift::detail {
 
-/// What memory is for. `device`: the device alone. `parameters`: little that the host or a pass writes and later passes
-/// read; device memory where the host can write it, so that passes need not read over the bus. `upload`: staging for
-/// uploads. `readback`: staging for downloads, and the kernels' status records.
+/// What memory is for. `device`: the device alone. `parameters`: small data that the host or a pass writes and later
+/// passes read; in device memory, if the device has some that the host can write, so that passes need not read over the
+/// bus. `upload`: staging for uploads. `readback`: staging for downloads, and the kernels' status records.
 enum class MemoryUse : std::uint8_t { device, parameters, upload, readback };
 
 struct Block;

@@ -76,7 +76,7 @@ public:
         offset_ = end_ = 0;
     }
 
-    static constexpr VkDeviceSize alignment = 256;  // no device asks for more (of storage and uniform buffers)
+    static constexpr VkDeviceSize alignment = 256;  // no device requires more of storage or uniform buffers
 
 private:
     Slice take_from_next(VkDeviceSize bytes);

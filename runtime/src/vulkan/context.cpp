@@ -141,7 +141,7 @@ DrawLimits Context::draw_limits() const {
     DrawLimits result;
     for (unsigned axis = 0; axis < 2; ++axis) {
         result.viewport[axis] = std::min(result.viewport[axis], limits.maxViewportDimensions[axis]);
-        // A viewport may also lie anywhere in the target.
+        // A viewport may lie anywhere in a target, so a target must also end within the bounds of viewports.
         const float far = limits.viewportBoundsRange[1];
         const auto end = far < 4294967040.0f ? static_cast<std::uint32_t>(far) : UINT32_MAX;
         result.target[axis] = std::min(axis == 0 ? limits.maxFramebufferWidth : limits.maxFramebufferHeight, end);

@@ -54,7 +54,8 @@ public:
     std::uint32_t queue_family = 0;
     std::uint32_t timestamp_bits = 0;
     bool owned = false;  ///< opened by Glift, else adopted: `device` is then the program's
-    /// With the user's program: an adopted device does, one that Glift opened from when its objects are asked for.
+    /// Whether the user's program submits to the queue, too: always for an adopted device; for one that Glift opened,
+    /// from the first call of glift::vulkan::objects on.
     bool shares_queue = false;
     DeviceTable vk;
     DeviceProperties properties;

@@ -42,8 +42,8 @@ std::string file_name(const VkPhysicalDeviceProperties& core) {
     return std::string(text) + ".pipelines";
 }
 
-// The file's contents after its header; empty unless the file is complete and from this device and driver. Not all
-// drivers check that well.
+// The file's contents after its header; empty unless the file is complete and from this device and driver. Checked
+// here, since not all drivers check the data well.
 std::vector<char> read_valid(const fs::path& file, const VkPhysicalDeviceProperties& core) {
     std::error_code error;
     const std::uintmax_t bytes = fs::is_regular_file(file, error) ? fs::file_size(file, error) : 0;

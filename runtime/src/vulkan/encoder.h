@@ -30,8 +30,8 @@ public:
     void fill_where(const VulkanMemory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value,
                     std::span<const Condition> conditions);
     void clear(const VulkanMemory& memory);
-    void clear_new(const VulkanMemory& memory);  ///< a new memory's first commands: an image gets its layout, zeros are
-                                                 ///< written if wanted
+    void clear_new(const VulkanMemory& memory);  ///< a new memory's first commands: an image gets its layout; zeros are
+                                                 ///< written if the description asks for them
     void copy(const VulkanMemory& from, const VulkanMemory& to, std::span<const CopyRegion> regions);
     void copy_to_image(const VulkanMemory& buffer, const VulkanMemory& image, std::span<const ImageRegion> regions);
     void copy_from_image(const VulkanMemory& image, const VulkanMemory& buffer, std::span<const ImageRegion> regions);

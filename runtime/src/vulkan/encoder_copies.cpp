@@ -215,7 +215,7 @@ void Encoder::upload_image(const VulkanMemory& image, std::span<const ImageRegio
     const auto packed = [&](const ImageRegion& r) {
         return std::uint64_t(r.extent[0]) * r.extent[1] * r.extent[2] * texel_bytes(d.format);
     };
-    constexpr std::uint64_t alignment = 16;  // a multiple of every texel, and of 4
+    constexpr std::uint64_t alignment = 16;  // a multiple of every texel's size, and of 4
     std::uint64_t total = 0;
     for (const ImageRegion& region : regions) total += (packed(region) + alignment - 1) / alignment * alignment;
     if (!total) return;

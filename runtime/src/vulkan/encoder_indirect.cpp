@@ -20,7 +20,7 @@ struct ConditionSource {
 };
 static_assert(sizeof(PatchSource) == 24 && sizeof(ConditionSource) == 16);
 
-/// The most passes that one dispatch of the shader prepares: one an invocation of its only workgroup.
+/// The most passes that one dispatch of the shader prepares: one per invocation of its only workgroup.
 constexpr std::uint32_t most_prepared = 32;
 
 VkDeviceAddress address_of(const DeviceValue& value) { return vulkan_memory(value.memory).address + value.offset; }
@@ -53,8 +53,8 @@ bool Encoder::is_prepared_with(std::span<const Patch> patches, std::span<const C
                         [&](const Condition& condition) { return was_written(condition.value); });
 }
 
-/// Records the pass that prepares others. The list of those is filled in as they are recorded, until the commands are
-/// submitted.
+/// Records a pass that prepares others. The list of passes that it prepares is filled in while these are recorded,
+/// until the commands are submitted.
 void Encoder::open_preparation(std::span<const Patch> patches, std::span<const Condition> conditions) {
     const auto conflicts = [&](const DeviceValue& value) {
         return hazards_.conflicts(vulkan_memory(value.memory).id, Access::read);
@@ -110,7 +110,7 @@ Slice Encoder::prepare(PrepareArguments arguments, std::span<const Patch> patche
     return command;
 }
 
-/// Adds this pass, or a part of it that has this size.
+/// Adds the pass of this call, or a part of the pass, which has the given size.
 Slice Encoder::prepare(const Pipeline& pipeline, const Call& call, const Slice& block,
                        const std::array<std::uint32_t, 4>& size) {
     const Kernel& kernel = *pipeline.kernel;

@@ -26,8 +26,8 @@ struct FeatureChain {
     VkPhysicalDeviceShaderAtomicFloatFeaturesEXT atomic_float = {};
     VkPhysicalDeviceShaderAtomicFloat2FeaturesEXT atomic_float2 = {};
 
-    /// Whether the device's Vulkan is older than 1.3. Of what is asked of the device only `properties` is filled in
-    /// then.
+    /// Whether the device's Vulkan is older than 1.3. Then only `properties` is filled in, and nothing else is asked of
+    /// the device.
     bool old() const { return properties.apiVersion < VK_API_VERSION_1_3; }
     std::string missing() const;  ///< names of required features that are absent, empty if none
     void require() const;         ///< throws unsupported_version or missing_feature

@@ -18,7 +18,7 @@ struct Module {
     struct Vector {
         std::uint32_t component, count;
     };
-    std::unordered_map<std::uint32_t, Vector> vectors;           ///< also scalars of 32 bits, as vectors of one
+    std::unordered_map<std::uint32_t, Vector> vectors;  ///< vector types, and 32-bit scalar types as vectors of one
     std::unordered_map<std::uint32_t, std::uint32_t> constants;  ///< one word each
     std::unordered_map<std::uint32_t, std::uint32_t> pointees;   ///< of pointer types
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> members;

@@ -1,5 +1,5 @@
-// Replaces parameters whose values are known when a pipeline is made by constants: like specialisation constants, but
-// without declaring them in the shader.
+// Replaces, by constants, the parameters whose values are known when a pipeline is made. This is like specialisation
+// constants, but the shader need not declare any.
 #pragma once
 
 #include <glift/pass.h>

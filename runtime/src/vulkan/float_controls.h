@@ -16,7 +16,8 @@ struct FloatMode {
 };
 
 struct FloatControls {
-    /// Those that the device can set: keep subnormals; keep signed zeros, infinities and NaN; round to nearest even.
+    /// The modes that the device can set: keep subnormals; keep signed zeros, infinities and NaN; round to nearest
+    /// even.
     std::vector<FloatMode> modes;
     bool hides_zeros = false;  ///< the driver simplifies constant zeros even so: see hidden_zeros.h
     bool keeps_sums = false;   ///< the driver rounds differences of constants wrong: see kept_sums.h

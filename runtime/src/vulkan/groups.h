@@ -31,7 +31,7 @@ inline Groups count_groups(const Kernel& kernel, const std::array<std::uint32_t,
              div_ceil(std::uint64_t(size[2]) * size[3], covered[2])}};
 }
 
-/// Folds blocks that are too many along y into z.
+/// Kernels over blocks: folds workgroups along y that are too many into z.
 inline void fold_blocks(Groups& groups, std::uint32_t limit) {
     if (groups.count[1] <= limit) return;
     groups.count[2] = div_ceil(groups.count[1], limit);
@@ -39,7 +39,7 @@ inline void fold_blocks(Groups& groups, std::uint32_t limit) {
 }
 
 /// Folds a one-dimensional iteration with too many groups along x into two dimensions. The number of rows is a power of
-/// two, so that also the surplus groups of the last row begin below 2^32 where a group covers a power of two.
+/// two, so that even the surplus groups of the last row begin below 2^32, if a group covers a power of two.
 inline void fold(Groups& groups, std::uint32_t limit) {
     if (groups.count[0] <= limit) return;
     groups.count[1] = std::bit_ceil(div_ceil(groups.count[0], limit));

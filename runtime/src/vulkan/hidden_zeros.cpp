@@ -12,7 +12,8 @@ namespace {
 
 using namespace spirv;
 
-// Of GLSL.std.450. Those from the first unpack on to the last are all that unpack.
+// Instructions of GLSL.std.450. Those from unpack_snorm_2x16 to unpack_unorm_4x8 are all that unpack integers to
+// floats.
 constexpr std::uint32_t step = 48, unpack_snorm_2x16 = 60, unpack_unorm_4x8 = 64;
 constexpr std::size_t value_of_atomic = 6;  ///< index of an atomic operation's value operand
 constexpr std::size_t initial_value = 4;    ///< index of a variable's initial value
@@ -23,8 +24,8 @@ using Module = std::vector<std::uint32_t>;
 /// How an instruction uses a constant.
 enum class Use : std::uint8_t {
     none,
-    computes,   // computes with it, which the driver simplifies for zeros: those are hidden
-    passes_on,  // forwards it or a part of it, perhaps to arithmetic that folds to zero: all are hidden
+    computes,   // arithmetic, which the driver simplifies for zeros: constants with a zero are hidden
+    passes_on,  // forwards it or a part of it, perhaps to arithmetic that folds to zero: all constants are hidden
 };
 
 Use use_of(std::uint32_t op) {
@@ -95,7 +96,7 @@ private:
     void begin(Module& module, const std::vector<std::uint32_t>& used);
     std::uint32_t fresh() { return next_id_++; }
 
-    /// The components of a type of 32-bit or 64-bit integers.
+    /// The number of components of a type of 32-bit or 64-bit integers, 1 for scalars; 0 for other types.
     std::uint32_t count_of(std::uint32_t type) const {
         const auto found = counts_.find(type);
         return found == counts_.end() ? 0 : found->second;
@@ -104,7 +105,7 @@ private:
     struct Constant {
         Words words;
         bool has_zero = false;   ///< is or contains a zero of either sign
-        std::uint32_t bits = 0;  ///< the id of an integer constant of the same bits, for 32-bit values other than +0
+        std::uint32_t bits = 0;  ///< id of an integer constant of the same bits; 0: this is +0 or not of 32 bits
     };
 
     Words spirv_;
@@ -176,8 +177,8 @@ bool Hiding::is_hidden(std::uint32_t id, Use use) const {
     return found != constants_.end() && (use == Use::passes_on || found->second.has_zero);
 }
 
-/// Whether this is a variable of a function that begins as a constant of floats: an array or a matrix that is indexed,
-/// of which unrolling takes parts.
+/// Whether this is a variable of a function that is initialised with a constant of floats: an array or a matrix that is
+/// indexed, whose parts unrolling may turn into constants.
 bool Hiding::is_table(Words w) const {
     return op_of(w) == variable && w.size() == initial_value + 1 && constants_.contains(w[initial_value]);
 }
@@ -294,8 +295,8 @@ std::uint32_t Hiding::as_integer(Module& module, Words atomic) {
     return result;
 }
 
-/// Emits the hidden zero at the beginning of a function, the top bit of the number's x, which is never set; then the
-/// constants `used` that are replaced in the function.
+/// Emits, at the beginning of a function, the hidden zero: the top bit of x of the invocation's or workgroup's number,
+/// which is never set. Then emits the constants `used` that are replaced in the function.
 void Hiding::begin(Module& module, const std::vector<std::uint32_t>& used) {
     const std::uint32_t all = fresh(), first = fresh();
     bit_ = fresh();
@@ -309,8 +310,8 @@ bool is_atomic(std::uint32_t op) { return op == atomic_exchange || (op >= atomic
 
 bool is_widening(std::uint32_t op) { return op == s_convert || op == u_convert; }
 
-/// The index of the operand of which this instruction makes a float, if it is an integer, which the caller checks; 0:
-/// the instruction makes no float of an integer.
+/// The index of the operand that this instruction turns into a float, if the operand is an integer, which the caller
+/// checks; 0: the instruction turns no integer into a float.
 std::size_t place_of_integer(Words w) {
     const std::uint32_t op = op_of(w);
     if (op == convert_s_to_f || op == convert_u_to_f || op == bitcast) return 3;

@@ -16,7 +16,7 @@ constexpr std::uint32_t negative_zero = 0x80000000u;
 
 using Module = std::vector<std::uint32_t>;
 
-/// Which values of a module a driver may know when it has unrolled its loops and inlined its functions.
+/// Which values of a module a driver may know once it has unrolled the module's loops and inlined its functions.
 class Known {
 public:
     explicit Known(SpirvWords spirv) : known_(spirv[spirv_bound_word]), variable_of_(spirv[spirv_bound_word]) {
@@ -66,13 +66,13 @@ private:
         if (!operands.empty()) mark_if(w[2], std::ranges::all_of(operands, [&](auto id) { return known_[id]; }));
     }
 
-    /// The variable of this shader that a pointer leads into; for a parameter of a function that is a pointer, the
-    /// parameter; 0: other memory.
+    /// The variable of this shader that a pointer leads into; for a function's parameter that is a pointer, the
+    /// parameter itself; 0: other memory.
     std::uint32_t place(std::uint32_t pointer) const {
         const std::uint32_t of = variable_of_[pointer];
         return of == 0 && known_[pointer] ? pointer : of;
     }
-    /// Whether an argument is known: the value, or what the variable holds that a pointer leads into.
+    /// Whether an argument is known: a value itself; for a pointer, what the variable that it leads into holds.
     bool holds_known(std::uint32_t argument) const {
         const std::uint32_t variable = variable_of_[argument];
         return known_[variable == 0 ? argument : variable];
@@ -81,7 +81,7 @@ private:
         if (const std::uint32_t to = place(pointer); to != 0) mark_if(to, is_known);
     }
 
-    std::vector<bool> known_;                 ///< by id: values; variables that hold such values
+    std::vector<bool> known_;                 ///< by id: values that may be known, and variables that hold such values
     std::vector<std::uint32_t> variable_of_;  ///< pointers into this shader's own variables
     bool has_changed_ = false;
 };
@@ -136,7 +136,8 @@ private:
     }
 
     /// -0, or a vector of it, which the driver does not know: its bits are or-ed with the top bit of the x of the
-    /// invocation's global number, which is never set. (That the lowest bit of x * (x + 1) is 0, the driver knows.)
+    /// invocation's global number, which is never set. (The lowest bit of x * (x + 1) would not do: the driver knows
+    /// that it is 0.)
     std::uint32_t unknown_zero(Module& module, std::uint32_t type) {
         if (const auto vector = vectors_.find(type); vector != vectors_.end()) {
             const std::uint32_t part = unknown_zero(module, vector->second.component), result = fresh();

@@ -1,4 +1,5 @@
-// A shader of a pipeline: its module as this device takes it, and the constants that generated shaders ask for.
+// A shader of a pipeline: its module as this device takes it, and the specialisation constants that generated shaders
+// declare.
 #pragma once
 
 #include "pipelines.h"

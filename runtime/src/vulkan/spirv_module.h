@@ -1,4 +1,5 @@
-// SPIR-V modules as words: the instructions that the runtime knows, a walk over them, new ones at a module's end.
+// SPIR-V modules as words: the instructions that the runtime knows, a function that visits all of a module, and one
+// that appends a new one.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,7 @@
 
 namespace glift::detail {
 
-/// Numbers of the SPIR-V specification, under its names. What more than one rewriting of modules must know stands here.
+/// Numbers of the SPIR-V specification, under its names. Here is what more than one rewriting of modules needs to know.
 namespace spirv {
 
 enum Op : std::uint32_t {

@@ -53,10 +53,11 @@ public:
     VkBuffer status_buffer() const { return status_->buffer; }
     /// Runs prepare_indirect.comp. The push constant is the address of the list of passes that it prepares.
     InternalPass& prepare_pass() { return prepare_; }
-    /// Runs fill_words.comp. The push constants are FillArguments; one invocation a word, 256 a workgroup.
+    /// Runs fill_words.comp. The push constants are FillArguments; one invocation per word, 256 per workgroup.
     InternalPass& fill_pass() { return fill_; }
     std::uint64_t submit(VkCommandBuffer commands);
-    /// The user's program gets the queue: what Glift submits from now on is ordered after what the program submitted.
+    /// Lets the user's program use the queue: what Glift submits from now on is ordered after what the program
+    /// submitted.
     void share_queue();
     void collect();  ///< destroys or recycles what the device is done with
     /// Allocates storage for a memory. Where none is left it waits until what was freed can be used; throws

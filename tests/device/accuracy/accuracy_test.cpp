@@ -67,7 +67,7 @@ std::pair<std::vector<float>, std::vector<float>> any_numbers() {
     return {x, y};
 }
 
-/// The bits of a value, where all NaNs are one, and with `Zero::either` both zeros.
+/// The bits of a value; the same word for all NaNs and, with `Zero::either`, the same for both zeros.
 std::uint32_t word_of(float value, accuracy::Zero zero) {
     if (value != value) return 0x7fc00000u;
     return value == 0 && zero == accuracy::Zero::either ? 0 : std::bit_cast<std::uint32_t>(value);

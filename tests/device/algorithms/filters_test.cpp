@@ -71,7 +71,8 @@ Filtered serial(const Recursion& f, const std::vector<float>& x, bool repeated) 
     const double rest = 1 + double(f.a1) + f.a2;
     double y1 = repeated ? x1 * (double(f.b0) + f.b1 + f.b2) / rest : 0, y2 = y1;
     const double g = growth(f), u = 0x1p-24;
-    // The rounding error of y1 and y2 before the start, the results that a constant input leads to: sums may cancel.
+    // The rounding error of y1 and y2 before the start, where they are the results of a constant input: it may be
+    // large, since the sums in the quotient may cancel.
     const double of_b = std::abs(f.b0) + std::abs(f.b1) + std::abs(f.b2), of_a = 1 + std::abs(f.a1) + std::abs(f.a2);
     const double at_rest = repeated ? 4 * u * (of_b * std::abs(x1) + of_a * std::abs(y1)) / std::abs(rest) : 0;
     for (double now : x) {

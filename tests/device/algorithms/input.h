@@ -9,8 +9,8 @@ namespace property {
 struct Placed {
     Taken taken = Taken::whole;
     std::uint32_t extent = 0, first = 0, capacity = 0,
-                  count = 0;  ///< of the structure's extent elements, capacity from
-                              ///< first on are the part; count of these are taken
+                  count = 0;  ///< the structure has extent elements; the part is capacity elements from first on, of
+                              ///< which the algorithm takes the first count
 
     Placed(Round& round, std::uint32_t size) : taken(round.taken()), count(size) {
         const bool whole = taken == Taken::whole;
@@ -25,7 +25,7 @@ struct Placed {
                         std::to_string(capacity));
     }
 
-    /// `others`, the elements of a structure, with `values` in the part.
+    /// `others`, the elements of a structure, with those of the part replaced by `values`.
     template <class T> std::vector<T> among(std::vector<T> others, const std::vector<T>& values) const {
         std::copy(values.begin(), values.end(), others.begin() + first);
         return others;
@@ -67,8 +67,9 @@ template <class T> T mirrored(T x) {
     else return static_cast<T>(~x);
 }
 
-/// A structure that has `values` in its part, in the form of the round. Pipelines take `dense`, from which they make
-/// the views of the forms strided and mapped, `folded` and `tiled`; those that this form does not use have one element.
+/// A structure that has `values` in its part, in the form of the round. Pipelines take three structures: `dense`, from
+/// which they also make the views of the forms strided and mapped, `folded` and `tiled`. Those that the form of the
+/// round does not use have one element.
 template <class Dense, class Folded, class Tiled, class Line> struct Input {
     using T = typename Dense::Element;
 

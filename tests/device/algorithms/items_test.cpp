@@ -23,7 +23,7 @@ using In = Input<items::Items, items::Items, items::TiledItems, Line>;
 
 GLIFT_PROPERTY_SUITE(Items);
 
-/// Items whose keys and weights are those of values_with_repeats; tags count up.
+/// Items whose keys and weights come from values_with_repeats; tags count up.
 Values items_of(Round& round, std::uint32_t count) {
     const auto keys = values_with_repeats<std::uint32_t>(round, count);
     const auto weights = values_with_repeats<std::int32_t>(round, count);

@@ -1,5 +1,5 @@
 // Algorithms over GLIFT_PROPERTY_ELEMENTS elements (default 100,003); fewer where they are stored and would exceed the
-// device's largest allocation. Sorting pairs takes 16 bytes an element, temporaries included.
+// device's largest allocation. Sorting pairs takes 16 bytes per element, temporaries included.
 #include "property.h"
 
 #include "large.glift.hpp"

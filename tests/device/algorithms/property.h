@@ -120,8 +120,8 @@ template <class T> testing::AssertionResult equal(const Round& round, const std:
     return testing::AssertionSuccess();
 }
 
-/// Compares each value with the exact one; it must be within its bound. A bound of infinity accepts all values but NaN,
-/// where the exact one is finite; one of NaN none.
+/// Compares each value with the exact one; it must be within its bound. Where the exact value is finite, a bound of
+/// infinity accepts all values but NaN; a bound that is NaN accepts none.
 template <class T> testing::AssertionResult near(const Round& round, const std::vector<double>& exact,
                                                  const std::vector<double>& bounds, const std::vector<T>& found,
                                                  const char* which = "") {

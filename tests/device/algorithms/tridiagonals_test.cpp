@@ -3,7 +3,7 @@
 // The bound. Elimination without pivoting of a tridiagonal matrix A that is diagonally dominant solves (A + E) x = b
 // with |E| <= 12 u |A|, u = 2^-24: the factors and the two substitutions contribute f(u) = 4 u, and |L| |U| <= 3 |A|
 // (Higham, Accuracy and Stability of Numerical Algorithms, 9.6). Methods that eliminate in log2(n) levels do this once
-// a level, to matrices that stay at least as dominant: 12 (1 + log2 n) u. So |x' - x| <= 12 (1 + log2 n) u |A^-1| |A|
+// per level, to matrices that stay at least as dominant: 12 (1 + log2 n) u. So |x' - x| <= 12 (1 + log2 n) u |A^-1| |A|
 // |x|. For a matrix that is dominant by rows, with coefficients a, b, c before, on and after the diagonal of a row,
 // |A^-1| is at most 1 / min (|b| - |a| - |c|) in the maximum norm, and |A| is max (|b| + |a| + |c|). Where sums of rows
 // are given in place of diagonals, and off-diagonals are negative, the sum is that difference.

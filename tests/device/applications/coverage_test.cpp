@@ -1,4 +1,4 @@
-// Compares which pixels rasters (draws of the language) cover on the host device and on Vulkan, under validation:
+// Compares which pixels rasters (draws declared in Glift) cover on the host device and on Vulkan, under validation:
 // triangles, lines, points, whole meshes, and degenerate or huge triangles, which must do no harm.
 #include "tests/device/guards/on_every_device.h"
 

@@ -129,8 +129,8 @@ protected:
         }
         return worst;
     }
-    /// The same for two layers. Circles of the background are raised to half the largest one at least, and one pixel,
-    /// as dof.glift does.
+    /// The same for two layers. Circles of the background are raised to at least half the largest one, and at least one
+    /// pixel, as dof.glift does.
     double error_of_two(const Input& input) const {
         const std::vector<float4> result = blurred(input, Layers::two);
         const Plane circles = input.circles();
@@ -273,7 +273,8 @@ TEST_P(Diffusion, SpreadsAPointAsWideAsItsCircle) {
     }
 }
 
-/// Times both alternately, 8 to 60 times, until the shortest times agree, since other programs use this machine, too.
+/// Times a narrow and a wide blur alternately, 8 to 60 times, until the shortest times of both agree, since other
+/// programs use this machine, too.
 TEST_P(Diffusion, TakesAsLongForEveryBlur) {
     const Images narrow(device, random_input({256, 256}, 2, 1)), wide(device, random_input({256, 256}, 200, 1));
     const auto seconds = [&](const Images& images) {

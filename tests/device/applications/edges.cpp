@@ -89,8 +89,8 @@ std::uint32_t edges_at(const std::vector<float4>& places, uint2 size, std::uint3
     return found;
 }
 
-/// The ends in the window of a line, cut at the near and the far plane; fewer than two where nothing is between the
-/// planes, or an end is behind the eye.
+/// The ends of a line in window coordinates, cut at the near and the far plane; fewer than two where nothing is between
+/// the planes, or an end is behind the eye.
 std::vector<std::array<double, 2>> ends_of(const Place& a, const Place& b, uint2 size) {
     double from = 0, to = 1;
     const auto cut = [&](double first, double second) {

@@ -22,13 +22,13 @@ struct Difference {
     std::vector<glift::uint2> unexplained;  ///< pixels that differ by more triangles than have an edge near the centre
 };
 
-/// Compares two devices' numbers of triangles over each pixel. `places` are the vertices in clip coordinates, three a
+/// Compares two devices' numbers of triangles over each pixel. `places` are the vertices in clip coordinates, three per
 /// triangle.
 Difference compared(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b,
                     const std::vector<glift::float4>& places, glift::uint2 size, Rule rule);
 
 /// Whether a pixel's centre is so near to the border of some line (one pixel wide) that rounding may decide. `places`
-/// has two vertices a line.
+/// has two vertices per line.
 bool is_beside_a_line(const std::vector<glift::float4>& places, glift::uint2 size, glift::uint2 pixel);
 
 }  // namespace edges

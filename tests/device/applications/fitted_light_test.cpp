@@ -15,8 +15,8 @@ namespace {
 
 using glift::float3;
 
-/// The least distance along the axis of the face that sees a point, of many points of all triangles; without those that
-/// a spot does not see.
+/// The least depth of many points on all triangles: the distance from the light along the spot's axis, or along the
+/// axis of the point light's face that sees the point. Points that a spot does not see are left out.
 float least_of_many_points(const scenes::Scene& scene, LightKind kind, float opening) {
     const float3 forward = glift::normalize(scene.light.target - scene.light.eye);
     const float3 right = glift::normalize(glift::cross(forward, camera::up_of(scene.light)));
@@ -61,12 +61,12 @@ TEST(FittedLight, BeginsBeforeAllTrianglesInSight) {
     }
 }
 
-/// A wall at distance 5 before the light, and a floor 2 below it that reaches under the light and behind it.
+/// A wall at distance 5 in front of the light, and a floor 2 below the light, from the wall to behind the light.
 TEST(FittedLight, BeginsNearTheNearestTriangle) {
     scenes::Scene scene;
     add_quad(scene.mesh, {-9, -9, -5}, {18, 0, 0}, {0, 18, 0});
     scene.light = {float3(0, 0, 0), float3(0, 0, -5), float3(0, 1, 0), 0.9f, 0.01f, 3};
-    EXPECT_NEAR(fitted_light(scene, LightKind::spot, std::tan(0.45f)).near, 5, 0.06);  // 0.99 of the end at most
+    EXPECT_NEAR(fitted_light(scene, LightKind::spot, std::tan(0.45f)).near, 5, 0.06);  // `near` is at most 0.99 `far`
     EXPECT_NEAR(fitted_light(scene, LightKind::point, 1).near, 5, 0.01);
     EXPECT_NEAR(fitted_light(scene, LightKind::point, 1).far, 9, 0.01);
     add_quad(scene.mesh, {-9, -2, -5}, {18, 0, 0}, {0, 0, 9});

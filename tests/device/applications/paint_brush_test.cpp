@@ -52,7 +52,7 @@ Range range_of(const State& state, unsigned component) {
     return range;
 }
 
-/// The stroke goes there, back and there again. Its brush gets smaller and paints finer pages over coarser ones.
+/// The stroke goes right, back and right again. Its brush gets smaller and paints finer pages over coarser ones.
 TEST_P(PaintBrush, StopsAtItsOpacity) {
     OctreeSize size = small();
     size.ground = {0.6f, 0.8f, 0.2f};
@@ -147,8 +147,9 @@ TEST_P(PaintBrush, SaysWhatIsWrongWithAPicture) {
     EXPECT_THROW(strokes::read(file("c.strokes")), std::runtime_error);
 }
 
-/// A sphere before a sheet, painted along the sphere's outline with no green in the colour: a picture from there has
-/// none, neither where the outline hides a part of what a node lies beside, nor where the surface is seen edge-on.
+/// A sphere before a sheet, painted along the sphere's outline with a colour without green. A picture from the same
+/// camera shows no green under the stroke, neither where the outline hides a part of the surface around a node, nor
+/// where the surface is seen edge-on.
 TEST_P(PaintBrush, ColoursAllThatItSees) {
     Canvas canvas(device, model(), small());
     Stroke stroke = paint_model::one_dab();
@@ -174,8 +175,8 @@ TEST_P(PaintBrush, ColoursAllThatItSees) {
     EXPECT_EQ(green, 0u);
 }
 
-/// A red stripe over a green coat, seen along itself at a flat angle: what a pixel sees is long, but narrower than the
-/// stripe.
+/// A red stripe over a green coat, seen along its length at a flat angle: the part of the surface that a pixel shows is
+/// long, but narrower than the stripe.
 TEST_P(PaintBrush, HasNoColourFromBesideAtAFlatAngle) {
     Canvas canvas(device, square(), small());
     Stroke stroke = paint_model::one_dab();
@@ -197,7 +198,7 @@ float decoded(double shown) {
     return static_cast<float>(shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4));
 }
 
-/// The texels of the page that has a frame of the pool; null if none has it.
+/// The texels of the page that is in this frame of the pool; null if no page is.
 const Words* page_in(const State& state, Word frame) {
     for (std::size_t k = 0; k < state.pages.size(); ++k)
         if (state.table[state.pages[k]] - 1 == frame) return &state.texels[k];

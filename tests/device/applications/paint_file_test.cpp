@@ -160,7 +160,8 @@ TEST_F(PaintFile, SaysWhatDoesNotFit) {
 
 constexpr std::size_t header_words = 16, texels_of_page = 17 * 17 * 17, page_words = texels_of_page + 1;
 
-/// Words of a file with which they go on fitting: as an altering program would make them, not a failing disk.
+/// A file whose checksums can be made to match again after an alteration, as in a file that a program has altered, and
+/// other than in one that a failing disk has damaged.
 struct Forged : Held {
     using Held::Held;
 
@@ -172,7 +173,7 @@ struct Forged : Held {
         other.sign(other.words.data(), header_words - 1);
         return other.refused(other.bytes());
     }
-    /// Writes the checksum behind so many words.
+    /// Writes the checksum of `count` words into the word after them.
     void sign(Word* first, std::size_t count) const {
         first[count] = static_cast<Word>(crc32_z(0, reinterpret_cast<const Bytef*>(first), 4 * count));
     }
@@ -237,7 +238,8 @@ TEST_F(PaintFile, IsRefusedWhereAParentIsMissing) {
     }
 }
 
-/// Where pages found no room, those that did have all that they lie in.
+/// The file of a pool that was too small for all pages is accepted: of each page that has a frame, all coarser pages
+/// that the page lies in have frames, too.
 TEST_F(PaintFile, OfAFullPoolIsLoaded) {
     Canvas canvas(device, model(), small(40));
     Word lost = 0;
@@ -276,7 +278,8 @@ struct Saving : PaintFile {
         std::filesystem::create_directory(file("saved"));
     }
 
-    /// Puts the old contents there, and starts the program. `most_bytes`: at that size of a file a signal ends it.
+    /// Writes the old contents to saved/a.paint, and starts the program. A signal ends the program when it writes to a
+    /// file beyond `most_bytes`.
     pid_t started(rlim_t most_bytes = RLIM_INFINITY) const {
         write_file(file("saved/a.paint"), old_bytes);
         const pid_t process = fork();
@@ -314,8 +317,8 @@ struct Saving : PaintFile {
     }
 };
 
-/// A signal ends the program when the new file has a size: before it has bytes, in its header, its page table and its
-/// pages, and at the last byte but one.
+/// A signal ends the program when the new file has one of several sizes: before it has bytes, in its header, its page
+/// table and its pages, and when only the last byte is missing.
 TEST_F(Saving, LeavesTheOldFileWhereItEndsInTheMiddle) {
     const std::size_t whole = new_bytes.size();
     ASSERT_NE(old_bytes, new_bytes);
@@ -334,7 +337,7 @@ TEST_F(Saving, LeavesTheOldFileWhereItEndsInTheMiddle) {
     EXPECT_TRUE(saved() == new_bytes);
 }
 
-/// kill -9 at moments from when the new file is there until after it has its name.
+/// Kills the program (SIGKILL) at moments from when the new file exists until after it has its final name.
 TEST_F(Saving, LeavesTheOldOrTheNewFileWhereItIsKilled) {
     unsigned with_old = 0;
     for (const int microseconds : {20000, 12000, 8000, 5000, 3000, 2000, 1000, 300, 100, 0, 0}) {
@@ -354,7 +357,7 @@ TEST_F(Saving, LeavesTheOldOrTheNewFileWhereItIsKilled) {
     }
     EXPECT_GT(with_old, 0u) << "no attempt met the moment";
     int status = 0;
-    waitpid(started(), &status, 0);  // beside the files that were left behind
+    waitpid(started(), &status, 0);  // beside the files that killed programs left
     EXPECT_EQ(status, 0);
     EXPECT_TRUE(saved() == new_bytes);
 }

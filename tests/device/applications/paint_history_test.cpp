@@ -32,7 +32,7 @@ std::vector<Stroke> small_strokes(unsigned count, unsigned seed) {
     return all;
 }
 
-/// It is seen from behind the eye, where no model is.
+/// The stroke, seen by a camera that looks the other way, where there is no model: it paints nothing.
 Stroke missing(Stroke stroke) {
     stroke.camera.target = stroke.camera.eye * 2.0f - stroke.camera.target;
     return stroke;
@@ -77,7 +77,7 @@ TEST_P(PaintHistory, CountsAStrokeThatChangesNothing) {
     EXPECT_TRUE(state_of(canvas) == hit) << "the last stroke is the one that missed";
     ASSERT_TRUE(canvas.redo());
     EXPECT_TRUE(state_of(canvas) == hit);
-    // It takes the place of what was undone, as every stroke does.
+    // A stroke that changes nothing also takes the place of those that were undone, as every stroke does.
     canvas.undo();
     canvas.undo();
     canvas.paint(missing(all[1]));

@@ -23,7 +23,7 @@ std::vector<strokes::Stroke> random_strokes(unsigned count, unsigned seed);
 /// A stroke of one dab in the middle of the square [0, 1]^2 at z = 0.25, seen from before it.
 strokes::Stroke one_dab();
 
-/// The settings of an octree of 128^3 cells with a pool of so many pages.
+/// The settings of an octree of 128^3 cells with a pool of `pages` pages.
 OctreeSize small(Word pages = 1500);
 
 struct State {
@@ -34,8 +34,8 @@ struct State {
 
 State state_of(Canvas& canvas);
 
-/// Reads the octree of a state, of so many levels, in double precision. Level 0 is the finest. A page has 16 cells, and
-/// so 17 nodes with a texel each, along each axis.
+/// Reads the octree of a state, which has `levels` levels, in double precision. Level 0 is the finest. A page has 16
+/// cells, and so 17 nodes with a texel each, along each axis.
 class Field {
 public:
     using Place = std::array<Word, 3>;
@@ -57,14 +57,15 @@ public:
     /// Filtered linearly between nodes and between levels; x is counted in nodes of level 0, from node 0 on.
     Colour sample(const std::array<double, 3>& x, double level) const;
 
-    /// The pages of a level that share a node, resident or not; some several times.
+    /// The pages of a level that share a node, resident or not; eight pages, some of which may be the same one.
     std::vector<Page> around(const Place& node, Word level) const;
     bool all_around(const Place& node, Word level) const;
     /// Whether a page that shares a node of a level is not resident: then a coarser page decides the node's value.
     bool hangs(const Place& node, Word level) const { return !all_around(node, level); }
 
-    /// The weighted mean of the up to 27 nodes of the next finer level about a node; none on level 0, or where one of
-    /// the pages that share the node on the finer level is not resident, or none of the 27 nodes is painted.
+    /// The weighted mean colour of the painted ones among the up to 27 nodes of the next finer level about a node, and
+    /// the largest of their fourth components; none on level 0, or where one of the pages that share the node on the
+    /// finer level is not resident, or none of the 27 nodes is painted.
     std::optional<Colour> mean(const Place& node, Word level) const;
 
 private:

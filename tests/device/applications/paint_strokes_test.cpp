@@ -1,4 +1,4 @@
-// Files of strokes: what is written is read again, what is wrong is refused, and an old file is lost to no error.
+// Files of strokes: what is written is read again, what is wrong is refused, and no error destroys an old file.
 #include "paint_model.h"
 #include "support/process.h"
 
@@ -23,7 +23,7 @@ struct StrokeFile : testing::Test {
     std::size_t files() const { return glift::test::files_under(folder.path(), "").size(); }
 };
 
-/// Files can be no larger while this is there, as on a disk that is full.
+/// While this object exists, files cannot grow beyond `most_bytes`, as on a disk that is full.
 class FullDisk {
 public:
     explicit FullDisk(rlim_t most_bytes) : old_signal_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -110,7 +110,7 @@ TEST_F(StrokeFile, IsTheOldOneWhereItCannotBeWritten) {
     EXPECT_THROW(strokes::write(folder.path(), all), std::runtime_error);
 }
 
-/// Whatever numbers a panel gives, the strokes that they are in can be read again.
+/// Whatever numbers a panel gives for a brush, strokes with the nearest allowed numbers can be written and read again.
 TEST_F(StrokeFile, TakesTheNearestBrushThatIsAllowed) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
     std::vector<strokes::Stroke> all = random_strokes(1, 19);

@@ -120,7 +120,7 @@ TEST_P(Paint, IsFilteredAsDoublesAre) {
     at.write(places);
     paint_samples::sample(device, at, canvas.octree(), samples);
     const std::vector<float4> found = samples.read();
-    // Samplers filter texels of eight bits with weights of eight bits an axis, lavapipe's, too.
+    // Samplers, lavapipe's included, filter texels of eight bits with weights of eight bits along each axis.
     const double bound = device.properties().kind == glift::DeviceKind::host ? 1e-4 : 3.0 / 256;
     double worst = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -233,7 +233,7 @@ TEST(PaintOnVulkan, SubmitsOnceADab) {
     EXPECT_EQ(submissions([&] { paint::finish(device, octree, journal); }), 1u);
 }
 
-/// Where hardly anything is bent, hardly anything moves.
+/// For angles of any size: near 0, where the model must hardly move, and up to nearly a full turn.
 TEST(PaintedModel, IsBentAsDoublesSay) {
     const mesh::Mesh mesh = model();
     const mesh::Box box = mesh::bounds_of(mesh);

@@ -40,9 +40,9 @@ struct Plate {
     }
 };
 
-/// The least distance of a back for which no lookup on it reads a node that is painted from the front: lookups read
-/// nodes up to 1 cell away along an axis, the square root of 3 along a diagonal; nodes are painted up to a quarter of a
-/// cell farther than that, at most 1.75 cells.
+/// The least thickness of a plate for which no lookup on its back reads a node that is painted from the front. Along
+/// the normal, lookups read nodes up to 1 cell away if it is an axis, the square root of 3 if it is a diagonal; nodes
+/// are painted up to a quarter of a cell farther away than that, at most 1.75 cells.
 float least_thickness(const float3& normal) {
     const float read = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
     return cell * (read + std::min(read + 0.25f, 1.75f));

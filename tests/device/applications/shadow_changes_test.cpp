@@ -1,5 +1,5 @@
-// Shadow maps in a quadtree where something changes: lights from anywhere, ranges that the scene leaves, pools that are
-// too small, and pages that are kept while scene, light or method do not stay.
+// Shadow maps in a quadtree in unusual cases: lights from any direction, scenes that reach beyond the light's range,
+// pools that are too small, and cached pages when the scene, the light or the method changes.
 #include "shadow_scenes.h"
 
 #include "tests/device/guards/on_every_device.h"
@@ -32,7 +32,7 @@ struct ShadowChanges : OnEveryDevice {
     }
 };
 
-/// The numbers of the pages that are there, from 1 on.
+/// The numbers of the resident pages, counted from 1.
 std::set<std::uint32_t> pages_in(const Frame& frame) {
     const std::vector<std::uint32_t> owners = frame.owners();
     std::set<std::uint32_t> pages(owners.begin(), owners.end());
@@ -45,8 +45,8 @@ void expect_same_light(const Frame& some, const Frame& other, const std::string&
     for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-3) << what << ' ' << i;
 }
 
-/// What lies beyond the light's far plane, or behind the near plane of a directional light, is lit and shadowed as all
-/// else.
+/// What lies beyond the light's far plane, or behind the near plane of a directional light, is lit and shadowed like
+/// everything else.
 TEST_P(ShadowChanges, ReachAsFarAsTheScene) {
     for (const LightKind kind : kinds) {
         Settings settings = small();
@@ -71,8 +71,8 @@ TEST_P(ShadowChanges, MayComeFromStraightAbove) {
     }
 }
 
-/// Narrow boards a little before a wall, far from a light that has a place: their shadows are as long as the distance
-/// between them, which is a small part of the range of depths there.
+/// Narrow boards a little in front of a wall, far from a spot or point light: their depths differ from the wall's by a
+/// small part of the light's range of depths.
 TEST_P(ShadowChanges, OfWhatStandsOutALittleFarAway) {
     scenes::Scene scene = posts();
     scene.mesh = {};
@@ -89,8 +89,8 @@ TEST_P(ShadowChanges, OfWhatStandsOutALittleFarAway) {
     }
 }
 
-/// Whatever the pool, ASM ends before its last round, says what it did without, and shows each pixel the light of some
-/// level.
+/// Whatever the size of the pool, adaptive shadow maps (ASM) end before the last round, report how many pages coarser
+/// ones replace, and give each pixel the light that it has on some level or by the standard map.
 TEST_P(ShadowChanges, OfAsmDegradeByCoarserLevelsAlone) {
     Settings settings = small();
     settings.rounds = 20;
@@ -130,7 +130,7 @@ TEST_P(ShadowChanges, OfAsmDegradeByCoarserLevelsAlone) {
     }
 }
 
-/// Pages that are kept are those of the scene and the light as they are.
+/// No page is kept from one frame to the next where the scene or the light has changed between them.
 TEST_P(ShadowChanges, AreNotKeptWhereSceneOrLightMoves) {
     Settings settings = small();
     settings.cached = true;

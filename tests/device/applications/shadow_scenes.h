@@ -37,7 +37,7 @@ inline scenes::Scene room() {
     return scene;
 }
 
-/// The room, seen so that no triangle leaves the view, since devices may cover other pixels where they clip.
+/// The room, seen so that no triangle leaves the view: where triangles are clipped, devices may cover different pixels.
 inline scenes::Scene all_of_room() {
     scenes::Scene scene = room();
     scene.view.eye.z = 12;

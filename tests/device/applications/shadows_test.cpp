@@ -181,7 +181,7 @@ TEST_P(Shadows, AgreeByAllPagesAndFilters) {
                                         {32u, Filter::nearest},
                                         {32u, Filter::trilinear}}) {
         settings.cells = cells, settings.filter = filter;
-        settings.levels = cells == 16 ? 9 : cells == 64 ? 7 : 8;  // 4096 cells a side, whatever a page has
+        settings.levels = cells == 16 ? 9 : cells == 64 ? 7 : 8;  // 4096 cells per side, whatever the size of a page
         Frame some = frame(settings);
         some.draw(Method::matched);
         const Lighting lighting = some.lighting();

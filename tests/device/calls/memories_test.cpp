@@ -73,7 +73,7 @@ TEST(Memories, fields_share_a_table) {
         one.fill(5.0f);
         memories::scaled(device, one, other, 2.0f);
         EXPECT_EQ(other.read({3, 0}, {2, 1}), (std::vector<float>{-2.0f, 10.0f}));
-        EXPECT_EQ(other.read({3, 4}, {2, 1}), (std::vector<float>{-2.0f, 10.0f}));  // in frames 2 (not there) and 0
+        EXPECT_EQ(other.read({3, 4}, {2, 1}), (std::vector<float>{-2.0f, 10.0f}));  // frames 2 (beyond the pool), 0
         table.write(std::vector<std::uint32_t>{1, 0, 0, 0});
         EXPECT_EQ(other.read({0, 0}, {1, 1}), std::vector<float>{10.0f});
         EXPECT_EQ(one.frames().read({0, 0}, {1, 2}), (std::vector<float>{5.0f, 5.0f}));

@@ -1,5 +1,5 @@
-// Wrong uses of generated classes: each throws a glift::Error that says where it was and what to do. Also what
-// recordings hold, and that a measurement of workspace runs nothing.
+// Wrong uses of generated classes: each throws a glift::Error that says where it happened and what to do. Also which
+// commands recordings contain, and that a measurement of workspace runs nothing.
 #include "misuse.glift.hpp"
 
 #include <gtest/gtest.h>

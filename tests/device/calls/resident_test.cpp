@@ -1,4 +1,4 @@
-// The elements that are there, listed from C++: compared with what `find` and reads of boxes say.
+// The resident elements, listed from C++: compared with what `find` and reads of boxes say.
 #include "resident.glift.hpp"
 
 #include <gtest/gtest.h>
@@ -110,7 +110,7 @@ TEST_P(Resident, HolesAndBlocksOfTheHost) {
 TEST_P(Resident, StructsAndImages) {
     resident::Line table(device(), 6);
     table.write(
-        std::vector<std::uint32_t>{0, 2, 0, 1, 0, 9});  // of 3 x 2 pages; the last one has a frame that is not there
+        std::vector<std::uint32_t>{0, 2, 0, 1, 0, 9});  // of 3 x 2 pages; the last entry is of a frame beyond the pool
     resident::Cells cells(device(), table, {11, 8}, 2, {-1.0f, 0, {}});
     cells.fill({0.5f, 7, {1, 2}});
     const auto found = cells.read_resident();
@@ -145,7 +145,8 @@ TEST_P(Resident, TablesOfTwoLevelsAndOfAHash) {
     EXPECT_EQ(far.values, std::vector<float>(192, 1.5f));
 }
 
-/// Boxes that lie across pages, some of which are not there: written, filled, copied and read by one submission each.
+/// Boxes that lie across pages, some of which are not resident: written, filled, copied and read by one submission
+/// each.
 TEST_P(Resident, BoxesAcrossPages) {
     resident::Grid grid = grid_with(device(), {{0, 0, 0}, {1, 1, 1}, {2, 1, 1}}),
                    other = grid_with(device(), {{1, 1, 1}, {2, 1, 1}, {2, 0, 0}});

@@ -21,7 +21,7 @@ using Number = std::uint32_t;
 GLIFT_PROPERTY_SUITE(Adaptive);
 
 /// Bounds on the error of samples, for values from -1 to 1. The weights of a GPU's linear filter have 8 bits for each
-/// axis; elsewhere a coordinate in the image of frames has 24.
+/// axis; elsewhere the error comes from coordinates in the image of frames, which have 24 bits.
 constexpr double filter_error = 3 * 2.0 / 256, exact_error = 1e-4;
 
 Number mixed(Number x) {
@@ -174,7 +174,7 @@ private:
         else pages_.request(field_.number_of(page));
     }
 
-    /// Requests the coarsest page and the pages of some nodes, of the tree and of the model.
+    /// Requests the coarsest page and the pages of some nodes, both from the tree and from the model; changes both.
     void change() {
         field_.clear();
         std::vector<uint4> asked{{0, 0, 0, levels_ - 1}};

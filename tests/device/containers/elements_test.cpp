@@ -138,7 +138,7 @@ TEST_P(Elements, Moved) {
         elements::turned(device(), sheet.all, to);
         expected.assign(sheet.all_values.rbegin(), sheet.all_values.rend());
         ASSERT_TRUE(property::equal(round, expected, to.read(), "reverse"));
-        // Elements that are not there stay the background.
+        // Elements that are not resident, or outside the domain, are not written: they still read as the background.
         elements::numbered(device(), sheet.all, places);
         for (std::size_t i = 0; i < from.size(); ++i) expected[i] = sheet.is_there[i] ? from[i] : background;
         ASSERT_TRUE(property::equal(round, expected, sheet.all.read(), "written"));

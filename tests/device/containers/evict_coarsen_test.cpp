@@ -21,9 +21,10 @@ GLIFT_PROPERTY_SUITE(EvictCoarsen);
 
 constexpr Number cells = 4, nodes = cells + 1;
 
-/// For values from -1 to 1. Points are chosen so that the weights of a linear filter are multiples of 1/256. A GPU with
-/// 8 bits of sub-texel precision may still take the multiple beside: the coordinate that it is given is a rounded
-/// quotient. Each of both weights is then off by 1/256, by which values that differ by 2 at most are mixed.
+/// The bound on the error of samples, for values from -1 to 1. Points are chosen so that the weights of a linear filter
+/// are multiples of 1/256. A GPU with 8 bits of sub-texel precision may still take the neighbouring multiple, since the
+/// coordinate that it is given is a rounded quotient. Then the weight along each of the two axes is off by 1/256, and
+/// mixes values that differ by at most 2.
 double bound_on(const glift::Device& device) {
     return device.properties().kind == glift::DeviceKind::gpu ? 2 * 2.0 / 256 : 1e-4;
 }
@@ -31,7 +32,7 @@ double bound_on(const glift::Device& device) {
 using Texels = std::array<double, nodes * nodes>;
 using Point = std::array<double, 2>;
 
-/// The pages that are there and their values.
+/// The resident pages and their values.
 class Cached : public model::Tree<2> {
 public:
     using model::Tree<2>::Tree;
@@ -103,8 +104,8 @@ private:
         return made;
     }
 
-    /// Up to `most` random pages: two of three of the finest level, near to each other along x; the others of any
-    /// level.
+    /// Up to `most` random pages: two in three are of the finest level and near to each other along x; the others are
+    /// of any level.
     std::vector<Number> some_pages(Number most) {
         std::vector<Number> numbers(round_.below(most + 1));
         const Number around = round_.below(there_.count());
@@ -116,7 +117,7 @@ private:
         return numbers;
     }
 
-    /// Requests, dismissals and a change, of the tree and of the model.
+    /// Requests and dismisses pages and makes the change, both in the tree and in the model.
     void change() {
         const std::vector<Number> asked = some_pages(round_.chance(3) ? 100 : 12),
                                   dismissed = some_pages(round_.chance(3) ? 12 : 0);
@@ -135,7 +136,7 @@ private:
         begin_new();
     }
 
-    /// Takes from the model what has gone; what is new begins with what stayed, interpolated.
+    /// Removes released pages from the model. New pages begin with values interpolated from the pages that stayed.
     void begin_new() {
         const std::set<Number> fresh(granted_.begin(), granted_.end());
         Cached stayed(levels_);
@@ -151,7 +152,7 @@ private:
         }
     }
 
-    /// Writes all pages that are there.
+    /// Writes random values to all resident pages.
     void write() {
         std::vector<float> values;
         for (auto& [page, texels] : there_.values)
@@ -221,7 +222,7 @@ private:
                               "values");
     }
 
-    /// Samples in the pages that were asked for, at their levels, and anywhere.
+    /// Samples in the pages that were requested, at their levels, and in random pages.
     testing::AssertionResult samples_are_right() {
         std::vector<float3> given;
         std::vector<double> expected;
@@ -258,8 +259,8 @@ private:
     Cached there_;
     model::Pages pages_;
     evict_coarsen::Tree tree_;
-    std::set<Number> asked_;       ///< in the last change
-    std::vector<Number> granted_;  ///< in the last change, ascending
+    std::set<Number> asked_;       ///< pages requested for the last change
+    std::vector<Number> granted_;  ///< pages granted in the last change, ascending
 };
 
 TEST_P(EvictCoarsen, CachesAndCoarsens) {

@@ -38,7 +38,7 @@ struct Hash {
 /// Whether a key is equal to itself: it has no NaN.
 template <class Key> bool can_be_a_key(const Key& key) { return key == Key(key); }
 
-/// A map whose entries keep the order of insertion, and the key that was inserted first of equal ones.
+/// A map whose entries keep the order of insertion; of equal keys (as 0 and -0) it keeps the one inserted first.
 template <class Key, class Value> class Model {
 public:
     explicit Model(Number capacity) : capacity_(capacity) {}

@@ -84,7 +84,7 @@ public:
     const Status& status() const { return status_; }
     const std::map<Number, Number>& frames() const { return frames_; }
     const std::vector<Number>& free() const { return free_; }
-    /// The change, counted from 1, in which a page that is there came or, if the policy evicts, was last requested.
+    /// The change, counted from 1, in which a resident page was granted or, if the policy evicts, last requested.
     Number used(Number page) const { return used_.at(page); }
 
 private:
@@ -113,7 +113,7 @@ private:
 
     Overflow policy_;
     Number bound_;
-    Number round_ = 0, next_ = 0;  ///< next_: the first frame from which on none was used since the last `compact`
+    Number round_ = 0, next_ = 0;  ///< next_: since the last `compact` neither this frame nor a later one was used
     Status status_;
     std::map<Number, Number> frames_;
     std::unordered_map<Number, Number> used_;

@@ -88,7 +88,7 @@ TEST_P(MovingBand, IsWhatADenseFieldIs) {
         float radius;
         std::uint32_t steps;
     };
-    // A shell inside the domain, for a whole period; and one that the domain's faces cut off.
+    // A shell that stays inside the domain, for a whole period; and one of which the domain's faces cut off parts.
     for (const auto& [radius, steps] : {Case{12, 66}, Case{0.39f * side, 27}}) {
         Round round("moving band", 1);
         Dense dense;

@@ -7,7 +7,8 @@
 
 namespace property {
 
-/// One to `most` addresses near to each other, within less than `widest`, starting anywhere, and some far outside.
+/// One to `most` random addresses: most of them in a square of at most `widest` addresses along each axis that begins
+/// anywhere in the extent, one in 50 far outside the extent.
 inline std::vector<glift::uint2> places_near(Round& round, glift::uint2 extent, std::uint32_t most,
                                              std::uint32_t widest) {
     std::vector<glift::uint2> made(1 + round.below(most));

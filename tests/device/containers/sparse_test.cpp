@@ -44,8 +44,8 @@ public:
     }
 
 private:
-    /// The model of the pages of a two-level table's lower level: its pool has one for each frame of the field, but no
-    /// more than there are, and all of them if the field may grow.
+    /// The model of the pages of a two-level table's lower level. Their pool has room for one page per frame of the
+    /// field, but for no more pages than the level has; if the field may grow, for all of them.
     model::Pages leaves_of(model::Overflow policy) const {
         const Number all = (along_.x * along_.y + leaf_entries - 1) / leaf_entries;
         return {model::Overflow::drop, all, policy == model::Overflow::grow ? all : std::min(all, capacity_)};
@@ -194,7 +194,7 @@ private:
     uint2 extent_, along_;
     Number capacity_;
     model::Pages pages_;
-    model::Pages leaves_;  ///< pages of the table's lower level, where there are two
+    model::Pages leaves_;  ///< pages of the table's lower level, where it has two levels
     Grid grid_;
     std::vector<Number> contents_ = std::vector<Number>(capacity_ * page_volume);  ///< contents of all frames
 };

@@ -48,8 +48,8 @@ private:
         return made;
     }
 
-    /// Requests tiles. Only these are then resident; where they are too many, those that were resident before, and the
-    /// first of the others in row-major order.
+    /// Requests tiles. Only these are then resident; if they are more than fit, those of them that were resident
+    /// before, and the first of the others in row-major order.
     void request() {
         const std::vector<uint2> asked = places(30);
         tiles::Places given(device_, static_cast<Number>(asked.size()));
@@ -101,7 +101,7 @@ private:
         return property::equal(round_, expected, sheet_.field().read(first, size), "box");
     }
 
-    /// Samples a quarter of an element beyond the centres of elements.
+    /// Samples a quarter of an element beyond the centres of elements, along both axes.
     testing::AssertionResult samples_are_right() {
         const std::vector<uint2> asked = places(50);
         tiles::Places given(device_, static_cast<Number>(asked.size()));

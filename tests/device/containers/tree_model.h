@@ -1,4 +1,4 @@
-// A model on the host of the pages of quadtrees and octrees: their numbers, and which of them are there.
+// A model on the host of the pages of quadtrees and octrees: their numbers, and which of them are resident.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@ using Number = std::uint32_t;
 
 template <int N> using Place = std::array<Number, N>;
 
-/// The entries of a table whose pages are resident. Other entries name a coarser page, and from bit 27 on how many
-/// levels coarser; they become 0.
+/// The entries of a table, with 0 in place of those whose own page is not resident. Such an entry names a coarser page,
+/// and says in the bits from 27 on how many levels coarser that page is.
 inline std::vector<Number> own(std::vector<Number> entries) {
     for (Number& entry : entries)
         if (entry >> 27 != 0) entry = 0;
@@ -58,9 +58,9 @@ public:
         return all;
     }
 
-    /// Replaces pages until there are no more than `most`, as the policy `coarsen` does: those of the finest levels by
-    /// their parents; then pages of the last level that went come back, the lowest numbers first, as far as there is
-    /// room.
+    /// Reduces the set to at most `most` pages, as the policy `coarsen` does: level by level, from the finest on, pages
+    /// are replaced by their parents until the set is small enough; then pages of the level that was replaced last are
+    /// put back, the lowest numbers first, until the set has `most` pages.
     void coarsen(Number most) {
         std::map<Number, Page> gone;
         for (Number level = 0; level + 1 < levels_ && pages_.size() > most; ++level) {

@@ -1,5 +1,5 @@
 // Painting in a window: a stroke is seen, undone, done again, and the strokes that were recorded make the same picture
-// without a window. What cannot be saved, and a lost display, cost no stroke.
+// without a window. No stroke is lost when a file cannot be saved or the display goes away.
 #include "windows.h"
 
 #include <algorithm>
@@ -117,7 +117,7 @@ TEST_F(PaintWindows, RecordTheStrokesThatWereNotUndone) {
     EXPECT_LE(windows::farthest(blank_, said(*running)), windows::rounding) << running->out();
 }
 
-/// S where the picture's folder has gone: the panel says so, and painting goes on.
+/// The key S, when the picture's folder no longer exists: the panel says so, and painting goes on.
 TEST_F(PaintWindows, GoOnWhereSavingFails) {
     std::filesystem::create_directory(file("it's"));
     std::vector<std::string> words = arguments();
@@ -130,7 +130,7 @@ TEST_F(PaintWindows, GoOnWhereSavingFails) {
     EXPECT_TRUE(waited_for([&] { return running->err().find("seen.png: cannot be written") != std::string::npos; }));
     const Seen panel = settled(painted);
     keep(panel, "paint_window_not_saved.png");
-    display.type("Tab");  // it covers the model
+    display.type("Tab");  // hides the panel, which covers the model
     EXPECT_NE(settled(panel).pixels, panel.pixels);
     std::filesystem::create_directory(file("it's"));
     drag(1, 230, 180, 150, 190);
@@ -174,7 +174,8 @@ TEST_F(PaintWindows, RecordStrokesWhereTheDisplayIsLost) {
     EXPECT_TRUE(std::filesystem::exists(file("a.paint"))) << "the paint is saved, too";
 }
 
-/// The picture from what was saved over the paint that was loaded, in which the strokes are already.
+/// The paint is saved over the file that it was loaded from. That file then contains the strokes of the session, so the
+/// command that the program prints for the same picture must not paint them again.
 TEST_F(PaintWindows, SayHowToSeePaintThatWasSavedOverTheOldOne) {
     std::vector<std::string> words = arguments();
     words.insert(words.end(), {"--save", file("a.paint")});

@@ -25,7 +25,7 @@ struct ShadowsExample : testing::Test {
         options.insert(options.end(), {"--scene", "robot"});
         return walk(options);
     }
-    /// Without a scene, which is not for measurements along recorded paths.
+    /// Runs without --scene, which measurements along recorded paths do not allow.
     glift::test::ProcessResult walk(std::vector<std::string> options) {
         options.insert(options.end(), {"--size", "64", "48", "--levels", "9"});
         return run_example(GLIFT_SHADOWS, options, {"GLIFT_DEVICE=host"});
@@ -113,7 +113,7 @@ struct ShadowsOfAFile : ShadowsExample {
         EXPECT_THAT(result.out, HasSubstr(device == "host" ? "submissions: 0" : "submissions: 1,"));
         return picture::read(file("out.exr"));
     }
-    /// The host's picture, after a look that lavapipe's is the same.
+    /// The host's picture. Expects that lavapipe's differs from it in at most 1 of 200 pixels.
     picture::Picture on_both(const std::vector<std::string>& options) {
         picture::Picture host = picture_on("host", options);
         EXPECT_LE(different(host, picture_on("lavapipe", options)), 0.005) << testing::PrintToString(options);
@@ -194,7 +194,7 @@ TEST_F(ShadowsExample, SaysWhatIsWrong) {
     EXPECT_THAT(walk({"--scene", "nowhere"}).err, HasSubstr("there is no scene 'nowhere'"));
 }
 
-/// The mesh of a file whose name has no extension is drawn; of a path as many frames as are asked for.
+/// Draws the mesh of a file whose name has no extension, and of a path only as many frames as --frames says.
 TEST_F(ShadowsExample, DrawsAFileAlongAPath) {
     std::ofstream(file("mesh")) << "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                                    "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
@@ -207,13 +207,13 @@ TEST_F(ShadowsExample, DrawsAFileAlongAPath) {
     EXPECT_FALSE(std::filesystem::exists(file("b.0002.png")));
 }
 
-/// A standard map has no pages of which there is anything to say.
+/// With a standard shadow map, which has no pages, the program says nothing of pages.
 TEST_F(ShadowsExample, SaysNothingOfPagesWhereThereAreNone) {
     EXPECT_THAT(run({"--out", file("a.png")}).out, HasSubstr("pages asked for"));
     EXPECT_THAT(run({"--out", file("a.png"), "--method", "standard"}).out, testing::Not(HasSubstr("pages")));
 }
 
-/// A path whose light moves has the same shadows with pages that are kept as without.
+/// Where the light moves along the path, shadows with --cached, which keeps pages between frames, are those without it.
 TEST_F(ShadowsExample, KeepsNoPagesOfALightThatMoves) {
     std::ofstream(file("path.txt")) << "0.4 2.6 2 4.2 0 1 0 4 7 3 0 0.5 0\n0.4 2.6 2 4.2 0 1 0 -4 5 3 0 0.5 0\n";
     ASSERT_EQ(run({"--path", file("path.txt"), "--out", file("a.png")}).exit_code, 0);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// The pixels of a window: eight bits a channel, row by row.
+/// The pixels of a window: eight bits per channel, row by row.
 struct Seen {
     std::uint32_t width = 0, height = 0;
     struct Colour {

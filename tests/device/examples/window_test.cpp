@@ -1,5 +1,5 @@
 // The depth-of-field example in a window: what is seen is what a run without a window makes, also after a click, a move
-// of a slider or a change of the window's size. What is said where the display goes away, or none is there.
+// of a slider or a change of the window's size. Also what the program says if the display goes away or there is none.
 #include "windows.h"
 
 namespace {

@@ -1,5 +1,5 @@
-// Draws of the language in recordings, in the command buffer of a program that uses Vulkan itself, and into its images;
-// and derivatives of what draws load.
+// Draws declared in Glift: in recordings, in the command buffer of a program that uses Vulkan itself, and into that
+// program's images. Also derivatives of values that draws load.
 #include "draws.glift.hpp"
 #include "plain_vulkan.h"
 #include "user_image.h"
@@ -13,8 +13,8 @@ using glift::uint2;
 
 constexpr uint2 size = {40, 24};
 
-/// `left_half`: a triangle at depth z in the window's left half, half of whose first row it covers; `everything`: one
-/// that covers the whole window.
+/// `left_half`: a triangle at depth z in the window's left half, which covers the left half of the window's first row;
+/// `everything`: a triangle at depth z that covers the whole window.
 std::vector<float4> left_half(float z) { return {{-1, -1, z, 1}, {-1, 3, z, 1}, {0, -1, z, 1}}; }
 std::vector<float4> everything(float z) { return {{-1, -1, z, 1}, {-1, 3, z, 1}, {3, -1, z, 1}}; }
 

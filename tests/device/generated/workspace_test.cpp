@@ -20,8 +20,8 @@ protected:
     glift::Recording recorded(Pipeline pipeline) const {
         return device.record([&](const glift::Commands& commands) { pipeline(commands, x, y); });
     }
-    /// Frees the storage of memories that are gone: that happens when a batch of commands begins after the device is
-    /// done with them, so in the second round. Sets y's first element to 0.
+    /// Makes the runtime free the storage of memories without handles: it does so when it begins a batch of commands
+    /// after the device is done with them, which is in the second round. Sets y's first element to 0.
     void collect() const {
         for (int time = 0; time < 2; ++time) {
             device.commands().fill(y.data(), 0, 4);

@@ -1,6 +1,6 @@
 // Modules compiled by gliftc --checked: reads and writes by address outside of a domain are reported.
-// Accesses that are allowed to be, such as `find`, samples, windows and structures that define what lies outside, are
-// not.
+// Accesses that may lie outside, such as `find`, samples, windows and those of structures that define what lies
+// outside, are not.
 #include "on_every_device.h"
 
 #include "ranges.glift.hpp"

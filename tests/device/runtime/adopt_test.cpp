@@ -1,5 +1,5 @@
-// Glift in a program that has its own Vulkan device: the runtime adopts the program's objects. Also devices that are
-// opened with extensions of the program's, and whether validation reports mistakes.
+// Glift in a program that has its own Vulkan device: the runtime adopts the program's objects. Also devices that Glift
+// opens with extensions that the program asks for, and whether validation reports mistakes.
 #include "plain_vulkan.h"
 
 namespace {
@@ -197,7 +197,7 @@ TEST(Validation, ReportsAMistake) {
     EXPECT_TRUE(device.validation_messages().empty());  // cleared
 }
 
-/// Fills a buffer on the queue, as a program does that uses it beside Glift, without a barrier.
+/// Submits fills of a buffer to the queue, as a program does that uses the queue beside Glift; without barriers.
 class Filling {
 public:
     Filling(const glift::vulkan::Objects& objects, VkBuffer buffer) : objects_(objects), buffer_(buffer) {
@@ -242,7 +242,8 @@ TEST(Validation, ReportsAMissingBarrierBetweenSubmissions) {
     EXPECT_FALSE(device.validation_messages().empty());
 }
 
-// Who asks for the queue of a device uses it, whether it was opened with extensions or not.
+// glift::vulkan::objects gives the queue to the program: what the program then submits is ordered with what Glift
+// submits, whether the device was opened with extensions or not.
 TEST(Open, WhatTheProgramSubmitsIsOrdered) {
     if (!std::getenv("GLIFT_VALIDATE")) GTEST_SKIP() << "GLIFT_VALIDATE is not set";
     for (const bool is_plain : {false, true}) {

@@ -273,7 +273,7 @@ TEST_P(CallErrors, LoopsBeyondTheDevice) {
 }
 
 TEST_P(CallErrors, WorkgroupMemoryBeyondTheDevice) {
-    EXPECT_GE(device.properties().shared_memory_bytes, 16384u);  // Vulkan's least
+    EXPECT_GE(device.properties().shared_memory_bytes, 16384u);  // the least that Vulkan requires
     const auto g = buffer(device, "g.data", 256);
     const glift::Kernel crowded = [&] {
         glift::Kernel kernel = store_value;

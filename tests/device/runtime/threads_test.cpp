@@ -86,7 +86,8 @@ TEST_P(Threads, PutCommandsIntoOneRecording) {
     EXPECT_EQ(read<std::uint32_t>(device, g, n)[n - 1], 1u << threads * rounds);
 }
 
-// While a recording is made, the device's own stream is the recording's for the thread that makes it, and for no other.
+// While a recording is made, commands given to the device itself are recorded if they come from the thread that makes
+// the recording; those of other threads run as usual.
 TEST_P(Threads, AreNotRecordedByAnother) {
     const auto g = buffer(device, "g.data", 4 * n), h = buffer(device, "h.data", 4 * n);
     const auto recording = device.record([&](const glift::Commands&) {

@@ -1,6 +1,5 @@
-// --dump-after: the text of kernels after every pass but those over bodies for the host device can be parsed, and
-// prints to the same text again, comments left out. The kernels are those of the golden tests and of the tests of
-// passes.
+// --dump-after: the text of kernels after every pass can be parsed, and prints to the same text again, comments left
+// out. The kernels are those of the golden tests and of the tests of passes.
 #include "driver/compile.h"
 #include "ir/print.h"
 #include "ir/read.h"

@@ -1,5 +1,5 @@
-// Names in GLSL: a name that is taken gets a number; a name that would still be reserved with a number gets another
-// beginning.
+// Names in GLSL: a name that is taken gets a number; a name that would still be reserved with a number gets the prefix
+// `the_`.
 #include "emit/glsl/names.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ TEST(GlslNames, TakenOnesAreNumbered) {
     EXPECT_EQ(scopes.declare("height"), "height");
     EXPECT_EQ(scopes.declare("height"), "height_1");
     EXPECT_EQ(scopes.declare("sample"), "sample_1");  // a keyword
-    EXPECT_EQ(scopes.declare("set"), "set_1");        // as the name of a struct, layout(set = 0) would not parse
+    EXPECT_EQ(scopes.declare("set"), "set_1");        // after a struct of this name, layout(set = 0) would not parse
 }
 
 TEST(GlslNames, ThatStayReservedWithANumberGetAnotherBeginning) {

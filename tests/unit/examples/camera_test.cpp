@@ -68,7 +68,7 @@ TEST(Camera, OrbitsAroundItsTarget) {
     EXPECT_NEAR(right.eye.y, 2, 1e-5f);
     EXPECT_GT(right.eye.x, 1);  // the eye is at z > the target's and looks along -z: x grows to the right
     const float4 before = projected(camera::projection_of(right, 1), camera.target + float3(0, 0, 1));
-    EXPECT_LT(before.x / before.w, 0);  // what is before the target moves to the left in the picture
+    EXPECT_LT(before.x / before.w, 0);  // what is in front of the target moves to the left in the picture
     EXPECT_NEAR(glift::length(above.eye - camera.target), 2, 1e-5f);
     EXPECT_GT(above.eye.y, 2);
     EXPECT_TRUE(std::isfinite(camera::orbited(camera, 0, 100, 1).eye.y));

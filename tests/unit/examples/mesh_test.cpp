@@ -67,7 +67,7 @@ TEST(Mesh, SaysWhatIsWrong) {
     }
 }
 
-/// What mesh::read says against a file of these bytes; nothing if it reads it.
+/// The error of mesh::read for a file with these bytes; empty if the file is read.
 std::string refused(const std::string& name, const std::string& bytes) {
     const glift::test::TemporaryFolder folder;
     glift::test::write_file(folder.path() / name, bytes);
@@ -83,7 +83,7 @@ TEST(Mesh, IsRefusedWhereItIsTruncated) {
     const glift::test::TemporaryFolder folder;
     const std::string packed = folder.path() / "a.obj.gz";
     std::string text;
-    for (unsigned i = 0; i < 3000; ++i)  // such that lines that are left out leave a mesh
+    for (unsigned i = 0; i < 3000; ++i)  // the lines that are left after a cut are still a mesh
         text +=
             "v " + std::to_string(i * 7919 % 1009) + " " + std::to_string(i) + " 0\n" +
             (i < 2 ? "" : "f " + std::to_string(i - 1) + " " + std::to_string(i) + " " + std::to_string(i + 1) + "\n");

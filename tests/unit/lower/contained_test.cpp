@@ -104,7 +104,7 @@ TEST(Contained, WhatMayLieBeyond) {
     EXPECT_TRUE(is_guarded("buffer<float>[64]", "return (va.x * 31u + va.y) % 65u;"));
     EXPECT_TRUE(is_guarded("buffer<float>[64]", "return va.x | 63u;"));
     EXPECT_TRUE(is_guarded("image2d<float>(extent)", "return va.yx;", "uint2"));
-    // The domain may be empty, but the translator returns addresses for it.
+    // The domain and so the memory may be empty, but the translator returns addresses even then.
     EXPECT_TRUE(is_guarded("buffer<float>[extent.x * extent.y]",
                            "let a = min(va, max(extent, 1u) - 1u); return a.y * extent.x + a.x;", "uint?"));
 }

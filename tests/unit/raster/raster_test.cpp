@@ -1,6 +1,6 @@
 // Compares the rasteriser's coverage with exact integer arithmetic, and its interpolation and clipping with double
-// precision. Also the order of triangles, culling, depth tests, clip distances, quads, and vertices that are no
-// numbers.
+// precision. Also the order of triangles, culling, depth tests, clip distances, quads, and vertices whose
+// coordinates are NaN or infinite.
 #include <glift/host/raster.h>
 
 #include <gtest/gtest.h>
@@ -154,8 +154,8 @@ TEST(Raster, TrianglesOfAMeshCoverEachPixelOnce) {
         ++count[static_cast<std::size_t>(p.y * 640 + p.x)];
     };
     draw(scene.draw(viewport));
-    // Vertices are moved so far that some triangles overlap, so that some pixels belong to several; but each pixel
-    // belongs to one at least.
+    // Vertices are moved so far that some triangles overlap: some pixels belong to several triangles, but each pixel
+    // belongs to at least one.
     const auto once = std::count_if(count.begin(), count.end(), [](const auto& n) { return n == 1; });
     EXPECT_EQ(std::count_if(count.begin(), count.end(), [](const auto& n) { return n == 0; }), 0);
     EXPECT_GT(once, 640 * 480 - 2000);

@@ -66,7 +66,7 @@ TEST(Format, aligns_comments_behind_neighbouring_lines) {
 
 TEST(Format, leaves_files_with_errors_alone) { EXPECT_EQ(formatted("module m; fn ("), "<errors>"); }
 
-/// Expects that formatting keeps the syntax tree and is idempotent, of a text without errors; others are left out.
+/// Expects that formatting a text keeps its syntax tree and is idempotent. A text with errors is skipped.
 void expect_kept(const std::string& text, const std::string& where) {
     Parsed before(text);
     if (before.diagnostics.has_errors()) return;

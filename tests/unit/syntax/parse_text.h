@@ -21,7 +21,7 @@ struct Parsed {
         module = parse(file, sources, names, tree, diagnostics);
     }
     std::string printed() const { return print(module, tree, names); }
-    /// The errors, one a line, such as: 3:14 expected ';', found 'return'
+    /// The errors, one per line, such as: 3:14 expected ';', found 'return'
     std::string errors() const {
         std::string all;
         for (const Diagnostic& d : diagnostics.all()) {

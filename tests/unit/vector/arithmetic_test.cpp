@@ -1,4 +1,5 @@
-// Functions of the language in C++, also for operands that C++ defines no result for; the memory layout of its types.
+// The language's functions in C++, also for operands for which C++ defines no result; the memory layout of the
+// language's types.
 #include <glift/host/math.h>
 
 #include <gtest/gtest.h>

@@ -69,8 +69,8 @@ TEST(HiddenZeros, TellTheWidthOfATypeFromAValue) {
     EXPECT_THAT(disassembled(hidden), Not(HasSubstr("OpFMul %float %65 %float_0")));
 }
 
-/// Takes a component of a vector of constants (%50), has a table that begins as such a vector (%40), and a step (%51)
-/// of a number that was an unsigned integer.
+/// A shader that takes a component of a vector of constants (%50), has a variable that is initialised with such a
+/// vector (%40), and computes a step of numbers that are converted from an unsigned integer (%51).
 const std::string found_zeros = R"(
     OpCapability Shader
     %1 = OpExtInstImport "GLSL.std.450"
@@ -112,9 +112,9 @@ TEST(HiddenZeros, HideWhatADriverMayMakeZerosOf) {
     EXPECT_THAT(text, HasSubstr("%51 = OpFAdd %v2float"));
 }
 
-/// Sums and differences of a constant with: itself (%40), a number converted from one that was loaded (%41), the value
-/// of a variable to which a constant is stored after its load (%43), the value of a variable to which that number was
-/// stored (%45); and of vectors of constants (%46).
+/// Sums and differences of a constant with: itself (%40); a number (%24) that is converted from a loaded integer (%41);
+/// the loaded value of a variable to which a constant is stored later (%43); the value of a variable to which only %24
+/// is stored (%45). And of vectors of constants (%46).
 const std::string sums = R"(
     OpCapability Shader
     OpMemoryModel Logical GLSL450

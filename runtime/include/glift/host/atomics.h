@@ -1,5 +1,5 @@
-// Accesses of host kernels to memory that several threads write: writes of `scatter` parameters, and what `coherent`
-// parameters read, write and do by atomics.
+// Accesses of host kernels to memory that several threads write: writes through `scatter` parameters; reads, writes and
+// atomics through `coherent` parameters.
 #pragma once
 
 #include <atomic>
@@ -12,7 +12,7 @@
 
 namespace glift::host {
 
-// Writes of `scatter` parameters. They are relaxed, since nothing in the pass depends on their order.
+// Writes through `scatter` parameters. They are relaxed, since nothing in the pass depends on their order.
 
 template <class T> void atomic_replace(T& target, T value) {
     std::atomic_ref<T>(target).store(value, std::memory_order_relaxed);
@@ -34,8 +34,8 @@ inline std::int32_t ordered_bits(float value) {
     const std::int32_t bits = std::bit_cast<std::int32_t>(value);
     return bits < 0 ? bits ^ 0x7fffffff : bits;
 }
-/// The minimum if `before` is less, the maximum if it is greater. A NaN is not written; any number replaces a NaN that
-/// is there.
+/// Keeps the minimum if `before` is std::less, the maximum if it is std::greater. A NaN is not written; any number
+/// replaces a NaN that is there.
 template <class Before> void atomic_extremum(float& target, float value, const Before& before) {
     if (value != value) return;
     std::atomic_ref<float> shared(target);

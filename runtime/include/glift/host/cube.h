@@ -34,7 +34,8 @@ inline float3 cube_direction(const CubePoint& p) {
     }
 }
 
-/// The texel at a coordinate of a CubePoint, from -1 to 1, along an axis of `side` texels.
+/// The index of the texel at coordinate u or v of a CubePoint (-1 to 1) along an axis of `side` texels; at 1 it is
+/// `side`.
 inline std::int64_t cube_texel(float at, std::int64_t side) {
     return convert<std::int32_t>(floor((at + 1.0f) * 0.5f * static_cast<float>(side)));
 }
@@ -101,7 +102,8 @@ T sample_cube_linear(const HostMemory& memory, const float3& direction, float le
     });
 }
 
-/// The results of comparisons with four texels of level 0 (1 or 0), interpolated as a linear filter does.
+/// Compares `reference` with the four texels of level 0 that a linear filter takes; each comparison gives 1 or 0, and
+/// these are interpolated as the filter interpolates texels.
 template <Format F, Compare C> float compare_cube(const HostMemory& memory, const float3& direction, float reference) {
     return detail::cube_mix<float>(memory, direction, 0, [&](const std::array<std::int64_t, 3>& at) {
         return detail::compares<C>(reference, detail::cube_texel<F, float>(memory, at, 0)) ? 1.0f : 0.0f;

@@ -14,10 +14,10 @@ namespace glift::host {
 
 inline constexpr std::uint32_t block_pixels = Fragments::side * Fragments::side;
 
-/// The first pixel of a set (bit i for pixel i of a block), which is not empty.
+/// The first pixel of a set of pixels: bit i stands for pixel i of a block. The set must not be empty.
 inline std::uint32_t first_of(std::uint64_t pixels) { return static_cast<std::uint32_t>(std::countr_zero(pixels)); }
 
-/// All pixels of the quads that have one of these.
+/// All pixels of the quads (2 x 2 pixels) that contain at least one of these pixels.
 inline std::uint64_t quads_of(std::uint64_t pixels) {
     constexpr std::uint64_t left = 0x5555555555555555u, top = 0x00ff00ff00ff00ffu;
     pixels |= (pixels >> 1 & left) | (pixels & left) << 1;
@@ -75,7 +75,7 @@ inline float4 fragment_place(const Fragments& fragments, const HostTargets& targ
                   fragments.w[pixel]);
 }
 
-// Differences within a quad, of the pixel's own row or column.
+// Derivatives: differences between the two pixels of a quad in the pixel's own row (dFdx) or column (dFdy).
 template <class T> T dFdx(const T (&values)[block_pixels], std::uint32_t pixel) {
     return values[pixel | 1] - values[pixel & ~1u];
 }

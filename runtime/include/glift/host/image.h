@@ -153,7 +153,8 @@ template <Format F, class T, class At> void store_texel(const HostMemory& memory
     if (address) detail::encode_texel<F>(address, value);
 }
 
-/// A texel of level 0, of one 32-bit channel, for atomics. Outside of the image: a dummy of the thread's.
+/// A texel of level 0, of one 32-bit channel, for atomics. Outside of the image: a dummy variable of the calling
+/// thread.
 template <Format F, class T, class At> T& texel(const HostMemory& memory, const At& at) {
     static thread_local T nowhere;
     std::byte* address = detail::texel_address<F>(memory, detail::coordinates(at));
@@ -223,7 +224,7 @@ template <Format F, class T, class At> T sample_linear(const HostMemory& memory,
 
 namespace detail {
 
-/// The first of the four texels that a linear filter takes, and the weights of those after it along each axis.
+/// The first of the four texels that a linear filter takes, and along each axis the weight of the texel after it.
 struct Corner {
     std::array<std::int64_t, 3> low{};
     std::array<float, 2> weight{};
@@ -254,8 +255,8 @@ template <Compare C> bool compares(float reference, float texel) {
 
 }  // namespace detail
 
-/// The four texels that a linear filter takes of level 0 of a 2-D image, x first; of an image with layers in the
-/// nearest layer.
+/// The four texels of level 0 of a 2-D image that a linear filter takes, row by row; if the image has layers, those of
+/// the nearest layer.
 template <Format F, class T, class At> vec<T, 4> gather(const HostMemory& memory, const At& at) {
     const detail::Corner corner = detail::corner_of(memory, at);
     vec<T, 4> texels;
@@ -263,7 +264,8 @@ template <Format F, class T, class At> vec<T, 4> gather(const HostMemory& memory
     return texels;
 }
 
-/// The results of comparisons with four texels of level 0 (1 or 0), interpolated as a linear filter does.
+/// Compares `reference` with the four texels of level 0 that a linear filter takes; each comparison gives 1 or 0, and
+/// these are interpolated as the filter interpolates texels.
 template <Format F, Compare C, class At> float compare_linear(const HostMemory& memory, const At& at, float reference) {
     const detail::Corner corner = detail::corner_of(memory, at);
     float passed[4];

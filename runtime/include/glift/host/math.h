@@ -19,8 +19,8 @@ template <class T> inline constexpr bool is_scalar = std::is_arithmetic_v<T> || 
 
 }  // namespace detail
 
-// Each defines, beside a function of one, two or three scalars, the same for each component of vectors. The second of
-// two parameters may also be a scalar, which is broadcast.
+// Each macro adds, to a function `name` of one, two or three scalars, overloads that apply it to each component of
+// vectors. GLIFT_MATH_2 also adds one whose second argument is a scalar, which is broadcast.
 #define GLIFT_MATH_1(name)                                                                                             \
     template <class T, unsigned N> constexpr auto name(const vec<T, N>& a) {                                           \
         return detail::map([](T x) { return name(x); }, a);                                                            \
@@ -69,13 +69,13 @@ inline float sqrt(float x) { return __builtin_sqrtf(x); }
 inline double sqrt(double x) { return __builtin_sqrt(x); }
 inline half sqrt(half x) { return sqrt(static_cast<float>(x)); }
 
-/// With the sign of y; each operation is rounded, as in shaders.
+/// x modulo y, with the sign of y; each operation is rounded, as in shaders.
 template <class T>
 requires is_floating<T> T mod(T x, detail::same<T> y) { return x - y * floor(x / y); }
 template <class T>
 requires is_floating<T> T fract(T x) { return x - floor(x); }
 
-/// If one value is NaN, the other one.
+/// min and max: if one value is NaN, the result is the other one.
 template <class T>
 requires detail::is_scalar<T>
 constexpr T min(T a, detail::same<T> b) {
@@ -180,11 +180,11 @@ GLIFT_COMPARE(notEqual, !=)
 template <class T>
 requires is_integer<T>
 constexpr std::int32_t bitCount(T x) { return std::popcount(static_cast<std::make_unsigned_t<T>>(x)); }
-/// -1 where no bit is set.
+/// The index of the lowest set bit; -1 where no bit is set.
 template <class T>
 requires is_integer<T>
 constexpr std::int32_t findLSB(T x) { return x == 0 ? -1 : std::countr_zero(static_cast<std::make_unsigned_t<T>>(x)); }
-/// Of a negative value the highest zero bit; -1 if there is none.
+/// The index of the highest set bit, of a negative value that of the highest zero bit; -1 if there is none.
 template <class T>
 requires is_integer<T>
 constexpr std::int32_t findMSB(T x) {
@@ -382,7 +382,7 @@ GLIFT_MATH_3(fma)
 
 namespace detail {
 
-/// The identities of the maximum (least) and of the minimum.
+/// `least` is the identity of the maximum, `greatest` that of the minimum.
 template <class T> constexpr T least() {
     if constexpr (std::is_same_v<T, half>) return half(-std::numeric_limits<float>::infinity());
     else if constexpr (is_floating<T>) return -std::numeric_limits<T>::infinity();

@@ -24,7 +24,7 @@
 #endif
 #endif
 
-// Before a loop without dependences between its iterations.
+// Placed before a loop without dependences between its iterations.
 #if defined(__clang__)
 #define GLIFT_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
@@ -33,8 +33,8 @@
 #define GLIFT_INDEPENDENT
 #endif
 
-// Before such a loop over `block_elements` elements: a few vectors without a remainder, which GCC is told not to
-// unroll.
+// The same for a short loop: over `block_elements` elements, or over a row of a block of a structure. GCC is told not
+// to unroll such a loop, since it could then make no vectors of it.
 #if defined(__clang__)
 #define GLIFT_BLOCK _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
@@ -114,7 +114,8 @@ template <class Body> void spread(std::size_t count, std::size_t grain, const Bo
     spread(count, grain, run, &body);
 }
 
-/// Like `spread`, but for parts of `grain`, which start in order: none before all earlier ones have started.
+/// Like `spread`, but for parts of `grain` (the last one may be shorter) that start in order: none before all earlier
+/// ones have started.
 GLIFT_API void spread_in_order(std::size_t count, std::size_t grain,
                                void (*run)(const void* body, std::size_t, std::size_t), const void* body);
 
@@ -154,9 +155,9 @@ template <class Body> void for_rows(const std::array<std::uint32_t, 4>& size, co
     detail::spread(rows, grain, [&](std::size_t first, std::size_t last) { run(0, size[0], first, last - first); });
 }
 
-/// Calls `body(const Rows&)` for parts of one row of invocations, each of which takes `items` of `size` elements.
-/// Invocations start in order, so that one which waits for its predecessors (decoupled look-back) finds them running or
-/// done.
+/// Calls `body(const Rows&)` in parallel for parts of one row of invocations. Each invocation takes `items` consecutive
+/// elements; all together take `size`. Invocations start in order, so that one which waits for its predecessors
+/// (decoupled look-back) finds them running or done.
 template <class Body> void for_strides(std::uint32_t size, std::uint32_t items, const Body& body) {
     const std::array<std::uint32_t, 4> count = {static_cast<std::uint32_t>((std::uint64_t{size} + items - 1) / items),
                                                 1, 1, 1};
@@ -166,7 +167,8 @@ template <class Body> void for_strides(std::uint32_t size, std::uint32_t items, 
     });
 }
 
-/// Calls `body(group id, group count)` in parallel for the workgroups of `group` elements that cover `size`.
+/// Calls `body(group id, group count)` in parallel for the workgroups of `group` elements that cover `size`, whose axes
+/// z and w count as one.
 template <class Body> void for_each_group(const std::array<std::uint32_t, 4>& size, uint3 group, const Body& body) {
     const auto div_ceil = [](std::uint64_t a, uint b) { return static_cast<uint>((a + b - 1) / b); };
     const uint3 count(div_ceil(size[0], group.x), div_ceil(size[1], group.y),
@@ -209,7 +211,7 @@ template <unsigned N, class T> void copy_numbers(const T* from, T* to) {
     }
 }
 
-/// Copies all N numbers of an array from or to a buffer, whose scalars they are from 4 * index on.
+/// Copies all N numbers of an array from or to a buffer: scalars [4 * index, 4 * index + N).
 template <class T, unsigned N>
 void load_rows(const T* elements, std::size_t index, array<typename NumberOf<T>::type, N>& numbers) {
     copy_numbers<N>(reinterpret_cast<const typename NumberOf<T>::type*>(elements) + 4 * index, numbers.values);
@@ -284,8 +286,8 @@ template <std::size_t N, class T> void copy_row(const T* from, T* to) {
 /// There is no scalar remainder: where a part is no multiple of them, its last block overlaps the one before it.
 inline constexpr std::size_t block_elements = 16;
 
-/// Where the block begins that would begin at element `block`, a multiple of block_elements, of a part of `count`
-/// elements: the last one is moved back so that it ends with the part.
+/// The first element of a block in a part of `count` elements, which are at least block_elements. `block`, a multiple
+/// of block_elements, is where the block would begin; the last block is moved back so that it ends with the part.
 inline std::size_t begin_of_block(std::size_t block, std::size_t count) {
     return detail::least(block, count - block_elements);
 }

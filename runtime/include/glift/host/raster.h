@@ -44,7 +44,8 @@ struct Fragments {
     const float* flat;       ///< those of the first vertex of the draw's triangle, line or point
     const DepthTarget* depth_target;
     alignas(64) float depth[side * side];
-    /// Barycentric weights of vertices 1 and 2 in the window, for `linear` varyings; that of vertex 0 is 1 - both.
+    /// Barycentric weights of vertices 1 and 2 in the window, for `linear` varyings; the weight of vertex 0 is 1 minus
+    /// both.
     alignas(64) float linear1[side * side], linear2[side * side];
     /// The same, perspective-correct, for `smooth` varyings. Set, as `w` is, if Draw::has_smooth.
     alignas(64) float smooth1[side * side], smooth2[side * side];

@@ -1,5 +1,5 @@
-// A batch of up to 98,304 vertices of a draw: chunks of them are made triangles in parallel, and these sorted into the
-// tiles of the viewport that they may touch; then the tiles are drawn in parallel.
+// A batch of up to 98,304 vertices of a draw: chunks of them are turned into triangles in parallel, and the triangles
+// are sorted into the tiles of the viewport that they may touch; then the tiles are drawn in parallel.
 #pragma once
 
 #include "host/raster/clip.h"
@@ -23,8 +23,8 @@ std::uint32_t corners_of(Topology topology);
 /// Consecutive triangles of the draw, and for each tile those that may touch it, in the order of the draw.
 class Chunk {
 public:
-    /// Runs the vertex shader for `count` vertices from `first` on, and sets up the triangles of their primitives: a
-    /// clipped triangle is none, one or several, a line or a point up to two.
+    /// Runs the vertex shader for `count` vertices from `first` on, and sets up the triangles of their primitives:
+    /// clipping turns a triangle into none, one or several; a line or a point becomes up to two.
     void make(const Draw& draw, const Window& window, const Clipper& clipper, const Tiles& tiles, std::uint64_t first,
               std::uint32_t count, std::uint32_t instance);
     const std::vector<Triangle>& triangles() const { return triangles_; }

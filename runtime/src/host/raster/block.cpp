@@ -96,8 +96,8 @@ Rows rows_of(std::uint64_t covered) {
 
 GLIFT_HOST_KERNEL void interpolate_depth(const Triangle& triangle, std::int32_t left, std::int32_t top,
                                          const Rows& rows, Fragments& fragments) {
-    // Weights are interpolated from the block's first pixel, where they are computed in double precision, so that they
-    // do not get worse with the size of the triangle.
+    // Weights are interpolated from the block's first pixel, where they are computed in double precision, so that their
+    // error does not grow with the size of the triangle.
     float start[3], right[3], down[3];
     for (int i = 1; i < 3; ++i) {
         const Edge& edge = triangle.edges[static_cast<std::size_t>(i)];

@@ -14,7 +14,7 @@ std::uint64_t coverage(const Triangle& triangle, std::int32_t x, std::int32_t y)
 struct Rows {
     int first, end;
 };
-/// The rows of the quads that have one of these pixels, of which there must be one.
+/// The rows of the quads that contain one of these pixels. `covered` must not be empty.
 Rows rows_of(std::uint64_t covered);
 
 /// Computes depths and linear weights in these rows of the block at (x, y).

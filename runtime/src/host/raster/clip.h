@@ -26,7 +26,8 @@ class Clipper {
 public:
     explicit Clipper(const Window& window);
 
-    /// Moves the ends of a line to the planes, as far as it lies outside; false where nothing is left.
+    /// Cuts off what of a line lies outside a plane, by moving that end to the plane; false where nothing of the line
+    /// is left.
     bool clip_line(const float*& from, const float*& to, MadeCorners& made) const;
     /// Whether a vertex lies inside all planes, with w > 0.
     bool is_inside(const float* corner) const;

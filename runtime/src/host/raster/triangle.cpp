@@ -26,7 +26,7 @@ Edge edge_of(const Point& from, const Point& to) {
     return {static_cast<std::int32_t>(-dy), static_cast<std::int32_t>(dx), c};
 }
 
-/// The first pixel whose centre is at or beyond a coordinate, and the first one beyond it.
+/// The first pixel whose centre is at or beyond a coordinate, and the first one whose centre is beyond it.
 std::int32_t first_from(std::int32_t place) { return (place + (1 << subpixel_bits) - 1) >> subpixel_bits; }
 std::int32_t first_beyond(std::int32_t place) { return (place >> subpixel_bits) + 1; }
 
@@ -44,7 +44,8 @@ float2 place_of(const Window& window, const float* vertex) {
             in_viewport(vertex[1] * inverse_w, half_height, half_height + static_cast<float>(window.first.y))};
 }
 
-/// Rounds to the subpixel grid, halves to even: the sum is rounded to whole numbers, which are its last bits.
+/// Rounds to the subpixel grid, halves to even: adding 1.5 * 2^52 rounds to a whole number, which the low 32 bits of
+/// the sum then hold.
 Point snapped(float2 place) {
     const auto rounded = [](float x) {
         constexpr double whole = 0x1.8p52;

@@ -25,7 +25,7 @@ struct Edge {
 
 struct Triangle {
     std::array<Edge, 3> edges;  ///< edge i is opposite vertex i
-    float inverse_area;         ///< weight i is edge function i plus offset[i], times this
+    float inverse_area;         ///< weight i is (edge function i + offset[i]) * inverse_area
     float offset[3];            ///< what the top-left rule subtracted from the edge functions
     float z[3], inverse_w[3];
     const float* corner[3];                 ///< varyings of each vertex

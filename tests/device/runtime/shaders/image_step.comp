@@ -1,4 +1,4 @@
-// out texel = sampled texel of the input half a texel to the right, plus one.
+// Each output texel is the input, sampled half a texel to the right of the texel's centre, plus one.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 8, local_size_y = 8) in;
