@@ -58,7 +58,6 @@ std::string shape_of(const ir::Program& program, const ir::Memory& memory) {
 std::string checked_to(const Trial& trial) { return "checked to " + std::to_string(trial.addresses) + " addresses"; }
 
 std::string mapping_of(const ir::Properties& properties, const Trial& trial) {
-    if (properties.mapping == ir::Mapping::one_to_one) return "one to one";
     if (properties.mapping == ir::Mapping::many_to_one) return "many to one (declared)";
     if (!trial.collision.empty()) return "many to one: " + trial.collision;
     if (trial.addresses > 0) return "one to one (" + checked_to(trial) + ")";

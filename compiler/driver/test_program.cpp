@@ -284,7 +284,9 @@ std::string TestPrograms::record_of(const Options& options) const {
         for (Diag diag : *list) digest.add(std::to_string(static_cast<int>(diag)));
         digest.add("");
     }
-    for (bool flag : {options.checked, options.host_only, options.warnings_are_errors}) digest.add(flag ? "1" : "0");
+    for (bool flag : {options.checked, options.host_only, options.warnings_are_errors, options.source_lines})
+        digest.add(flag ? "1" : "0");
+    digest.add(std::to_string(options.shards));
     digest.add(options.style);
     return (folder_ / ("run-" + digest.digits())).string();
 }

@@ -123,8 +123,7 @@ bool leads_through_partial(const Program& program, const Structure& structure) {
 bool may_be_sparse(const Program& program, const Structure& structure) {
     const auto is_sparse = [&](const Stage& stage) {
         const Properties& properties = program.translators[stage.translator].properties;
-        return properties.partial ||
-               (properties.mapping != Mapping::one_to_one && properties.mapping != Mapping::claimed_one_to_one);
+        return properties.partial || properties.mapping != Mapping::claimed_one_to_one;
     };
     for (const Structure* link = &structure;; link = &structure_at(program, *link, link->base)) {
         if (std::ranges::any_of(link->via, is_sparse)) return true;

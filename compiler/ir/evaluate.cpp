@@ -558,7 +558,6 @@ std::size_t lane_count(const Program& program, TypeId id) {
     }
     case TypeKind::error:
     case TypeKind::void_:
-    case TypeKind::range:
     case TypeKind::structure:
     case TypeKind::slice:
     case TypeKind::device: return 0;

@@ -222,7 +222,6 @@ struct Enum {
 /// Whether two virtual addresses may have one physical address.
 enum class Mapping : std::uint8_t {
     unknown,
-    one_to_one,          ///< proved by the compiler; not used: no analysis proves it
     claimed_one_to_one,  ///< declared by `invert` or @one_to_one; `gliftc test` checks it
     many_to_one,         ///< declared by @many_to_one
 };
@@ -259,7 +258,6 @@ struct Translator {
     FunctionId wide;
     FunctionId wide_of_wide;  ///< the same for a 64-bit virtual address; only if virtual addresses are scalar, too
     FunctionId invert;        ///< (physical address) -> virtual address; absent if not invertible
-    FunctionId ranges;        ///< not used: how a box splits into contiguous parts is inferred (lower/affine.h)
     FunctionId domain;        ///< () -> extent of the virtual domain
     Properties properties;
     std::string doc;
@@ -399,7 +397,6 @@ struct Structure {
     ExprId domain;                         ///< extent of the virtual domain, over the structure (root 0)
     std::optional<Blocks> blocks;          ///< as declared here; see blocks_of() of ir/chain.h
     FunctionId at;                         ///< of a view: (address) -> element; its only structure is this one
-    std::vector<FunctionId> functions;     ///< not used: see public_functions() of ir/aliases.h
     std::vector<HostField> host;           ///< of an adaptor: its host state
     std::vector<std::uint32_t> pipelines;  ///< of an adaptor: indices in Program::pipelines
     /// A bit for each axis of physical addresses: set if no address of the domain leads outside the memory along that

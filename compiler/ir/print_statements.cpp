@@ -129,6 +129,7 @@ void Printer::host_stmt(const Stmt& stmt) {
     case StmtOp::expect: line("expect(" + expr(stmt.value) + ");"); break;
     case StmtOp::expect_near: line("expect_near(" + list(stmt.arguments) + ");"); break;
     case StmtOp::expect_same: line("expect_same(" + list(stmt.arguments) + ");"); break;
+    case StmtOp::replace: line("replace " + place(stmt.place) + " by " + local(stmt.local) + ";"); break;
     default: line("host " + expr(stmt.target) + " = " + expr(stmt.value) + ";"); break;
     }
 }

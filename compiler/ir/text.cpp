@@ -97,7 +97,6 @@ std::string to_qualified_text(const Program& program, TypeId id) {
     case TypeKind::enum_: return module_text(program, program.enums[type.index].module) + to_text(program, id);
     case TypeKind::array: return to_qualified_text(program, type.element) + "[" + std::to_string(type.count) + "]";
     case TypeKind::optional: return to_qualified_text(program, type.element) + "?";
-    case TypeKind::range: return "range of " + to_qualified_text(program, type.element);
     case TypeKind::slice: return "slice of " + to_qualified_text(program, type.element);
     case TypeKind::device: return to_qualified_text(program, type.element) + " on the device";
     case TypeKind::error:
@@ -139,7 +138,6 @@ std::string to_text(const Program& program, TypeId id) {
     case TypeKind::struct_: return program.structs[type.index].display;
     case TypeKind::enum_: return (*program.names)[program.enums[type.index].name];
     case TypeKind::optional: return to_text(program, type.element) + "?";
-    case TypeKind::range: return "range of " + to_text(program, type.element);
     case TypeKind::structure: return program.structures[type.index].display;
     case TypeKind::slice: return "slice of " + to_text(program, type.element);
     case TypeKind::device: return to_text(program, type.element) + " on the device";

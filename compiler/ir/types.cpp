@@ -56,7 +56,6 @@ TypeId Types::array(TypeId element, std::uint32_t count) {
 }
 
 TypeId Types::optional(TypeId element) { return intern({.kind = TypeKind::optional, .element = element}); }
-TypeId Types::range(TypeId element) { return intern({.kind = TypeKind::range, .element = element}); }
 TypeId Types::slice(TypeId structure) { return intern({.kind = TypeKind::slice, .element = structure}); }
 TypeId Types::device(TypeId element) { return intern({.kind = TypeKind::device, .element = element}); }
 TypeId Types::of_struct(std::uint32_t index) { return intern({.kind = TypeKind::struct_, .index = index}); }

@@ -29,7 +29,6 @@ enum class TypeKind : std::uint8_t {
     struct_,    // a struct: Program::structs[index]
     enum_,      // an enum: Program::enums[index]; its values are uints
     optional,   // element?
-    range,      // not used: `lo..hi` is not a value
     structure,  // an instance of a structure, view or adaptor: Program::structures[index]
     slice,      // only in pipelines: a box of a structure (element is the structure type)
     device,     // only in pipelines: a value of type `element` that lives on the device until awaited
@@ -60,7 +59,6 @@ public:
     TypeId matrix(TypeId element, std::uint32_t columns, std::uint32_t rows);
     TypeId array(TypeId element, std::uint32_t count);
     TypeId optional(TypeId element);
-    TypeId range(TypeId element);
     TypeId slice(TypeId structure);
     TypeId device(TypeId element);
     TypeId of_struct(std::uint32_t index);

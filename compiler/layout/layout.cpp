@@ -74,7 +74,6 @@ Size size_of(const Program& program, TypeId id) {
     }
     case TypeKind::error:
     case TypeKind::void_:
-    case TypeKind::range:
     case TypeKind::structure:
     case TypeKind::slice:
     case TypeKind::device: return {0, 1};

@@ -288,7 +288,8 @@ std::optional<Operand> check_expect(Body& body, std::string_view name, const ast
     if (is_refused_in_arm(body, "'" + std::string(name) + "'", call.span, "check what is left after the condition"))
         return error_operand(call.span);
     if (arguments.size() < least || arguments.size() > most) {
-        c.error(Diag::argument_count, call.span, {name, std::to_string(least), std::to_string(arguments.size())});
+        const std::string wanted = std::to_string(least) + (most > least ? " or " + std::to_string(most) : "");
+        c.error(Diag::argument_count, call.span, {name, wanted, std::to_string(arguments.size())});
         return error_operand(call.span);
     }
     if (!same && !near) {

@@ -58,7 +58,6 @@ bool is_value(ir::TypeKind kind) {
     case ir::TypeKind::optional: return true;
     case ir::TypeKind::error:
     case ir::TypeKind::void_:
-    case ir::TypeKind::range:
     case ir::TypeKind::structure:
     case ir::TypeKind::slice:
     case ir::TypeKind::device: return false;

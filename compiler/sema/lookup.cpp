@@ -33,7 +33,6 @@ std::optional<std::uint32_t> home_of(const Context& c, ir::TypeId id) {
     case ir::TypeKind::uint64:
     case ir::TypeKind::vector:
     case ir::TypeKind::matrix:
-    case ir::TypeKind::range:
     case ir::TypeKind::structure:
     case ir::TypeKind::slice:
     case ir::TypeKind::device: break;

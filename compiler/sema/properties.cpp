@@ -64,6 +64,28 @@ void add_tables(const ir::Program& program, ir::Translator& translator) {
 
 }  // namespace
 
+/// Whether several virtual addresses may have one physical address, as the attributes of a translator say it; reports
+/// those that contradict each other or `invert`.
+static void declare_mapping(Context& c, ir::Translator& translator, const std::vector<ast::Attribute>& attributes) {
+    const auto find = [&](std::string_view name) {
+        const auto has_name = [&](const ast::Attribute& each) { return c.text(each.name.name) == name; };
+        const auto found = std::ranges::find_if(attributes, has_name);
+        return found == attributes.end() ? nullptr : &*found;
+    };
+    const ast::Attribute* const one = find("one_to_one");
+    const ast::Attribute* const many = find("many_to_one");
+    ir::Mapping& mapping = translator.properties.mapping;
+    if (one || translator.properties.invertible) mapping = ir::Mapping::claimed_one_to_one;
+    if (!many) return;
+    mapping = ir::Mapping::many_to_one;
+    if (translator.properties.invertible)
+        note(c.error(Diag::many_to_one_invertible, many->span, {translator.display}),
+             c.program.functions[translator.invert].span, "a translator with 'invert' is one-to-one");
+    else if (one)
+        note(c.error(Diag::mapping_contradicts, many->span, {translator.display}), one->span,
+             "declared one-to-one here");
+}
+
 void infer_properties(Context& c, std::uint32_t index, const ast::Decl& decl) {
     Flow flow;
     look(c.program, c.program.translators[index].translate, flow);
@@ -79,7 +101,7 @@ void infer_properties(Context& c, std::uint32_t index, const ast::Decl& decl) {
         property = text;
     };
     properties.location = "GPU and CPU";
-    if (properties.invertible) properties.mapping = ir::Mapping::claimed_one_to_one;
+    declare_mapping(c, translator, decl.attributes);
     for (const ast::Attribute& attribute : decl.attributes) {
         const std::string& name = c.text(attribute.name.name);
         auto text = [&]() -> std::string {
@@ -89,14 +111,8 @@ void infer_properties(Context& c, std::uint32_t index, const ast::Decl& decl) {
             }
             return c.text(c[attribute.arguments[0]].name);
         };
-        if (name == "many_to_one") {
-            properties.mapping = ir::Mapping::many_to_one;
-            if (properties.invertible)
-                note(c.error(Diag::many_to_one_invertible, attribute.span, {translator.display}),
-                     c.program.functions[translator.invert].span, "a translator with 'invert' is one-to-one");
-        } else if (name == "one_to_one") {
-            properties.mapping = ir::Mapping::claimed_one_to_one;
-        } else if (name == "access") {
+        if (name == "many_to_one" || name == "one_to_one") continue;
+        if (name == "access") {
             declared(name, properties.access_complexity, text(), attribute.span);
         } else if (name == "memory") {
             declared(name, properties.memory_complexity, text(), attribute.span);

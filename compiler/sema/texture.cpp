@@ -58,7 +58,7 @@ Operand sample(Body& body, const Operand& self, const std::vector<ast::ExprId>& 
     const ir::Structure& structure = body.program().structures[self.structure];
     const ir::TypeId element = structure.element;
     if (arguments.size() != 1 && arguments.size() != 2)
-        return wrong_count(body, "sample", "1", arguments.size(), call.span);
+        return wrong_count(body, "sample", "1 or 2", arguments.size(), call.span);
     if (!body.types().is_floating(body.types().scalar_of(element))) {
         c.error(Diag::sample_element, call.span, {structure.display, c.text(element)});
         return error_operand(call.span);

@@ -169,7 +169,6 @@ Text print_construct(Printer& p, const Expr& expr) {
     case TypeKind::vector:
     case TypeKind::enum_:
     case TypeKind::optional:
-    case TypeKind::range:
     case TypeKind::structure:
     case TypeKind::slice:
     case TypeKind::device: break;

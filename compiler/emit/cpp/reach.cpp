@@ -106,7 +106,6 @@ void Collector::type(ir::TypeId id, bool visible) {
     case ir::TypeKind::matrix:
     case ir::TypeKind::array:
     case ir::TypeKind::optional:
-    case ir::TypeKind::range:
     case ir::TypeKind::slice:
     case ir::TypeKind::device: return this->type(type.element, visible);
     case ir::TypeKind::error:

@@ -66,7 +66,6 @@ std::string scalars_of(const ir::Program& program, ir::TypeId id) {
     case TypeKind::error:
     case TypeKind::void_:
     case TypeKind::optional:
-    case TypeKind::range:
     case TypeKind::structure:
     case TypeKind::slice:
     case TypeKind::device: return "";

@@ -159,7 +159,7 @@ private:
             print_method(unit_, out_, "invert", translator.invert, unit_.type(translator.virtual_type), names,
                          surroundings);
         const ir::Mapping mapping = translator.properties.mapping;
-        const bool is_claimed = mapping == ir::Mapping::claimed_one_to_one || mapping == ir::Mapping::one_to_one;
+        const bool is_claimed = mapping == ir::Mapping::claimed_one_to_one;
         out_.line("return glift::check_translator(test, " + quoted(title + ": " + translator.display) + ", " +
                   (i == 0 ? std::string("glift::tried(structure.domain())") : "reached_" + std::to_string(i - 1)) +
                   ", translate, " + (translator.invert ? "invert" : "nullptr") + ", " +

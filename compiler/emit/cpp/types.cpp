@@ -29,7 +29,6 @@ std::string_view vector_prefix(TypeKind kind) {
     case TypeKind::struct_:
     case TypeKind::enum_:
     case TypeKind::optional:
-    case TypeKind::range:
     case TypeKind::structure:
     case TypeKind::slice:
     case TypeKind::device: return "";
@@ -51,8 +50,7 @@ std::string Spelling::of(ir::TypeId id) const {
     const std::string glift(prefix);
     switch (type.kind) {
     case TypeKind::error:
-    case TypeKind::void_:
-    case TypeKind::range: return "void";
+    case TypeKind::void_: return "void";
     case TypeKind::bool_: return storage ? "glift::Bool" : "bool";
     case TypeKind::int_: return "int";
     case TypeKind::uint: return glift + "uint";
@@ -160,7 +158,6 @@ std::string literal(const ir::Program& program, ir::TypeId type, std::uint64_t b
     case TypeKind::array:
     case TypeKind::struct_:
     case TypeKind::optional:
-    case TypeKind::range:
     case TypeKind::structure:
     case TypeKind::slice:
     case TypeKind::device: return "{}";

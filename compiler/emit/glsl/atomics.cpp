@@ -46,7 +46,7 @@ std::string float_atomic(Printer& p, std::uint32_t binding, Combine combine) {
 
 /// The function that adds by compare-and-swap, repeated until no other invocation has changed the element in between.
 std::string addition(Printer& p, const AtomicUse& use) {
-    const std::string test = round_test(p, {}, p.pass.files.size() > 1 ? "line, file" : "line");
+    const std::string test = round_test(p, 0, p.pass.files.size() > 1 ? "line, file" : "line");
     const std::string element = element_text(p, use.binding, "index");
     const std::string index = p.pass.form == ir::Form::wide ? "uint64_t" : "uint";
     return "void " + function_name(p, use) + "(" + index + " index, float value" +

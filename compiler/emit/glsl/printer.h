@@ -258,9 +258,10 @@ void name_status(Printer& p);
 std::string status_definitions(Printer& p);
 std::string place_parameters(const Printer& p);  ///< source line and file, of functions that report
 std::string place_arguments(const Printer& p, Span span);
-std::string round_test(
-    const Printer& p, const std::vector<ir::StmtId>& body,
-    const std::string& place);  ///< `another_round(0u, 9u)`, tested before each round; empty: rounds are not counted
+/// `another_round(0u, 9u)`, tested before each round of a loop; empty: rounds are not counted. `place` are the
+/// arguments for place_parameters.
+std::string round_test(const Printer& p, std::uint32_t idle_rounds, const std::string& place);
+std::string round_test(const Printer& p, const ir::Stmt& loop);
 void print_round_start(Printer& p);
 std::string report_text(Printer& p, const ir::Stmt& stmt);
 

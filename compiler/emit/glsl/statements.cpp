@@ -141,7 +141,7 @@ void print_for(Printer& p, const Stmt& stmt) {
         first += ", " + end + " = " + print_any(p, stmt.limit);
         high = end;
     }
-    std::string test = round_test(p, stmt.body, place_arguments(p, stmt.span));
+    std::string test = round_test(p, stmt);
     if (stmt.unrolled) p.extensions.insert("GL_EXT_control_flow_attributes");
     line(p, std::string(stmt.unrolled ? "[[unroll]] " : "") + "for (" + first + "; " +
                 (test.empty() ? "" : test + " && ") + name + " < " + high + "; ++" + name + ") {");
@@ -151,7 +151,7 @@ void print_for(Printer& p, const Stmt& stmt) {
 }
 
 void print_while(Printer& p, const Stmt& stmt) {
-    std::string test = round_test(p, stmt.body, place_arguments(p, stmt.span));
+    std::string test = round_test(p, stmt);
     line(p, "while (" +
                 (test.empty() ? print_any(p, stmt.value) : test + " && " + print(p, stmt.value, Level::bit_or)) +
                 ") {");

@@ -117,6 +117,17 @@ std::uint32_t loops_in(const Printer& p, const std::vector<ir::StmtId>& body) {
     return loops;
 }
 
+/// The number of loops in the functions that an expression, if there is one, calls.
+std::uint32_t loops_called(const Printer& p, ir::ExprId id) {
+    std::uint32_t loops = 0;
+    if (!id) return loops;
+    for_each_node(p.program, id, [&](ir::ExprId each) {
+        const ir::Expr& node = p.program.exprs[each];
+        if (node.op == ir::Op::call) loops += loops_in(p, p.program.functions[node.function].body);
+    });
+    return loops;
+}
+
 bool leaves(const Printer& p, const ir::Stmt& stmt) {
     using ir::StmtOp;
     if (stmt.op == StmtOp::break_ || stmt.op == StmtOp::continue_ || stmt.op == StmtOp::return_) return true;
@@ -132,9 +143,12 @@ std::uint32_t idle_rounds(const Printer& p, const std::vector<ir::StmtId>& body,
     for (ir::StmtId id : body) {
         const ir::Stmt& stmt = p.program.stmts[id];
         const bool is_loop = stmt.op == ir::StmtOp::for_ || stmt.op == ir::StmtOp::while_;
-        if (is_loop) rounds += (may_be_left_out ? 1 : 0) + loops_in(p, stmt.body);
+        if (is_loop)
+            rounds += (may_be_left_out ? 1 : 0) + loops_called(p, stmt.value) + loops_called(p, stmt.limit) +
+                      loops_in(p, stmt.body);
         else if (stmt.op == ir::StmtOp::if_)
-            rounds += idle_rounds(p, stmt.body, true) + idle_rounds(p, stmt.otherwise, true);
+            rounds +=
+                loops_called(p, stmt.value) + idle_rounds(p, stmt.body, true) + idle_rounds(p, stmt.otherwise, true);
         else if (stmt.op == ir::StmtOp::block) rounds += idle_rounds(p, stmt.body, may_be_left_out);
         else rounds += loops_in(p, {id});
         may_be_left_out = may_be_left_out || leaves(p, stmt);
@@ -144,9 +158,15 @@ std::uint32_t idle_rounds(const Printer& p, const std::vector<ir::StmtId>& body,
 
 }  // namespace
 
-std::string round_test(const Printer& p, const std::vector<ir::StmtId>& body, const std::string& place) {
+std::string round_test(const Printer& p, std::uint32_t idle_rounds, const std::string& place) {
     if (p.status.another_round.empty()) return "";
-    return p.status.another_round + "(" + std::to_string(idle_rounds(p, body, false)) + "u, " + place + ")";
+    return p.status.another_round + "(" + std::to_string(idle_rounds) + "u, " + place + ")";
+}
+
+std::string round_test(const Printer& p, const ir::Stmt& loop) {
+    std::uint32_t rounds = idle_rounds(p, loop.body, false);
+    if (loop.op == ir::StmtOp::while_) rounds += loops_called(p, loop.value);
+    return round_test(p, rounds, place_arguments(p, loop.span));
 }
 
 std::string report_text(Printer& p, const ir::Stmt& stmt) {

@@ -33,7 +33,6 @@ std::string scalar_text(Printer& p, TypeKind kind) {
     case TypeKind::array:
     case TypeKind::struct_:
     case TypeKind::optional:
-    case TypeKind::range:
     case TypeKind::structure:
     case TypeKind::slice:
     case TypeKind::device: break;
@@ -174,7 +173,6 @@ std::string type_text(Printer& p, TypeId type) {
     case TypeKind::int64:
     case TypeKind::uint64:
     case TypeKind::enum_:
-    case TypeKind::range:
     case TypeKind::structure:
     case TypeKind::slice:
     case TypeKind::device: break;
@@ -224,7 +222,6 @@ std::string zero(Printer& p, TypeId type) {
     }
     case TypeKind::error:
     case TypeKind::void_:
-    case TypeKind::range:
     case TypeKind::structure:
     case TypeKind::slice:
     case TypeKind::device: break;

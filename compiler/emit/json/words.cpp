@@ -115,7 +115,6 @@ const char* word(ir::HostPattern pattern) {
 const char* word(ir::Mapping mapping) {
     switch (mapping) {
     case ir::Mapping::unknown: return "not known";
-    case ir::Mapping::one_to_one: return "one-to-one";
     case ir::Mapping::claimed_one_to_one: return "claimed one-to-one";
     case ir::Mapping::many_to_one: return "many-to-one";
     }
