@@ -45,7 +45,7 @@ def solves(group):
 def table(group):
     ours, copies = by_size(group, "two_layers", figures.OURS), by_size(group, "two_layers", "copy")
     alone, rival = by_size(group, "one_image"), solves(group)
-    lines = ["| picture | two layers | ns a pixel | copy bound | share of it | cuSPARSE, only the solves | pictures a second, one by one |",
+    lines = ["| picture | two layers | ns per pixel | copy bound | share of it | cuSPARSE, only the solves | pictures per second, one by one |",
              "| --- |" + " ---: |" * 6]
     for size, row in ours.items():
         bound = copies[size]["seconds"]

@@ -68,15 +68,15 @@ constexpr KernelPass kernels[] = {
     {"expand", "a checked kernel",
      "no operation of structures; functions inlined; loads that may leave memory are guarded_load"},
     {"coarsen", "the expanded body of a kernel without a group",
-     "a second body, for two elements an invocation, or up to eight of a block"},
+     "a second body, for two elements per invocation, or up to eight of a block"},
     {"move_uniforms", "all bodies of the pass", "uniform values are parameters that the host computes"},
     {"split_blocks", "the host device's body for blocks all of whose elements are visited",
-     "values that depend on the block alone are computed once a block"},
+     "values that depend on the block alone are computed once per block"},
     {"copy_rows", "split blocks",
-     "loops that copy a row of memory to an array that is filled once a block are one statement"},
+     "loops that copy a row of memory to an array that is filled once per block are one statement"},
     {"find_rows", "variants for the host device of a kernel without a group",
-     "accesses that move along memory with the elements of a row are those of a row; in the middle of a row none of "
-     "them is clamped; the order in which elements may be done"},
+     "accesses whose address advances by one from each element of a row to the next are row_load and row_store; in the "
+     "middle of a row none of them is clamped; the order in which elements may be done is known"},
 };
 
 }  // namespace

@@ -29,7 +29,7 @@ float split(float x, out int exponent) {
 )";
 
 constexpr const char* quotient_text =
-    R"(// |a / b| * 2^exponent below the normal numbers: division bit by bit, to half to even.
+    R"(// |a / b| * 2^exponent where that is subnormal: divided bit by bit, rounded to the nearest, ties to even.
 float subnormal_quotient(uint sign, float a, float b, int exponent) {
     uint rest = (floatBitsToUint(a) & 0x007fffffu) | 0x00800000u, divisor = (floatBitsToUint(b) & 0x007fffffu) | 0x00800000u;
     int bits = exponent + 149;

@@ -105,8 +105,9 @@ void print_prologue(Printer& p, bool grouped) {
 const char* elements_text(const ir::Pass& pass) {
     if (pass.of_blocks) return "// Each invocation takes several elements of a block, a workgroup's width apart.";
     if (pass.rank == 1)
-        return "// Each invocation takes two elements: its own and, if there is one, that a workgroup's width further.";
-    return "// Each invocation takes two elements: its own and, if there is one, that in the next row.";
+        return "// Each invocation takes two elements: its own, and the one a workgroup's width further on if there is "
+               "one.";
+    return "// Each invocation takes two elements: its own, and the one in the next row if there is one.";
 }
 
 std::string main_text(Printer& p) {

@@ -89,8 +89,8 @@ std::string one_line(const std::string& head, const std::string& value) {
 std::string long_division(Helper helper) {
     const std::string op = helper == Helper::quotient ? "/" : "%";
     std::string text =
-        "// In 32 bits where both are small: GPUs divide 64 bits slowly, and NVIDIA's driver (580) takes\n"
-        "// two addresses for one where each has such a remainder in it.\n";
+        "// In 32 bits where both are small: GPUs divide 64 bits slowly, and NVIDIA's driver (580) merges\n"
+        "// two different addresses if both contain a 64-bit remainder.\n";
     text += std::string("uint64_t ") + name_of(helper) + "(uint64_t a, uint64_t b) {\n    b = max(b, 1ul);\n";
     text += "    if (uint((a | b) >> 32) == 0u) return uint64_t(uint(a) " + op + " uint(b));\n";
     return text + "    return a " + op + " b;\n}\n";
@@ -179,8 +179,7 @@ std::string saturating_conversion(Printer& p, const HelperUse& use) {
 /// Rounds once on all drivers. For a plain conversion Mesa's convert the double to a float and that to a half, which
 /// rounds twice, and NVIDIA's does not.
 std::string half_of_double() {
-    return "// Rounds once: to a float whose last bit is 1 where it is not exact, so that the half is that nearest to "
-           "x.\n"
+    return "// Rounds once: x is rounded to odd as a float, which then rounds to the half nearest to x.\n"
            "float16_t to_half(double x) {\n    float f = float(x);\n    double rest = x - double(f);\n"
            "    int bits = floatBitsToInt(f);\n"
            "    if (abs(f) > 1e-9 && abs(rest) > 0.0lf && (bits & 1) == 0) bits += (rest > 0.0lf) == (f > 0.0) ? 1 : "
@@ -194,7 +193,7 @@ std::string half_conversion(Printer& p, const HelperUse& use) {
     const std::string half = vector_text(p, types.half, count);
     if (types.scalar_of(use.a) == types.double_)
         return count > 1 ? by_component(half, "to_half", type_text(p, use.a), count, false) : half_of_double();
-    return "// Some drivers leave out a conversion to half and back, but not one of a half that was computed.\n" +
+    return "// Adding -0 keeps drivers from leaving out a conversion to half and back, which rounds.\n" +
            one_line(half + " to_half(" + type_text(p, use.a) + " x)", half + "(x) + float16_t(-0.0)");
 }
 
@@ -269,9 +268,9 @@ std::string arithmetic(Printer& p, const HelperUse& use) {
                                        ? "to_half(atan(float(y), float(x)))"
                                        : "max(abs(x), abs(y)) < 1e-30 ? atan(y * 18446744073709551616.0, "
                                          "x * 18446744073709551616.0) : atan(y, x)";
-        return "// The angle of (0, 0), which GLSL leaves open, is that of the axis by which zero was reached. Numbers "
-               "whose\n"
-               "// reciprocals are infinite become larger ones.\n" +
+        return "// The angle of (0, 0), which GLSL leaves undefined, follows from the signs of the zeros. Numbers so "
+               "small\n"
+               "// that their reciprocals are infinite are scaled up.\n" +
                t + " angle(" + t + " y, " + t + " x) {\n    if (x != " + zero_text + " || y != " + zero_text +
                ") return " + scaled + ";\n    if (floatBitsToInt(float(x)) >= 0) return y;\n" +
                "    return floatBitsToInt(float(y)) < 0 ? -" + pi + " : " + pi + ";\n}\n";
@@ -345,10 +344,11 @@ std::string definition(Printer& p, const HelperUse& use) {
     case Helper::extract_bits:
     case Helper::insert_bits: return bits_definition(p, use);
     case Helper::far_index:
-        return "// GLSL takes no constant from 2^31 on for an index.\nuint far_index(uint i) { return i; }\n";
+        return "// A function, since GLSL refuses constant indices from 2^31 on.\nuint far_index(uint i) { return i; "
+               "}\n";
     case Helper::whole_vector:
-        return "// Mesa's drivers mistake one component, read through an address, for the first if they know the "
-               "vector.\n" +
+        return "// Keeps Mesa from combining this load with one of a single component by address, which gives the "
+               "first.\n" +
                one_line(type_text(p, use.a) + " whole_vector(" + type_text(p, use.a) + " v)", "v");
     case Helper::split_float: return division_definition(p, use);
     case Helper::divide:

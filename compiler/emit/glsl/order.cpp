@@ -109,7 +109,7 @@ std::string order_definitions(const Printer& p) {
     const bool are_images = !p.image_order.load.empty();
     const std::string storage =
         are_images ? "gl_StorageSemanticsBuffer | gl_StorageSemanticsImage" : "gl_StorageSemanticsBuffer";
-    return "// True on lavapipe, where a fence ends the subgroups that do not reach it: none is used.\n"
+    return "// True on lavapipe, where a fence would end the subgroups that do not reach it: then no fence is used.\n"
            "layout(constant_id = 102) const bool " +
            p.fences + " = false;\n" + operations(p, p.order, "place", storage) +
            operations(p, p.image_order, "image, at", storage) + "\n";

@@ -128,7 +128,8 @@ void Part::print_invocations(const Stmt& loop) {
 void Part::print_statement(const Stmt& stmt, const std::function<void(const Stmt&)>& print_other) {
     if (stmt.op == StmtOp::keep) return declare_array(stmt.local);
     if (stmt.op == StmtOp::invocations) return print_invocations(stmt);
-    if (stmt.op == StmtOp::barrier) return p.out.line("// Derivatives: all pixels of each quad have the value now.");
+    if (stmt.op == StmtOp::barrier)
+        return p.out.line("// All pixels of each quad have computed the value whose derivative follows.");
     if (stmt.op == StmtOp::discard) {
         p.out.line("drawn &= ~(std::uint64_t{1} << pixel);");
         return print_leave(returns_in_loop);
