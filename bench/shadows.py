@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tables and plots of frames with shadow maps (thesis section 11.4.3), from what bench_shadows writes.
+"""Tables and plots of frames with shadow maps (section 11.4.3 of Lefohn's thesis, 2006), from what bench_shadows writes.
 
     bench/shadows.py FILE.json [-o FOLDER]      FOLDER gets shadows_times.png, shadows_distribution.png, if passes were timed
                                                 shadows_parts.png and, if other sizes of pages were measured, shadows_pages.png
@@ -14,10 +14,9 @@ import plot
 
 METHODS = {"standard": "standard map", "asm": "ASM", "rmsm": "RMSM"}
 THESIS = {"asm / rmsm": "2 to 10", "rmsm / standard": "2 to 4", "asm / rmsm static": "1 to 3", "rmsm / standard static": "1 to 2"}
-# How the passes of a frame are divided into parts. ENDS: kernels of examples/shadows that are the last of a part, each with the name of the
-# part that follows. BEGINS: kernels that are the first of a part, each with its name. All other kernels belong to the part that they run
-# in: so library kernels, which several parts call, count for the right one. WITHIN: within "fill" the kernels of std.draw_pages are parts of
-# their own.
+# How the passes of a frame are divided into parts; the first part is "project". BEGINS: a kernel with which the named part begins. ENDS: a
+# kernel after which the named part begins. All other kernels count for the part that began last, so that library kernels, which several
+# parts call, count for the right one. WITHIN: in "fill", these kernels of std.draw_pages count for two parts of their own.
 ENDS = {"project": "look", "find_surface": "standard map", "draw_light": "ask", "ask_all": "allocate", "ask_at_edges": "allocate",
         "put_all": "allocate", "find_lit": "ask"}
 BEGINS = {"mark": "fill", "find_lit": "find_lit", "shade": "shade"}
@@ -53,7 +52,7 @@ def markdown(head, rows):
 
 
 def short_frames(row):
-    """How many frames of a row did not get the pages that they asked for, since the pool was too small."""
+    """How many frames of a row had coarser pages, or none, in place of those they asked for; of ASM also those that filled the pool."""
     return row.get("pool_too_small", 0)
 
 
@@ -83,7 +82,7 @@ def times(scenes, end, runs):
 
 
 def pages(scenes):
-    """Medians and maxima over the frames; for ASM, "asked" counts the pages that were asked for in all rounds."""
+    """Medians and maxima over the frames. An ASM frame asks for pages and fills them in several rounds: "asked" is the sum over them."""
     def spread(values):
         return f"{statistics.median(values):.0f}, {max(values)}" if values else ""
     rows = []
@@ -134,7 +133,8 @@ def knobs(scenes):
 
 
 def lookup_speeds(cases):
-    """{case: how fast its lookups are}: the time of the kernel that looks up with a standard map, divided by that with the quadtree."""
+    """{case of RMSM: how fast its lookups are}: the time of the kernel find_lit with a standard map, divided by its time with RMSM's
+    quadtree of pages."""
     def seconds(name):
         row = cases.get(name)
         return parts_of(row["passes"])["find_lit"] if row and row["passes"] else 0
@@ -145,14 +145,14 @@ def lookup_speeds(cases):
 
 
 def hardware(data):
-    """{scene: the time of lookups of a plain map by the hardware's comparison, divided by that with a gather}, 2 x 2 texels each, alone in a
-    submission."""
+    """{scene: the time of lookups of a standard map, 2 x 2 texels each, by the hardware's comparison, divided by their time by a gather}.
+    Each was timed alone in a submission."""
     return {row["scene"]: row["compare_seconds"] / row["gather_seconds"] for row in data.get("lookups", [])}
 
 
 def lookups(data, scenes):
-    """The speed of lookups, compared with that of a plain map which the same kernel reads (nearest: one texel, else by gathers) and, but for
-    nearest, with that of a plain map by the hardware's comparison of 2 x 2 texels."""
+    """The speed of RMSM's lookups as a share of a standard map's: first of one that the same kernel reads (nearest: one texel, else by
+    gathers); then, except for nearest, of one whose 2 x 2 texels the hardware compares, which is the first share times hardware()."""
     names = [name for name in ("rmsm nearest", "rmsm", "rmsm trilinear") if any(name in cases for cases in scenes.values())]
     by_hardware, rows = hardware(data), []
     for scene, cases in scenes.items():

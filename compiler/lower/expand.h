@@ -53,8 +53,8 @@ struct Leaving {
 struct Frame {
     std::vector<ir::Place> places;  ///< for each Place::root in its body, that structure's place seen from the kernel
     FlatMap<LocalId, Pair> locals;
-    const ir::Stage* stage = nullptr;  ///< in a translator's functions: the stage that has the state
-    ir::Place structure;               ///< in a translator's functions: the structure that the stage belongs to
+    const ir::Stage* stage = nullptr;  ///< in a translator's functions: the entry of `via` that gives its state
+    ir::Place structure;               ///< in a translator's functions: the structure that has this `via`
     std::string prefix;                ///< put before the names of locals that are made; may be empty
     TypeId result;                     ///< of a function that is expanded as statements: its result type
     Leaving* leaving = nullptr;        ///< null: it returns only at its end, if at all
@@ -397,7 +397,7 @@ private:
     ExprId texel_near(const ir::Place& place, ExprId texel);
     ExprId of_image(Op op, TypeId type, std::uint32_t slot, Operands operands);
 
-    // shared
+    // expand_expressions.cpp: for the other files
     ir::Place resolved(const ir::Place& place) const;
     /// In the direct form: the same path from the first parameter whose structure has the same state. Else the place
     /// itself.

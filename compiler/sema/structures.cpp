@@ -69,8 +69,8 @@ std::optional<MemoryText> read_memory(Context& c, ast::ExprId id) {
     return std::nullopt;
 }
 
-/// Whether the type is the name of a generic parameter: an error in the argument for it is then reported where that
-/// argument is given.
+/// Whether the type is the name of a generic parameter. If the argument for it holds an optional, that is reported
+/// where the argument is given.
 bool is_generic_name(const Body& body, ast::ExprId type) {
     const ast::Expr& expr = body.context[type];
     return expr.kind == ast::ExprKind::name && body.env.find(expr.name) != nullptr;
@@ -363,7 +363,8 @@ ir::ExprId domain_from_item(Body& body, const ast::Item& item, ir::TypeId wanted
     return check_value(body, c[function.body[0]].value, wanted);
 }
 
-/// What domain() of the first translator returns, with the structure's arguments in place of the translator's state.
+/// What domain() of the first translator returns, with the arguments that `via` gives the translator in place of its
+/// state. Absent if it has no domain().
 ir::ExprId domain_from_translator(Context& c, const ir::Structure& structure) {
     const ir::Translator& translator = c.program.translators[structure.via[0].translator];
     if (!translator.domain) return {};
@@ -564,8 +565,8 @@ ir::TypeId make_structure(Context& c, ast::DeclId id, const Env& env) {
         case ast::ItemKind::condition: break;
         }
     });
-    // `via` has an error. One in a translator may have been reported for an earlier structure: it does not count in
-    // `errors`.
+    // `via` has an error. If it lies in a translator, it may have been reported for an earlier structure: then
+    // error_count() still equals `errors`.
     if (has_via && c.program.structures[index].via.empty()) return c.types().error;
     if (c.diagnostics.error_count() == errors) finish_structure(body, index, domain, otherwise);
     if (c.diagnostics.error_count() == errors) add_blocks(c, env, index, blocks);
@@ -627,7 +628,7 @@ ir::TypeId make_adaptor(Context& c, ast::DeclId id, const Env& env) {
             break;
         }
         case ast::ItemKind::function:
-        case ast::ItemKind::pipeline: break;  // instantiated when called; what C++ programs may call, by check()
+        case ast::ItemKind::pipeline: break;  // checked where they are called; for C++ programs by check.cpp
         case ast::ItemKind::memory:
         case ast::ItemKind::via:
         case ast::ItemKind::otherwise: c.error(Diag::item_not_here, item.span, {"an adaptor"}); break;

@@ -11,7 +11,8 @@ namespace gliftc::host {
 
 namespace {
 
-/// Arguments for a function that accesses a row: the buffer, and the row's index in it, counted in vectors of four.
+/// Arguments for load_row, store_row, load_rows and store_rows of glift/host, which access rows of four consecutive
+/// scalars: the buffer, and the index of the (first) row, counted in such rows.
 std::string row_arguments(Body& body, std::uint32_t binding, ir::ExprId index) {
     body.used_bindings.insert(binding);
     return body.binding_names[binding] + ", " + cpp::print_any(body.p, index);

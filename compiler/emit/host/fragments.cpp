@@ -194,7 +194,7 @@ std::string fragment_part(cpp::Globals& globals, const ir::Pass& pass, const std
         print_depths(part);
     }
     p.out.line("[[maybe_unused]] std::uint64_t drawn = fragments.covered;");
-    p.out.line(std::string(part.is_split ? "" : "const ") +
+    p.out.line((statements.empty() ? "[[maybe_unused]] " : "") + std::string(part.is_split ? "" : "const ") +
                "std::uint64_t running = " + (part.has_helpers ? "glift::host::quads_of(drawn);" : "drawn;"));
     if (part.is_split) p.out.open("[&]");
     cpp::print_statements(p, statements);

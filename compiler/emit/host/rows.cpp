@@ -424,7 +424,10 @@ std::string row_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::s
     out.line("// " + cpp::place_text(globals.sources, kernel.span) + ": runs kernel " + kernel.display +
              " for the given rows.");
     out.line("GLIFT_HOST_KERNEL");
-    out.open("static void " + name + "_rows(const glift::HostCall& call, const glift::host::Rows& rows)");
+    const bool uses_call = !rows.body.used_parameters.empty() || !rows.body.used_bindings.empty() ||
+                           text.find("call.") != std::string::npos;
+    out.open("static void " + name + "_rows(" + (uses_call ? "" : "[[maybe_unused]] ") +
+             "const glift::HostCall& call, const glift::host::Rows& rows)");
     declare_used(rows.body, out, name);
     out.raw(text);
     out.close();

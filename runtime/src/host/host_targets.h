@@ -1,4 +1,4 @@
-// Targets of a draw as host code sees them.
+// Targets of draws on the host device: as its kernels access them, and as recordings keep them.
 #pragma once
 
 #include <glift/pass.h>

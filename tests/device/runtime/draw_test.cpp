@@ -300,7 +300,8 @@ float depth_slope(uint2 extent, const Corner* corners) {
     return static_cast<float>(std::abs(dx) + std::abs(dy));
 }
 
-/// Each pixel shows the same triangle on the host device as on Vulkan, except where depths are nearly equal.
+/// At most four pixels show another triangle on the host device than on Vulkan. In all others, depths and colours agree
+/// within bounds of rounding.
 TEST(DrawBeside, HostAndVulkanShowTheSame) {
     const glift::Device host = glift::Device::open("host"), vulkan = glift::Device::open(vulkan_name());
     const uint2 extent(320, 200);
