@@ -276,6 +276,53 @@ void emit_expect(Body& body, ir::StmtOp op, ir::Operands arguments, Span span) {
     emit(body, stmt);
 }
 
+Operand check_expect_true(Body& body, const std::vector<ast::ExprId>& arguments, const ast::Expr& call) {
+    ir::ExprId value = check_value(body, arguments[0], body.types().bool_);
+    if (is_error(body, value)) return error_operand(call.span);
+    emit_expect(body, ir::StmtOp::expect, {value}, call.span);
+    return no_value(body, call.span);
+}
+
+Operand check_expect_near(Body& body, const std::vector<ast::ExprId>& arguments, const ast::Expr& call) {
+    bool flexible = is_flexible(body.context, arguments[0]);
+    ir::ExprId a = check_value(body, arguments[flexible ? 1 : 0]);
+    ir::TypeId type = body.program().exprs[a].type;
+    ir::ExprId b = check_value(body, arguments[flexible ? 0 : 1], type);
+    if (is_error(body, a) || is_error(body, b)) return error_operand(call.span);
+    ir::ExprId tolerance = check_value(body, arguments[2], body.types().scalar_of(type));
+    if (is_error(body, tolerance)) return error_operand(call.span);
+    emit_expect(body, ir::StmtOp::expect_near, {a, b, tolerance}, call.span);
+    return no_value(body, call.span);
+}
+
+Operand check_expect_same(Body& body, const std::vector<ast::ExprId>& arguments, const ast::Expr& call) {
+    Context& c = body.context;
+    ir::Operands values;
+    std::vector<std::uint32_t> structures;
+    for (std::size_t i = 0; i < 2; ++i) {
+        Operand operand = declared(body, check(body, arguments[i]));
+        auto structure = structure_of(body, operand);
+        if (operand.kind == OperandKind::error) return operand;
+        if (!structure || body.program().structures[*structure].kind != ir::StructureKind::stored) {
+            Diagnostic& diagnostic = c.error(Diag::structure_wanted, c[arguments[i]].span, {"expect_same"});
+            if (structure && body.program().structures[*structure].kind == ir::StructureKind::view)
+                note(diagnostic, c[arguments[i]].span, "a view has no elements in memory: copy it into a structure");
+            return error_operand(call.span);
+        }
+        require_transfers(c, *structure, call.span);
+        structures.push_back(*structure);
+        values.push_back(to_value(body, operand));
+    }
+    const ir::Structure &a = body.program().structures[structures[0]], &b = body.program().structures[structures[1]];
+    if (a.element != b.element || a.domain_type != b.domain_type) {
+        c.error(Diag::type_mismatch, c[arguments[1]].span, {a.display, b.display});
+        return error_operand(call.span);
+    }
+    if (arguments.size() == 3) values.push_back(check_value(body, arguments[2], body.types().float_));
+    emit_expect(body, ir::StmtOp::expect_same, std::move(values), call.span);
+    return no_value(body, call.span);
+}
+
 std::optional<Operand> check_expect(Body& body, std::string_view name, const ast::Expr& call) {
     Context& c = body.context;
     std::vector<ast::ExprId> arguments = arguments_of(call);
@@ -292,50 +339,9 @@ std::optional<Operand> check_expect(Body& body, std::string_view name, const ast
         c.error(Diag::argument_count, call.span, {name, wanted, std::to_string(arguments.size())});
         return error_operand(call.span);
     }
-    if (!same && !near) {
-        ir::ExprId value = check_value(body, arguments[0], body.types().bool_);
-        if (is_error(body, value)) return error_operand(call.span);
-        emit_expect(body, ir::StmtOp::expect, {value}, call.span);
-        return no_value(body, call.span);
-    }
-    if (near) {
-        bool flexible = is_flexible(c, arguments[0]);
-        ir::ExprId a = check_value(body, arguments[flexible ? 1 : 0]);
-        ir::TypeId type = body.program().exprs[a].type;
-        ir::ExprId b = check_value(body, arguments[flexible ? 0 : 1], type);
-        if (is_error(body, a) || is_error(body, b)) return error_operand(call.span);
-        ir::ExprId tolerance = check_value(body, arguments[2], body.types().scalar_of(type));
-        if (is_error(body, tolerance)) return error_operand(call.span);
-        emit_expect(body, ir::StmtOp::expect_near, {a, b, tolerance}, call.span);
-        return no_value(body, call.span);
-    }
-    ir::Operands values;
-    std::vector<std::uint32_t> structures;
-    for (std::size_t i = 0; i < 2; ++i) {
-        Operand operand = declared(body, check(body, arguments[i]));
-        auto structure = structure_of(body, operand);
-        if (operand.kind == OperandKind::error) return operand;
-        if (!structure || body.program().structures[*structure].kind != ir::StructureKind::stored) {
-            Diagnostic& diagnostic = c.error(Diag::structure_wanted, c[arguments[i]].span, {name});
-            if (structure && body.program().structures[*structure].kind == ir::StructureKind::view)
-                note(diagnostic, c[arguments[i]].span, "a view has no elements in memory: copy it into a structure");
-            return error_operand(call.span);
-        }
-        require_transfers(c, *structure, call.span);
-        structures.push_back(*structure);
-        values.push_back(to_value(body, operand));
-    }
-    bool comparable =
-        body.program().structures[structures[0]].element == body.program().structures[structures[1]].element &&
-        body.program().structures[structures[0]].domain_type == body.program().structures[structures[1]].domain_type;
-    if (!comparable) {
-        c.error(Diag::type_mismatch, c[arguments[1]].span,
-                {body.program().structures[structures[0]].display, body.program().structures[structures[1]].display});
-        return error_operand(call.span);
-    }
-    if (arguments.size() == 3) values.push_back(check_value(body, arguments[2], body.types().float_));
-    emit_expect(body, ir::StmtOp::expect_same, std::move(values), call.span);
-    return no_value(body, call.span);
+    return same   ? check_expect_same(body, arguments, call)
+           : near ? check_expect_near(body, arguments, call)
+                  : check_expect_true(body, arguments, call);
 }
 
 /// Checks `temp name = Structure(arguments);`, or a `let` or `var` without a written type whose value is a call or a

@@ -12,9 +12,9 @@ namespace std_array {
 
 #ifndef GLIFT_std_array_HAS_Array_1_float_none_buffer
 #define GLIFT_std_array_HAS_Array_1_float_none_buffer
-/// Array<1, float, none, buffer>. A dense N-D array. Memory: one element an address; image2d, whole rows. What
-/// reads outside give is up to `edge`, by default zero; writes outside are discarded. Lefohn's thesis (Glift:
-/// Generic Data Structures for Graphics Hardware, 2006), section 9.1.
+/// Array<1, float, none, buffer>. A dense N-D array. Memory: one element per address; image2d rounds up to whole
+/// rows. `edge` says what reads outside give, by default zero; writes outside are discarded. Lefohn's thesis
+/// (Glift: Generic Data Structures for Graphics Hardware, 2006), section 9.1.
 class Array_1_float_none_buffer : public glift::Structure<Array_1_float_none_buffer, glift::uint, float> {
 public:
     static constexpr const char* type_name = "Array<1, float, none, buffer>";
@@ -69,9 +69,9 @@ namespace std_array {
 
 #ifndef GLIFT_std_array_HAS_Array_1_uint_none_buffer
 #define GLIFT_std_array_HAS_Array_1_uint_none_buffer
-/// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element an address; image2d, whole rows. What reads
-/// outside give is up to `edge`, by default zero; writes outside are discarded. Lefohn's thesis (Glift: Generic
-/// Data Structures for Graphics Hardware, 2006), section 9.1.
+/// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element per address; image2d rounds up to whole
+/// rows. `edge` says what reads outside give, by default zero; writes outside are discarded. Lefohn's thesis
+/// (Glift: Generic Data Structures for Graphics Hardware, 2006), section 9.1.
 class Array_1_uint_none_buffer : public glift::Structure<Array_1_uint_none_buffer, glift::uint, glift::uint> {
 public:
     static constexpr const char* type_name = "Array<1, uint, none, buffer>";

@@ -15,7 +15,7 @@ void main() {
     // near.glift:9
     uvec3 address = gl_GlobalInvocationID * uvec3(1u, 2u, 1u);
     if (any(greaterThanEqual(address, f_extent))) return;
-    // Each invocation takes two elements: its own and, if there is one, that in the next row.
+    // Each invocation takes two elements: its own, and the one in the next row if there is one.
     uint f_extent_yx = f_extent.y * f_extent.x;
     bool has_next = address.y + 1u < f_extent.y;
     uint f_at = (address.z * f_extent.y + address.y) * f_extent.x + address.x;

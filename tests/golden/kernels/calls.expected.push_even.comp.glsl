@@ -18,7 +18,7 @@ layout(scalar, set = 0, binding = 3) coherent buffer Bag_top_data { uint bag_top
 layout(scalar, set = 0, binding = 4) writeonly buffer Bag_items_data { uint bag_items_data[]; };
 layout(scalar, set = 0, binding = 5) buffer Lost_data { uint lost_data[]; };
 
-// True on lavapipe, where a fence ends the subgroups that do not reach it: none is used.
+// True on lavapipe, where a fence would end the subgroups that do not reach it: then no fence is used.
 layout(constant_id = 102) const bool fences_are_barriers = false;
 #define load_acquire(place) (fences_are_barriers ? atomicOr(place, 0) : atomicLoad(place, gl_ScopeDevice, gl_StorageSemanticsBuffer, gl_SemanticsAcquire))
 #define store_release(place, value) if (fences_are_barriers) atomicExchange(place, value); else atomicStore(place, value, gl_ScopeDevice, gl_StorageSemanticsBuffer, gl_SemanticsRelease)

@@ -14,7 +14,7 @@ layout(push_constant, scalar) uniform Parameters {
 layout(scalar, set = 0, binding = 1) coherent buffer State_data { uint state_data[]; };
 layout(scalar, set = 0, binding = 2) writeonly buffer To_data { uint to_data[]; };
 
-// True on lavapipe, where a fence ends the subgroups that do not reach it: none is used.
+// True on lavapipe, where a fence would end the subgroups that do not reach it: then no fence is used.
 layout(constant_id = 102) const bool fences_are_barriers = false;
 #define load_acquire(place) (fences_are_barriers ? atomicOr(place, 0) : atomicLoad(place, gl_ScopeDevice, gl_StorageSemanticsBuffer, gl_SemanticsAcquire))
 #define store_release(place, value) if (fences_are_barriers) atomicExchange(place, value); else atomicStore(place, value, gl_ScopeDevice, gl_StorageSemanticsBuffer, gl_SemanticsRelease)

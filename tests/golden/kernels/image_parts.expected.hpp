@@ -10,9 +10,10 @@ namespace std_image {
 
 #ifndef GLIFT_std_image_HAS_ImageLevels_r32f
 #define GLIFT_std_image_HAS_ImageLevels_r32f
-/// ImageLevels<r32f>. A 2-D image with levels, each of half the extent of the one before, rounded down and no less
-/// than a texel: at most 1 + log2 of the larger side. Elements are those of level 0; `sample(x, level)` is filtered
-/// within a level, x in texels of level 0, the last level where `level` is larger.
+/// ImageLevels<r32f>. A 2-D image with `levels` levels, each of half the extent of the one before, rounded down and
+/// no less than a texel. There may be 1 + floor(log2(larger side)) of them. Elements are those of level 0;
+/// `sample(x, level)` is filtered within a level, x in texels of level 0; a `level` beyond the last one means the
+/// last one.
 class ImageLevels_r32f : public glift::Structure<ImageLevels_r32f, glift::uint2, float> {
 public:
     static constexpr const char* type_name = "ImageLevels<r32f>";

@@ -20,7 +20,7 @@ void main() {
     // image_parts.glift:13
     uvec2 address = gl_GlobalInvocationID.xy * uvec2(1u, 2u);
     if (any(greaterThanEqual(address, a_data_extent))) return;
-    // Each invocation takes two elements: its own and, if there is one, that in the next row.
+    // Each invocation takes two elements: its own, and the one in the next row if there is one.
     uint value = address.y + 1u;
     bool has_next = value < a_data_extent.y;
     uint next_y = has_next ? value : address.y;

@@ -15,7 +15,7 @@ layout(scalar, set = 0, binding = 2) writeonly buffer To_data { uint to_data[]; 
 
 shared uint values[64];
 
-// True on lavapipe, where a fence ends the subgroups that do not reach it: none is used.
+// True on lavapipe, where a fence would end the subgroups that do not reach it: then no fence is used.
 layout(constant_id = 102) const bool fences_are_barriers = false;
 
 void main() {

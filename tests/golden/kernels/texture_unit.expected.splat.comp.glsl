@@ -18,7 +18,7 @@ layout(set = 0, binding = 2, r32i) uniform iimage2D nearest_data;
 layout(scalar, set = 0, binding = 3) buffer Farthest_data { int farthest_data[]; };
 layout(set = 0, binding = 4, r32ui) coherent uniform uimage2D marks_data;
 
-// True on lavapipe, where a fence ends the subgroups that do not reach it: none is used.
+// True on lavapipe, where a fence would end the subgroups that do not reach it: then no fence is used.
 layout(constant_id = 102) const bool fences_are_barriers = false;
 #define texel_load_acquire(image, at) (fences_are_barriers ? imageAtomicOr(image, at, 0) : imageAtomicLoad(image, at, gl_ScopeDevice, gl_StorageSemanticsBuffer | gl_StorageSemanticsImage, gl_SemanticsAcquire))
 #define texel_store_release(image, at, value) if (fences_are_barriers) imageAtomicExchange(image, at, value); else imageAtomicStore(image, at, value, gl_ScopeDevice, gl_StorageSemanticsBuffer | gl_StorageSemanticsImage, gl_SemanticsRelease)

@@ -18,7 +18,7 @@ void main() {
     // device_values.glift:24
     uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= result_extent) return;
-    // Each invocation takes two elements: its own and, if there is one, that a workgroup's width further.
+    // Each invocation takes two elements: its own, and the one a workgroup's width further on if there is one.
     uint value = address + 256u;
     bool has_next = value < result_extent;
     uint next = has_next ? value : address;

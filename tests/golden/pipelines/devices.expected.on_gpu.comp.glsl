@@ -14,7 +14,7 @@ void main() {
     // devices.glift:16
     uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= to_extent) return;
-    // Each invocation takes two elements: its own and, if there is one, that a workgroup's width further.
+    // Each invocation takes two elements: its own, and the one a workgroup's width further on if there is one.
     uint value = address + 256u;
     bool has_next = value < to_extent;
     uint next = has_next ? value : address;

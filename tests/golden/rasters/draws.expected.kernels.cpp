@@ -63,7 +63,7 @@ static void draw_mesh_direct_fragment(const void* pointer, const glift::host::Fr
         // draws.glift:25
         derived[pixel] = world;
     }
-    // Derivatives: all pixels of each quad have the value now.
+    // All pixels of each quad have computed the value whose derivative follows.
     for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
         [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
         const float3 normal = glift::normalize(glift::cross(glift::host::dFdx(derived, pixel),
@@ -160,7 +160,7 @@ static void draw_mesh_general_fragment(const void* pointer, const glift::host::F
         // draws.glift:25
         derived[pixel] = world;
     }
-    // Derivatives: all pixels of each quad have the value now.
+    // All pixels of each quad have computed the value whose derivative follows.
     for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
         [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
         const float3 normal = glift::normalize(glift::cross(glift::host::dFdx(derived, pixel),
@@ -265,7 +265,7 @@ static void draw_mesh_wide_fragment(const void* pointer, const glift::host::Frag
         // draws.glift:25
         derived[pixel] = world;
     }
-    // Derivatives: all pixels of each quad have the value now.
+    // All pixels of each quad have computed the value whose derivative follows.
     for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
         [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
         const float3 normal = glift::normalize(glift::cross(glift::host::dFdx(derived, pixel),
@@ -641,7 +641,7 @@ static void even_direct_fragment(const void* pointer, const glift::host::Fragmen
         derived_2[pixel] = factor;
         derived_3[pixel] = factor_2;
     }
-    // Derivatives: all pixels of each quad have the value now.
+    // All pixels of each quad have computed the value whose derivative follows.
     for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
         [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
         image[pixel] = float4(glift::host::dFdx(derived, pixel), glift::host::dFdy(derived_2, pixel),
@@ -716,7 +716,7 @@ static void even_general_fragment(const void* pointer, const glift::host::Fragme
         derived_2[pixel] = factor;
         derived_3[pixel] = factor_2;
     }
-    // Derivatives: all pixels of each quad have the value now.
+    // All pixels of each quad have computed the value whose derivative follows.
     for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
         [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
         image[pixel] = float4(glift::host::dFdx(derived, pixel), glift::host::dFdy(derived_2, pixel),
@@ -796,7 +796,7 @@ static void even_wide_fragment(const void* pointer, const glift::host::Fragments
         derived_2[pixel] = factor;
         derived_3[pixel] = factor_2;
     }
-    // Derivatives: all pixels of each quad have the value now.
+    // All pixels of each quad have computed the value whose derivative follows.
     for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
         [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
         image[pixel] = float4(glift::host::dFdx(derived, pixel), glift::host::dFdy(derived_2, pixel),

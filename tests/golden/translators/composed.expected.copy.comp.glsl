@@ -15,7 +15,7 @@ void main() {
     // composed.glift:24
     uvec2 address = gl_GlobalInvocationID.xy * uvec2(1u, 2u);
     if (any(greaterThanEqual(address, f_extent))) return;
-    // Each invocation takes two elements: its own and, if there is one, that in the next row.
+    // Each invocation takes two elements: its own, and the one in the next row if there is one.
     bool has_next = address.y + 1u < f_extent.y;
     uint f_at = address.x * f_extent.y + address.y;
     float g = f_data[f_at];

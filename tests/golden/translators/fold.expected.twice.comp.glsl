@@ -14,7 +14,7 @@ void main() {
     // fold.glift:31
     uvec3 address = gl_GlobalInvocationID * uvec3(1u, 2u, 1u);
     if (any(greaterThanEqual(address, f_extent))) return;
-    // Each invocation takes two elements: its own and, if there is one, that in the next row.
+    // Each invocation takes two elements: its own, and the one in the next row if there is one.
     bool has_next = address.y + 1u < f_extent.y;
     uint f_i = (address.z * f_extent.y + address.y) * f_extent.x + address.x;
     uvec2 f_at = uvec2(f_i % 64u, f_i / 64u);
