@@ -70,6 +70,13 @@ TEST_P(Loops, ThatNoInvocationEnters) {
     expect("rarely", "loops.glift:93", true, 64, 40000, [&](Line& line) { loops::rarely(device, line, 40000); });
 }
 
+TEST_P(Loops, InAConditionThatNoInvocationEvaluates) {
+    expect("rarely_asks", "loops.glift:122", false, 64, 30000,
+           [&](Line& line) { loops::rarely_asks(device, line, 30000); });
+    expect("rarely_asks", "loops.glift:122", true, 64, 40000,
+           [&](Line& line) { loops::rarely_asks(device, line, 40000); });
+}
+
 TEST_P(Loops, WhoseEndsWeighAsMuchAsTheirRounds) {
     expect("ends", "loops.glift:108", true, 64, 12000, [&](Line& line) { loops::ends(device, line); });
 }
