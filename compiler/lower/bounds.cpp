@@ -39,12 +39,6 @@ std::optional<BinaryOp> comparison_of(Intrinsic intrinsic) {
     }
 }
 
-/// The number of a structure among those that the constructor is given, for a member that is one of them.
-std::size_t number_of_given(const Structure& s, std::uint32_t member) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(s.members.begin(), s.members.begin() + member, &MemberStructure::by_reference));
-}
-
 /// Replaces the end of a path that leads to a structure which a member was given by the path from its maker to that
 /// structure; empty if the path has no such end. Paths go from member to member.
 std::vector<std::uint32_t> with_giver(const Program& p, const Structure& whole,
@@ -54,7 +48,8 @@ std::vector<std::uint32_t> with_giver(const Program& p, const Structure& whole,
         const MemberStructure& member = owner->members[path[i]];
         const Structure& made = p.structures[member.structure];
         if (!member.by_reference && made.members[path[i + 1]].by_reference) {
-            const Place& giver = member.structures[number_of_given(made, path[i + 1])];
+            // Members by reference come first, in the order of the constructor's structure arguments.
+            const Place& giver = member.structures[path[i + 1]];
             std::vector<std::uint32_t> result(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(i));
             result.insert(result.end(), giver.members.begin(), giver.members.end());
             result.insert(result.end(), path.begin() + static_cast<std::ptrdiff_t>(i) + 2, path.end());

@@ -70,7 +70,7 @@ private:
     /// As of_structure, for sizes: the runtime computes them exactly, and makes no structure whose sizes are too large.
     Parts of_size(ir::ExprId id);
     Parts of_domain();
-    /// Sets sizes_, once.
+    /// Sets sizes_ when the first expression is followed, after the calls of set_member.
     void find_sizes();
     Parts of(ir::ExprId id);
     Parts of_construct(const ir::Expr& node);
@@ -94,6 +94,7 @@ private:
     symbolic::Sum quotient(const symbolic::Sum& a, const symbolic::Sum& b);
     symbolic::Sum exact_quotient(const symbolic::Sum& a, const symbolic::Sum& by);
     symbolic::Sum remainder(const symbolic::Sum& a, const symbolic::Sum& b);
+    std::optional<symbolic::Sum> least_of(const symbolic::Sum& a, const symbolic::Sum& b);
     symbolic::Sum smaller(const symbolic::Sum& a, const symbolic::Sum& b);
     symbolic::Sum larger(const symbolic::Sum& a, const symbolic::Sum& b);
     symbolic::Sum at_least_one(const symbolic::Sum& sum);

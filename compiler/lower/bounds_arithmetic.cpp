@@ -124,16 +124,23 @@ Sum Following::remainder(const Sum& a, const Sum& b) {
                            varies || symbols.varies(a));
 }
 
+/// 1 or 0, the larger one that both numbers are known to reach; none if one of them may be negative.
+std::optional<Sum> Following::least_of(const Sum& a, const Sum& b) {
+    if (!symbols.is_natural(a) || !symbols.is_natural(b)) return std::nullopt;
+    const auto is_positive = [&](const Sum& sum) { return fits(sum) && symbols.is_natural(sum - number(1)); };
+    return number(is_positive(a) && is_positive(b) ? 1 : 0);
+}
+
 Sum Following::smaller(const Sum& a, const Sum& b) {
-    const bool fit = fits(a) && fits(b);
-    if (fit && symbols.is_at_most(a, b)) return a;
-    if (fit && symbols.is_at_most(b, a)) return b;
-    const bool is_positive = fit && symbols.is_natural(a - number(1)) && symbols.is_natural(b - number(1));
-    const Sum low = number(is_positive ? 1 : 0);
+    if (fits(a) && fits(b)) {
+        if (symbols.is_at_most(a, b)) return a;
+        if (symbols.is_at_most(b, a)) return b;
+    }
     std::optional<Sum> high = !symbols.varies(b) ? b : !symbols.varies(a) ? a : symbols.highest(a);
     // The smaller of two numbers is no more than half of their sum.
     if (symbols.varies(a) && !symbols.varies(a + b)) high = exact_quotient(a + b, number(2));
-    return symbols.applied({operation_of(Intrinsic::min), {a, b}}, {low, high}, symbols.varies(a) || symbols.varies(b));
+    return symbols.applied({operation_of(Intrinsic::min), {a, b}}, {least_of(a, b), high},
+                           symbols.varies(a) || symbols.varies(b));
 }
 
 Sum Following::larger(const Sum& a, const Sum& b) {
@@ -173,11 +180,7 @@ Part Following::chosen(const Part& condition, const Part& yes, const Part& no) {
     if (yes.sum == no.sum) return yes;
     const bool varies = symbols.varies(condition.sum) || symbols.varies(yes.sum) || symbols.varies(no.sum);
     if (varies) return joined(yes, no);
-    std::optional<Sum> low;
-    for (int least : {0, 1})
-        if (symbols.is_natural(yes.sum - number(least)) && symbols.is_natural(no.sum - number(least)) &&
-            (least == 0 || (fits(yes.sum) && fits(no.sum))))
-            low = number(least);
+    const std::optional<Sum> low = least_of(yes.sum, no.sum);
     return part_of(symbols.applied({choice, {condition.sum, yes.sum, no.sum}}, {low, std::nullopt}, false));
 }
 

@@ -62,11 +62,9 @@ void add_tables(const ir::Program& program, ir::Translator& translator) {
     }
 }
 
-}  // namespace
-
 /// Whether several virtual addresses may have one physical address, as the attributes of a translator say it; reports
 /// those that contradict each other or `invert`.
-static void declare_mapping(Context& c, ir::Translator& translator, const std::vector<ast::Attribute>& attributes) {
+void declare_mapping(Context& c, ir::Translator& translator, const std::vector<ast::Attribute>& attributes) {
     const auto find = [&](std::string_view name) {
         const auto has_name = [&](const ast::Attribute& each) { return c.text(each.name.name) == name; };
         const auto found = std::ranges::find_if(attributes, has_name);
@@ -85,6 +83,8 @@ static void declare_mapping(Context& c, ir::Translator& translator, const std::v
         note(c.error(Diag::mapping_contradicts, many->span, {translator.display}), one->span,
              "declared one-to-one here");
 }
+
+}  // namespace
 
 void infer_properties(Context& c, std::uint32_t index, const ast::Decl& decl) {
     Flow flow;

@@ -101,6 +101,14 @@ std::string place_arguments(const Printer& p, Span span) {
 
 namespace {
 
+std::uint32_t loops_in(const Printer& p, const std::vector<ir::StmtId>& body);
+
+/// The number of loops in the function that a node calls; 0 if the node is no call.
+std::uint32_t loops_in_callee(const Printer& p, ir::ExprId id) {
+    const ir::Expr& node = p.program.exprs[id];
+    return node.op == ir::Op::call ? loops_in(p, p.program.functions[node.function].body) : 0;
+}
+
 /// The number of loops in the statements and in the functions that they call.
 std::uint32_t loops_in(const Printer& p, const std::vector<ir::StmtId>& body) {
     std::uint32_t loops = 0;
@@ -110,21 +118,14 @@ std::uint32_t loops_in(const Printer& p, const std::vector<ir::StmtId>& body) {
                                 stored_as_bits(p, p.pass.bindings[stmt.slot]);
         loops += stmt.op == ir::StmtOp::for_ || stmt.op == ir::StmtOp::while_ || is_retried;
     });
-    for_each_expression(p.program, body, [&](ir::ExprId id) {
-        const ir::Expr& node = p.program.exprs[id];
-        if (node.op == ir::Op::call) loops += loops_in(p, p.program.functions[node.function].body);
-    });
+    for_each_expression(p.program, body, [&](ir::ExprId id) { loops += loops_in_callee(p, id); });
     return loops;
 }
 
 /// The number of loops in the functions that an expression, if there is one, calls.
 std::uint32_t loops_called(const Printer& p, ir::ExprId id) {
     std::uint32_t loops = 0;
-    if (!id) return loops;
-    for_each_node(p.program, id, [&](ir::ExprId each) {
-        const ir::Expr& node = p.program.exprs[each];
-        if (node.op == ir::Op::call) loops += loops_in(p, p.program.functions[node.function].body);
-    });
+    if (id) for_each_node(p.program, id, [&](ir::ExprId each) { loops += loops_in_callee(p, each); });
     return loops;
 }
 
