@@ -88,7 +88,8 @@ public:
         ExprId value;
     };
     std::vector<NearValue> near_values;
-    /// The offsets that are read of each near parameter; absent if a function that is not inlined reads some.
+    /// The offsets that are read of each near parameter, except those whose structure has neighbours outside of its
+    /// domain; absent if a function that is not inlined reads some.
     std::optional<NearOffsets> near_offsets = NearOffsets();
     std::vector<Halo> halos;  ///< with Guards::block: the local copies from which neighbours are read
     /// A guard of neighbour reads at positive y: at + distance < extent.
@@ -373,6 +374,7 @@ private:
     // inside.cpp
     bool is_asking_inside(std::uint32_t root, ExprId condition, ExprId address);
     ExprId without_inside(std::uint32_t root, ExprId condition, ExprId address, bool& asked);
+    bool maps_outside(std::uint32_t root);
 
     // sample.cpp
     ExprId sample(const ir::Expr& node);
@@ -440,9 +442,15 @@ private:
     Block prelude_;               ///< statements before the body, mostly addresses of the current element
     Span span_;                   ///< source location of the statement that is being expanded
     std::unordered_map<std::uint32_t, Pair> centres_;
+    std::unordered_map<std::uint32_t, bool> maps_outside_;  ///< what maps_outside found, by parameter
     std::unordered_map<std::uint32_t, ExprId> addresses_;
     OwnBlock block_;
-    std::vector<ValueNumber> known_;  ///< numbers of conditions that hold for the code that is being expanded
+    /// A condition whose value is known for the code that is being expanded.
+    struct Fact {
+        ValueNumber condition;
+        bool holds = true;
+    };
+    std::vector<Fact> known_;
     InlineSizes inline_sizes_{cx.p};
     TreeSizes tree_sizes_{cx};
     std::unordered_map<ir::FunctionId, bool> windows_, long_zeros_;

@@ -256,7 +256,7 @@ Pair Expander::looked_up(const Halo& halo, const Copied& copied, Block& inner) {
     const Place place{halo.root, {}};
     Pair physical;
     const Block made = collect([&] {
-        known_.push_back(numbers_.of(inside_domain(place, copied.address)));
+        known_.push_back({numbers_.of(inside_domain(place, copied.address))});
         physical = translated(place, copied.address, copied.name);
         known_.pop_back();
         bool asked = false;

@@ -152,13 +152,14 @@ Pair Expander::run(const std::vector<StmtId>& body) {
     return {};
 }
 
-/// The condition, or a constant if known_ says that it or its negation holds.
+/// The condition, or a constant if its value follows from known_.
 ExprId Expander::decided(ExprId condition) {
     if (known_.empty()) return condition;
     const Expr& node = p.exprs[condition];
     const bool is_negated = node.op == Op::unary && node.unary == UnaryOp::logical_not;
     const ValueNumber number = numbers_.of(is_negated ? node.operands[0] : condition);
-    return std::ranges::find(known_, number) == known_.end() ? condition : make.truth(!is_negated);
+    const auto fact = std::ranges::find(known_, number, &Fact::condition);
+    return fact == known_.end() ? condition : make.truth(fact->holds != is_negated);
 }
 
 Pair Expander::run_returning_if(const Stmt& stmt, const std::vector<StmtId>& rest) {

@@ -35,4 +35,21 @@ ExprId Expander::without_inside(std::uint32_t root, ExprId condition, ExprId add
     return make.both(left, right);
 }
 
+/// Whether the structure of a near parameter has neighbours outside of its domain: its first translator is partial and
+/// maps addresses that are not inside, as `Edge` does where it repeats a box.
+bool Expander::maps_outside(std::uint32_t root) {
+    const Place place{root, {}};
+    if (is_total(cx.structure_at(place))) return false;
+    const auto [found, is_new] = maps_outside_.try_emplace(root, true);
+    if (!is_new) return found->second;
+    const ExprId address = make.local(cx.new_local("address", make.type(centre_address(root)), span_));
+    const std::vector<Fact> known = std::exchange(known_, {{numbers_.of(inside_domain(place, address)), false}});
+    Pair physical;
+    collect([&] { physical = inside(Frame{}, [&] { return translated(place, address, "outside"); }); });
+    known_ = known;
+    bool asked = physical.has && make.is_false(physical.has);
+    without_inside(root, physical.has, address, asked);
+    return found->second = !asked;
+}
+
 }  // namespace gliftc::lower

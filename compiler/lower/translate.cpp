@@ -215,7 +215,7 @@ Pair Expander::centre(std::uint32_t root) {
         inside(std::move(frame), [&] {
             // Except in kernels with a group and in draws, the current element is known to be in the domain.
             const bool is_inside = !cx.kernel.grouped() && cx.structure_at({root, {}}).domain && !cx.kernel.raster;
-            if (is_inside) known_.push_back(numbers_.of(inside_domain({root, {}}, address)));
+            if (is_inside) known_.push_back({numbers_.of(inside_domain({root, {}}, address))});
             Pair at = translated({root, {}}, address, name);
             if (is_inside) known_.pop_back();
             bool asked = false;

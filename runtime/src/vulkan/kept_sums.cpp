@@ -1,6 +1,7 @@
 #include "kept_sums.h"
 
 #include "spirv_module.h"
+#include "unknown_bit.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -89,15 +90,18 @@ private:
 class Keeping {
 public:
     explicit Keeping(SpirvWords spirv) : spirv_(spirv), next_id_(spirv[spirv_bound_word]) {
-        for_each_instruction(spirv, [&](std::uint32_t op, SpirvWords w) { read(op, w); });
+        for_each_instruction(spirv, [&](std::uint32_t op, SpirvWords w) {
+            bit_.read(op, w);
+            read(op, w);
+        });
     }
 
     Module kept() {
-        if (invocation_ == 0 || uint3_ == 0 || float_ == 0) return {spirv_.begin(), spirv_.end()};
+        if (!bit_.exists() || float_ == 0) return {spirv_.begin(), spirv_.end()};
         const Known known(spirv_);
         Module module(spirv_.begin(), spirv_.begin() + spirv_header_words);
         for_each_instruction(spirv_, [&](std::uint32_t op, SpirvWords w) {
-            if (op == function && shift_ == 0) write_constants(module);
+            if (op == function && sign_ == 0) write_constants(module);
             const bool adds = (op == f_add || op == f_sub) && known.contains(w[3]) && known.contains(w[4]);
             const std::uint32_t left = adds ? hide(module, w[1], w[3]) : 0;
             const std::size_t at = module.size();
@@ -111,33 +115,21 @@ public:
 private:
     void read(std::uint32_t op, SpirvWords w) {
         switch (op) {
-        case decorate:
-            if (w.size() == 4 && w[2] == built_in && w[3] == global_invocation_id) invocation_ = w[1];
-            break;
-        case type_int:
-            if (w[2] == 32 && w[3] == 0) uint_ = w[1];
-            break;
         case type_float:
             if (w[2] == 32) float_ = w[1];
             break;
-        case type_vector:
-            vectors_.emplace(w[1], Vector{w[2], w[3]});
-            if (w[2] == uint_ && w[3] == 3) uint3_ = w[1];
-            break;
+        case type_vector: vectors_.emplace(w[1], Vector{w[2], w[3]}); break;
         default: break;
         }
     }
 
     void write_constants(Module& module) {
-        shift_ = fresh();
+        bit_.declare(module, next_id_);
         sign_ = fresh();
-        append(module, constant, {uint_, shift_, 31});
-        append(module, constant, {uint_, sign_, negative_zero});
+        append(module, constant, {bit_.type(), sign_, negative_zero});
     }
 
-    /// -0, or a vector of it, which the driver does not know: its bits are or-ed with the top bit of the x of the
-    /// invocation's global number, which is never set. (The lowest bit of x * (x + 1) would not do: the driver knows
-    /// that it is 0.)
+    /// -0, or a vector of it, which the driver does not know: its bits are or-ed with an unknown bit.
     std::uint32_t unknown_zero(Module& module, std::uint32_t type) {
         if (const auto vector = vectors_.find(type); vector != vectors_.end()) {
             const std::uint32_t part = unknown_zero(module, vector->second.component), result = fresh();
@@ -146,11 +138,8 @@ private:
             module.insert(module.end(), vector->second.count, part);
             return result;
         }
-        const std::uint32_t all = fresh(), first = fresh(), bit = fresh(), bits = fresh(), single = fresh();
-        append(module, load, {uint3_, all, invocation_});
-        append(module, composite_extract, {uint_, first, all, 0});
-        append(module, shift_right_logical, {uint_, bit, first, shift_});
-        append(module, bitwise_or, {uint_, bits, bit, sign_});
+        const std::uint32_t bit = bit_.emit(module, next_id_), bits = fresh(), single = fresh();
+        append(module, bitwise_or, {bit_.type(), bits, bit, sign_});
         append(module, bitcast, {float_, single, bits});
         if (type == float_) return single;
         const std::uint32_t result = fresh();
@@ -170,7 +159,8 @@ private:
         std::uint32_t component, count;
     };
     SpirvWords spirv_;
-    std::uint32_t next_id_, uint_ = 0, uint3_ = 0, float_ = 0, invocation_ = 0, shift_ = 0, sign_ = 0;
+    std::uint32_t next_id_, float_ = 0, sign_ = 0;
+    UnknownBit bit_;
     std::unordered_map<std::uint32_t, Vector> vectors_;
 };
 

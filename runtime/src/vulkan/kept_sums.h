@@ -14,7 +14,7 @@
 namespace glift::detail {
 
 /// The same module, without sums and differences of floats that the driver may compute. Modules without the
-/// invocation's global number among their inputs (draws, kernels with groups that do not ask for it) stay as they are.
+/// invocation's or the workgroup's number among their inputs (draws) stay as they are.
 std::vector<std::uint32_t> with_kept_sums(std::span<const std::uint32_t> spirv);
 
 }  // namespace glift::detail

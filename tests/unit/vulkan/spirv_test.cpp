@@ -1,4 +1,5 @@
 #include "float_controls.h"
+#include "hidden_limits.h"
 #include "hidden_zeros.h"
 #include "kept_sums.h"
 
@@ -162,6 +163,77 @@ TEST(KeptSums, CombineConstantsWithWhatTheDriverDoesNotKnow) {
         EXPECT_THAT(std::make_pair(text, before), testing::Pair(Not(HasSubstr(gone)), HasSubstr(gone)));
     for (const char* stays : {"%41 = OpFAdd %float %float_22642620 %24", "%45 = OpFSub %float %44 %float_22642620"})
         EXPECT_THAT(text, HasSubstr(stays));
+}
+
+/// A shader that compares a number of the workgroup (%23) with 0, 1 and 2, and stores `begin` to a variable.
+std::string limits(const std::string& begin) {
+    return R"(
+    OpCapability Shader
+    OpMemoryModel Logical GLSL450
+    OpEntryPoint GLCompute %4 "main" %20
+    OpExecutionMode %4 LocalSize 1 1 1
+    OpDecorate %20 BuiltIn WorkgroupId
+    %2 = OpTypeVoid
+    %3 = OpTypeFunction %2
+    %5 = OpTypeBool
+    %7 = OpTypeInt 32 1
+    %8 = OpTypeInt 32 0
+    %9 = OpTypeVector %8 3
+    %10 = OpConstant %7 0
+    %11 = OpConstant %7 1
+    %12 = OpConstant %7 2
+    %13 = OpConstant %7 )" +
+           begin + R"(
+    %14 = OpTypePointer Input %9
+    %15 = OpTypePointer Function %7
+    %20 = OpVariable %14 Input
+    %4 = OpFunction %2 None %3
+    %21 = OpLabel
+    %30 = OpVariable %15 Function
+    OpStore %30 %13
+    %22 = OpLoad %9 %20
+    %24 = OpCompositeExtract %8 %22 0
+    %23 = OpBitcast %7 %24
+    %40 = OpSLessThan %5 %23 %11
+    %41 = OpSLessThanEqual %5 %23 %10
+    %42 = OpSGreaterThan %5 %11 %23
+    %43 = OpSGreaterThanEqual %5 %10 %23
+    %44 = OpSGreaterThan %5 %23 %10
+    %45 = OpSGreaterThanEqual %5 %23 %11
+    %46 = OpSLessThan %5 %10 %23
+    %47 = OpSLessThanEqual %5 %11 %23
+    %50 = OpSLessThan %5 %23 %10
+    %51 = OpSLessThan %5 %23 %12
+    %52 = OpSGreaterThan %5 %23 %11
+    OpReturn
+    OpFunctionEnd
+)";
+}
+
+/// The comparisons that stand unchanged in the text of a module, by id.
+std::vector<int> unchanged(const std::string& text, const std::string& before) {
+    std::vector<int> result;
+    for (int id = 40; id <= 52; ++id) {
+        const std::string start = "%" + std::to_string(id) + " = Op";
+        const std::size_t at = before.find(start);
+        if (at == std::string::npos) continue;
+        const std::string whole = before.substr(at, before.find('\n', at) - at);
+        if (text.find(whole) != std::string::npos) result.push_back(id);
+    }
+    return result;
+}
+
+TEST(HiddenLimits, AreThoseThatTellZeroFromOne) {
+    const std::vector<std::uint32_t> before = assembled(limits("-2")), hidden = with_hidden_limits(before);
+    EXPECT_EQ(error_of(hidden), "") << disassembled(hidden);
+    EXPECT_THAT(unchanged(disassembled(hidden), disassembled(before)), testing::ElementsAre(50, 51, 52));
+}
+
+TEST(HiddenLimits, AreInModulesAloneWithLoopsThatMayGoWrong) {
+    for (const char* begin : {"-1", "3"}) {
+        const std::vector<std::uint32_t> before = assembled(limits(begin));
+        EXPECT_EQ(with_hidden_limits(before), before) << begin;
+    }
 }
 
 TEST(FloatControls, SetEachModeThatTheDeviceHasForEachWidth) {
