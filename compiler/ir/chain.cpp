@@ -18,6 +18,33 @@ Place base_of(const Structure& structure, const Place& place) {
     return base;
 }
 
+/// Replaces the end of a path that leads to a structure which a member was given by the path from its maker to that
+/// structure; empty if the path has no such end.
+static std::vector<std::uint32_t> with_giver(const Program& program, const Structure& from,
+                                             const std::vector<std::uint32_t>& path) {
+    const Structure* owner = &from;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        const MemberStructure& member = owner->members[path[i]];
+        const Structure& made = program.structures[member.structure];
+        if (!member.by_reference && made.members[path[i + 1]].by_reference) {
+            // Members by reference come first, in the order of the constructor's structure arguments.
+            const Place& giver = member.structures[path[i + 1]];
+            std::vector<std::uint32_t> result(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(i));
+            result.insert(result.end(), giver.members.begin(), giver.members.end());
+            result.insert(result.end(), path.begin() + static_cast<std::ptrdiff_t>(i) + 2, path.end());
+            return result;
+        }
+        owner = &made;
+    }
+    return {};
+}
+
+std::vector<std::uint32_t> made_at(const Program& program, const Structure& from, std::vector<std::uint32_t> path) {
+    for (auto next = with_giver(program, from, path); !next.empty(); next = with_giver(program, from, path))
+        path = std::move(next);
+    return path;
+}
+
 Place root_of(const Program& program, const Structure& structure, const Place& place) {
     Place root = place;
     const Structure* link = &structure;

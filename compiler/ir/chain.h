@@ -9,6 +9,11 @@ namespace gliftc::ir {
 /// The structure that a path of members leads to, from the structure `from`.
 const Structure& structure_at(const Program& program, const Structure& from, const RareVector<std::uint32_t>& members);
 
+/// The same structure's path through members that are made by their owners: where a member was given to its owner by
+/// the maker of the owner, the path to what that maker gave. One structure has one such path from `from`, but for
+/// structures that `from` itself was given twice.
+std::vector<std::uint32_t> made_at(const Program& program, const Structure& from, std::vector<std::uint32_t> path);
+
 /// The place of the next link: the structure that is the memory of `structure`, which is at `place`.
 Place base_of(const Structure& structure, const Place& place);
 

@@ -39,35 +39,6 @@ std::optional<BinaryOp> comparison_of(Intrinsic intrinsic) {
     }
 }
 
-/// Replaces the end of a path that leads to a structure which a member was given by the path from its maker to that
-/// structure; empty if the path has no such end. Paths go from member to member.
-std::vector<std::uint32_t> with_giver(const Program& p, const Structure& whole,
-                                      const std::vector<std::uint32_t>& path) {
-    const Structure* owner = &whole;
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-        const MemberStructure& member = owner->members[path[i]];
-        const Structure& made = p.structures[member.structure];
-        if (!member.by_reference && made.members[path[i + 1]].by_reference) {
-            // Members by reference come first, in the order of the constructor's structure arguments.
-            const Place& giver = member.structures[path[i + 1]];
-            std::vector<std::uint32_t> result(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(i));
-            result.insert(result.end(), giver.members.begin(), giver.members.end());
-            result.insert(result.end(), path.begin() + static_cast<std::ptrdiff_t>(i) + 2, path.end());
-            return result;
-        }
-        owner = &made;
-    }
-    return {};
-}
-
-/// The path to the same structure that passes through no member which was given it: one structure has one such path,
-/// but for structures given to `whole` twice.
-std::vector<std::uint32_t> given_at(const Program& p, const Structure& whole, std::vector<std::uint32_t> path) {
-    for (auto next = with_giver(p, whole, path); !next.empty(); next = with_giver(p, whole, path))
-        path = std::move(next);
-    return path;
-}
-
 }  // namespace
 
 Parts Following::of_structure(ExprId id) {
@@ -134,7 +105,7 @@ Parts Following::of_leaf(const Expr& node) {
     }
     std::vector<std::uint32_t> path = path_;
     path.insert(path.end(), node.place.members.begin(), node.place.members.end());
-    path = given_at(p, *whole_, std::move(path));
+    path = made_at(p, *whole_, std::move(path));
     Parts parts;
     const std::size_t count = lane_count(p, node.type);
     for (std::size_t lane = 0; lane < count; ++lane) {

@@ -157,9 +157,12 @@ Env& Context::new_env(std::uint32_t module) {
 
 Diagnostic& Context::error(Diag id, Span span, std::initializer_list<std::string_view> arguments) {
     Diagnostic& diagnostic = diagnostics.report(id, span, arguments);
-    for (auto request = requests.rbegin(); request != requests.rend(); ++request)
-        if (request->span && request->span != span && request->display.find('<') != std::string::npos)
-            note(diagnostic, request->span, "in " + request->display + ", asked for here");
+    Span last = span;  // of an endless chain of requests at one place, one is enough
+    for (auto request = requests.rbegin(); request != requests.rend(); ++request) {
+        if (!request->span || request->span == last || request->display.find('<') == std::string::npos) continue;
+        last = request->span;
+        note(diagnostic, last, "in " + request->display + ", asked for here");
+    }
     return diagnostic;
 }
 

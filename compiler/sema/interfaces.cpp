@@ -1,6 +1,7 @@
 #include "sema/interfaces.h"
 
 #include "sema/generics.h"
+#include "sema/instances.h"
 #include "sema/lookup.h"
 
 #include <algorithm>
@@ -83,6 +84,9 @@ bool satisfies_interface(Context& c, const Env& env, ast::DeclId id, const ast::
         why = "this depends on itself";
         return false;
     }
+    // The interface's arguments may grow with each step of such a cycle, so that none repeats.
+    const InstantiationScope scope(c, display_of(c, c[id], inside), constraint.span);
+    if (scope.too_deep()) return true;  // reported
     c.interfaces_under_way.push_back(key);
     bool all = true;
     for (ast::DeclId member : std::get<ast::Interface>(c[id].body).members) {

@@ -10,7 +10,8 @@ namespace gliftc::sema {
 
 namespace {
 
-/// A structure in a pipeline: a local, then a path of members from it.
+/// A structure as a Glift pipeline (a host function that calls kernels) names it: a local, then a path of members from
+/// it.
 struct Whole {
     ir::LocalId local;
     ir::Place place;
@@ -21,11 +22,12 @@ struct Whole {
 /// temporary's constructor was given for it. False if it is not, or if that argument is no Op::structure_value.
 bool follow_given(Body& body, Whole& whole) {
     const ir::Program& p = body.program();
+    if (!whole.local || whole.place.members.empty()) return false;  // without a local: a member of the adaptor itself
     const auto made = body.made.find(whole.local);
-    if (made == body.made.end() || whole.place.members.empty()) return false;
     const ir::Structure& structure = p.structures[p.types[p.locals[whole.local].type].index];
+    whole.place.members = ir::made_at(p, structure, whole.place.members);
     const std::uint32_t member = whole.place.members[0];
-    if (!structure.members[member].by_reference) return false;
+    if (made == body.made.end() || !structure.members[member].by_reference) return false;
     // Members by reference come first, in the order of the constructor's structure arguments.
     std::uint32_t given = 0;
     for (ir::ExprId argument : made->second) {
@@ -40,9 +42,9 @@ bool follow_given(Body& body, Whole& whole) {
     return false;
 }
 
-/// The structure that has the elements of an argument: the last one of its memory chain. If it was given to a
-/// temporary's constructor, the place is the one that was given there, not that of the temporary's member, so that one
-/// structure has one place. None for slices and values.
+/// The root of an argument: the last structure of its chain (ir/chain.h), which stores or computes the elements. If
+/// that structure was given to another one, by a pipeline or by the declaration of a member, its place is the one that
+/// was given, not that of the member, so that one structure has one place. None for slices and values.
 std::optional<Whole> root_of(Body& body, const ir::Expr& argument) {
     const ir::Program& p = body.program();
     if (argument.op != ir::Op::structure_value || p.types.kind(argument.type) != ir::TypeKind::structure)
@@ -70,8 +72,9 @@ void report(Context& c, Diag id, const ir::Kernel& kernel, const ir::KernelParam
              c.text((reads ? one : other).name) + ", " + c.text((reads ? other : one).name) + ")");
 }
 
-/// Whether invocations may race where the two parameters reach one memory through different translators, by which one
-/// element may have two addresses.
+/// Whether invocations may race where two parameters share a memory and may map addresses to it differently. Element i
+/// of one may then be element j of the other, so that two parameters of which each invocation accesses its own element
+/// alone race as soon as one of them is written. Other patterns: as ir::may_meet.
 bool may_meet_through_two(const ir::KernelParam& one, const ir::KernelParam& other) {
     const bool is_element = ir::traits_of(one.pattern).reach == ir::Reach::element &&
                             ir::traits_of(other.pattern).reach == ir::Reach::element;
@@ -79,8 +82,8 @@ bool may_meet_through_two(const ir::KernelParam& one, const ir::KernelParam& oth
     return is_element ? writes : ir::may_meet(one, other);
 }
 
-/// A structure that a kernel accesses through a parameter; `is_member`: a member, which functions called through a
-/// `calls` parameter write.
+/// A structure that a kernel accesses, and the parameter that leads to it. `is_member`: the parameter has the pattern
+/// `calls` (the kernel calls functions of its structure), and `root` is a member that those functions write.
 struct Touched {
     Whole root;
     ir::KernelParam param;

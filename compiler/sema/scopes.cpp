@@ -1,5 +1,7 @@
 #include "sema/body.h"
 
+#include <algorithm>
+
 namespace gliftc::sema {
 
 void open_scope(Body& body) { body.scopes.emplace_back(); }
@@ -7,10 +9,14 @@ void open_scope(Body& body) { body.scopes.emplace_back(); }
 void close_scope(Body& body) {
     // No warnings after errors: code that was skipped because of them may have used the name.
     const bool is_sure = !body.context.diagnostics.has_errors();
+    std::vector<std::pair<Span, Name>> unused;
     for (const auto& [name, symbol] : body.scopes.back())
         if (is_sure && symbol.warn_unused && !symbol.used && !body.context.text(name).starts_with('_'))
-            note(body.context.diagnostics.report(Diag::unused_variable, symbol.span, {body.context.text(name)}),
-                 symbol.span, "a name that begins with '_' may stay unused");
+            unused.emplace_back(symbol.span, name);
+    std::ranges::sort(unused, {}, [](const auto& one) { return one.first.begin; });
+    for (const auto& [span, name] : unused)
+        note(body.context.diagnostics.report(Diag::unused_variable, span, {body.context.text(name)}), span,
+             "a name that begins with '_' may stay unused");
     body.scopes.pop_back();
 }
 
@@ -75,7 +81,7 @@ const Env& env_for(Body& body, const std::vector<ast::ExprId>& written) {
     std::vector<std::pair<Name, Meta>> bindings;
     for (ast::ExprId id : written) bind_symbols(body, id, bindings);
     if (bindings.empty()) return body.env;
-    // The first binding of a name is found, so that locals hide outer names.
+    // Env::find gives the first binding of a name: those of locals come first, and so hide outer names.
     Env& env = body.context.new_env(body.env.module);
     env.self = body.env.self;
     env.bindings = std::move(bindings);

@@ -19,7 +19,7 @@
 /// How a canvas is made: the size of its octree and of its history, and its ground.
 struct OctreeSize {
     glift::uint resolution = 2048;              ///< cells along each side at the finest level: a power of two
-    glift::uint pages = 4096;                   ///< most pages that are resident at once
+    glift::uint pages = 4096;                   ///< how many pages may be resident at once
     glift::float3 ground{0.75f, 0.72f, 0.66f};  ///< the colour where nothing is painted, as screens show it (sRGB)
     HistoryBudget history;
 
@@ -51,13 +51,14 @@ class Canvas {
 public:
     Canvas(glift::Device device, const mesh::Mesh& mesh, const OctreeSize& size);
 
-    /// Paints a stroke, and adds it to the history. One submission finds what the stroke's camera sees, each dab is
-    /// one, the coarser levels are one; the history takes some more. Returns how many requests for pages found no room
-    /// in the pool: paint is missing there.
+    /// Paints a stroke, and adds it to the history. One submission finds what the stroke's camera sees, one clears the
+    /// journal, one paints each dab, one computes the coarser levels of the octree; the history submits further ones.
+    /// Returns how many requests for pages failed because the pool was full: these pages are not painted.
     glift::uint paint(const strokes::Stroke& stroke);
-    /// The same in parts, for a stroke whose path still grows: `begin` takes its camera, picture size and brush, `dab`
-    /// is called for each dab, `end` returns what `paint` does. `begin` throws std::runtime_error if the brush's
-    /// picture cannot be read or has a size that a brush cannot have.
+    /// The same in parts, for a stroke whose path still grows: `begin` uses its camera, the size of what the camera
+    /// sees (Stroke::size) and its brush, but not its path; `dab` is called for each dab; `end` returns what `paint`
+    /// does. `begin` throws std::runtime_error if the brush's PNG cannot be read, or is not 2 to 4096 pixels wide and
+    /// at most that high.
     void begin(const strokes::Stroke& stroke);
     void dab(const paint::Brush& brush);
     glift::uint end();
@@ -73,7 +74,8 @@ public:
     const glift::Device& device() const { return device_; }
     Model& model() { return model_; }
     journal::Octree& octree() { return octree_; }
-    /// Samples of the paint on a grid over [0, 1]^3: red, green, blue and alpha along the first axis, then x, y, z.
+    /// Samples of the paint on a grid over [0, 1]^3: the channels red, green, blue, alpha are
+    /// contiguous, then x, y, z. NumPy sees the shape (z, y, x, channel).
     npy::Array samples(glift::uint side) const;
 
     struct Bytes {

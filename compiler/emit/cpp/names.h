@@ -16,22 +16,24 @@ namespace gliftc::cpp {
 /// is appended to keywords and macros.
 std::string identifier(std::string_view text);
 
-/// Variables that the host code of every kernel declares: names of the source that equal one are changed.
+/// Variables that the C++ of every kernel for the host device (the kernel on the CPU) declares itself. A variable of
+/// the source with such a name gets a number.
 inline constexpr const char* locals_of_kernels[] = {
     "address", "block", "call",       "count", "first", "i",       "inside",    "interior",
     "lane",    "part",  "parameters", "row",   "rows",  "stretch", "unclamped", "x",
 };
-/// Further variables, which only the host code of draws declares.
+/// Further ones, which only that code of draws declares.
 inline constexpr const char* locals_of_draws[] = {
     "corner", "corners", "drawn", "fragments", "instance", "left", "parts", "pixel", "pointer", "running", "targets",
 };
-/// Further variables, which only the host code of kernels with a group declares.
+/// Further ones, which only that code of kernels with a workgroup declares.
 inline constexpr const char* locals_of_groups[] = {
     "global_id",   "group_count", "group_id",    "group_index", "group_size",
     "group_total", "local_id",    "local_index", "number",      "returned",
 };
 
-/// The namespace of a module: laplacian, std.array → std_array; dup2 → dup2_, as C has a function dup2.
+/// The C++ namespace of a module: laplacian stays, std.array becomes std_array. The name of a global function of C gets
+/// a '_': dup2 becomes dup2_.
 std::string space_of(std::string_view module);
 
 using NameSet = std::unordered_set<std::string>;

@@ -1,6 +1,7 @@
-// Kernels with a group, split at their barriers: each thread runs one workgroup after the other. The statement
-// `invocations` is a loop over the invocations of a workgroup. A local that lives on across a barrier (`keep`) is an
-// array with an element for each invocation.
+// Prints kernels with a workgroup size (`group`) as C++ for the host device. They are split at their barriers
+// (lower/split_at_barriers.h). Each CPU thread runs whole workgroups, one after another. The statement `invocations` is
+// a loop over the invocations of a workgroup. A local that several such loops use, or one of them and the code outside
+// (`keep`), is an array with an element for each invocation.
 #include "emit/host/body.h"
 #include "ir/walk.h"
 
@@ -22,7 +23,7 @@ struct Groups {
     const ir::Pass& pass;
     cpp::Printer& p;
     std::map<LocalId, std::string> arrays;  ///< names of the arrays for locals that are kept
-    std::string invocation = "0";           ///< index of the current one: `local_index` or `0`
+    std::string invocation = "0";           ///< its index in them: `local_index` within `invocations`, else `0`
     bool may_return = false;
 
     Groups(cpp::Globals& globals, const ir::Pass& pass);

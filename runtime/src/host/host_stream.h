@@ -90,7 +90,8 @@ private:
 
     std::shared_ptr<DeviceObject> keep_;
     std::shared_ptr<Workspace> workspace_ = std::make_shared<Workspace>();
-    std::vector<std::shared_ptr<HostStorage>> blocks_;  ///< of the workspace
+    std::vector<std::shared_ptr<HostStorage>>
+        blocks_;  ///< memory of the recording's temporaries: workspace_ says which part of which block each has
     std::vector<std::function<void(HostStream&)>> steps_;
     std::vector<Memory> held_;  ///< that steps use
     std::unordered_set<const MemoryObject*> held_objects_;

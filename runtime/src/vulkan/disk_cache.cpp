@@ -1,5 +1,6 @@
 #include "disk_cache.h"
 
+#include <atomic>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -50,9 +51,8 @@ std::vector<char> read_valid(const fs::path& file, const VkPhysicalDevicePropert
     std::ifstream in(file, std::ios::binary);
     FileHeader header;
     if (error || !in.read(reinterpret_cast<char*>(&header), sizeof header)) return {};
-    // The header's length must match the file's.
     if (std::memcmp(header.magic, magic, sizeof magic) != 0 || bytes > largest_file) return {};
-    if (header.bytes != bytes - sizeof header) return {};
+    if (header.bytes != bytes - sizeof header) return {};  // the file was cut short, or is longer
     std::vector<char> data(header.bytes);
     if (!in.read(data.data(), static_cast<std::streamsize>(data.size()))) return {};
     VkPipelineCacheHeaderVersionOne inner;
@@ -97,7 +97,10 @@ void DiskCache::save() {
     std::error_code error;
     fs::create_directories(file_.parent_path(), error);
     // Written under a temporary name and renamed: readers see the old file or the new one, never a partial one.
-    const fs::path partial = file_.string() + "." + std::to_string(getpid()) + ".part";
+    // Each save has a name of its own, since several devices of a process may save at once.
+    static std::atomic<unsigned> saves{0};
+    const fs::path partial =
+        file_.string() + "." + std::to_string(getpid()) + "." + std::to_string(saves.fetch_add(1)) + ".part";
     {
         std::ofstream out(partial, std::ios::binary);
         out.write(reinterpret_cast<const char*>(&header), sizeof header);

@@ -1,5 +1,6 @@
-// The moving shell of examples/narrow_band, step by step, compared with a dense computation on the host: which pages
-// are resident, and every element of both fields, bit for bit. Steps are replays of one recording.
+// The moving shell of examples/narrow_band, compared with a dense computation on the host: at each step how many pages
+// are resident and were allocated; at some steps which pages, and every element of both fields, bit for bit. Steps are
+// replays of one recording.
 #include "property.h"
 
 #include "moving_shell.glift.hpp"
@@ -88,7 +89,8 @@ TEST_P(MovingBand, IsWhatADenseFieldIs) {
         float radius;
         std::uint32_t steps;
     };
-    // A shell that stays inside the domain, for a whole period; and one of which the domain's faces cut off parts.
+    // First a sphere that stays inside the domain, for a whole period; then one that the domain's faces cut. The shell
+    // around either may reach beyond the domain.
     for (const auto& [radius, steps] : {Case{12, 66}, Case{0.39f * side, 27}}) {
         Round round("moving band", 1);
         Dense dense;
