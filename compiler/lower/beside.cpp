@@ -2,8 +2,8 @@
 // away than a block is wide, lies in the invocation's own block or in an adjacent one. The neighbour's physical
 // address is computed for each of these blocks, and the access selects one. This is done only if all loads that it
 // takes, such as look-ups in a page table, depend on the block alone (the translators' divisions by the block size
-// fold, see quotients.cpp), and if the structure has no neighbours outside of its domain. It needs no barrier and no
-// copy, and works also for memory that the pass writes.
+// fold, see quotients.cpp), and if the structure can have no neighbours outside of its domain. It needs no barrier and
+// no copy, and works also for memory that the pass writes.
 #include "ir/effects.h"
 #include "lower/blocks.h"
 #include "lower/expand.h"
@@ -153,7 +153,8 @@ std::optional<Pair> Expander::beside(const Place& place, const std::vector<std::
     const auto axes = std::ranges::count_if(offset, [](std::int64_t part) { return part != 0; });
     if (axes > 1 && elements_in_block(*block_volume(cx)) == 1) return std::nullopt;
     centre(place.root);  // so that its statements come before those of this neighbour, which may use them
-    if (maps_outside(place.root)) return std::nullopt;
+    // After `centre`, too, so that the bindings come in the same order whatever the answer is.
+    if (may_map_outside(place.root)) return std::nullopt;
     Ways ways;
     for (std::uint32_t axis = 0; axis < offset.size(); ++axis)
         ways.push_back(offset[axis] == 0 ? nullptr : &way_along(place.root, axis, offset[axis]));

@@ -88,8 +88,8 @@ public:
         ExprId value;
     };
     std::vector<NearValue> near_values;
-    /// The offsets that are read of each near parameter, except those whose structure has neighbours outside of its
-    /// domain; absent if a function that is not inlined reads some.
+    /// For kernels over blocks, the offsets that are read of each near parameter, without those of structures that may
+    /// have neighbours outside of their domain; absent if a function that is not inlined reads some.
     std::optional<NearOffsets> near_offsets = NearOffsets();
     std::vector<Halo> halos;  ///< with Guards::block: the local copies from which neighbours are read
     /// A guard of neighbour reads at positive y: at + distance < extent.
@@ -374,7 +374,8 @@ private:
     // inside.cpp
     bool is_asking_inside(std::uint32_t root, ExprId condition, ExprId address);
     ExprId without_inside(std::uint32_t root, ExprId condition, ExprId address, bool& asked);
-    bool maps_outside(std::uint32_t root);
+    bool may_map_outside(std::uint32_t root);
+    bool is_none_outside(const ir::Place& place);
 
     // sample.cpp
     ExprId sample(const ir::Expr& node);
@@ -442,7 +443,7 @@ private:
     Block prelude_;               ///< statements before the body, mostly addresses of the current element
     Span span_;                   ///< source location of the statement that is being expanded
     std::unordered_map<std::uint32_t, Pair> centres_;
-    std::unordered_map<std::uint32_t, bool> maps_outside_;  ///< what maps_outside found, by parameter
+    std::unordered_map<std::uint32_t, bool> may_map_outside_;  ///< what may_map_outside found, by parameter
     std::unordered_map<std::uint32_t, ExprId> addresses_;
     OwnBlock block_;
     /// A condition whose value is known for the code that is being expanded.

@@ -10,8 +10,7 @@
 
 namespace gliftc::lower {
 
-/// For each near parameter (its index) the offsets at which it is read. Without parameters whose structure has
-/// neighbours outside of its domain, where no block is.
+/// For each near parameter (its index) the offsets at which it is read.
 using NearOffsets = std::map<std::uint32_t, std::set<std::vector<std::int64_t>>>;
 
 /// The local array for one near parameter: a block's elements, and around them those of adjacent blocks that are read.

@@ -35,21 +35,38 @@ ExprId Expander::without_inside(std::uint32_t root, ExprId condition, ExprId add
     return make.both(left, right);
 }
 
-/// Whether the structure of a near parameter has neighbours outside of its domain: its first translator is partial and
-/// maps addresses that are not inside, as `Edge` does where it repeats a box.
-bool Expander::maps_outside(std::uint32_t root) {
+/// Whether the structure of a near parameter may have neighbours outside of its domain: its first translator is partial
+/// and, as far as is known, maps addresses that are not inside, as `Edge` does where it repeats a box. Known is that a
+/// translator gives `none` for them if it asks with one comparison of whole addresses.
+bool Expander::may_map_outside(std::uint32_t root) {
     const Place place{root, {}};
     if (is_total(cx.structure_at(place))) return false;
-    const auto [found, is_new] = maps_outside_.try_emplace(root, true);
-    if (!is_new) return found->second;
-    const ExprId address = make.local(cx.new_local("address", make.type(centre_address(root)), span_));
-    const std::vector<Fact> known = std::exchange(known_, {{numbers_.of(inside_domain(place, address)), false}});
+    const auto [found, is_new] = may_map_outside_.try_emplace(root, true);
+    if (is_new) found->second = !is_none_outside(place);
+    return found->second;
+}
+
+/// Translates an address that is known to lie outside, only to see whether the result is `none`: its statements and
+/// bindings are thrown away.
+bool Expander::is_none_outside(const Place& place) {
+    const ExprId address = make.local(cx.new_local("address", make.type(centre_address(place.root)), span_));
+    std::vector<Fact> outside{{numbers_.of(inside_domain(place, address)), false}};
+    if (!p.types.is_vector(make.type(address))) {
+        // `inside` of std.address compares scalars as vectors of one component.
+        const ExprId less = make.intrinsic(Intrinsic::lessThan, p.types.bool_, {address, domain_of(place)});
+        outside.push_back({numbers_.of(make.intrinsic(Intrinsic::all, p.types.bool_, {less})), false});
+    }
+    const std::vector<Fact> known = std::exchange(known_, std::move(outside));
+    const std::size_t bindings = cx.pass.bindings.size();
     Pair physical;
     collect([&] { physical = inside(Frame{}, [&] { return translated(place, address, "outside"); }); });
+    cx.pass.bindings.erase(cx.pass.bindings.begin() + static_cast<std::ptrdiff_t>(bindings), cx.pass.bindings.end());
     known_ = known;
-    bool asked = physical.has && make.is_false(physical.has);
-    without_inside(root, physical.has, address, asked);
-    return found->second = !asked;
+    if (!physical.has) return false;
+    if (make.is_false(physical.has)) return true;
+    bool asked = false;
+    without_inside(place.root, physical.has, address, asked);
+    return asked;
 }
 
 }  // namespace gliftc::lower

@@ -128,7 +128,7 @@ void Context::read_limits(const FeatureChain& features) {
     VkPhysicalDeviceProperties2 floats = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &v12};
     instance->vk().vkGetPhysicalDeviceProperties2(physical, &floats);
     float_controls = FloatControls::of(v12);
-    hides_limits = v12.driverID == VK_DRIVER_ID_NVIDIA_PROPRIETARY;
+    hides_loop_ends = v12.driverID == VK_DRIVER_ID_NVIDIA_PROPRIETARY;
     if (!properties.push_descriptors) return;
     VkPhysicalDevicePushDescriptorPropertiesKHR push = {
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PUSH_DESCRIPTOR_PROPERTIES_KHR};

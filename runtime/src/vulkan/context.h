@@ -64,7 +64,7 @@ public:
     std::uint32_t max_push_descriptors = 0;
     std::uint64_t max_piece_bytes = 0;  ///< largest allocation; larger buffers need several, and sparse binding
     FloatControls float_controls;
-    bool hides_limits = false;  ///< the driver loses rounds of loops that end at zero: see hidden_limits.h
+    bool hides_loop_ends = false;         ///< the driver loses rounds of loops that end at zero: see hidden_limits.h
     std::vector<const char*> extensions;  ///< that the device was made with; point to names_
     std::atomic<bool> lost{false};
 

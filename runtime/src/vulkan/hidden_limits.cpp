@@ -28,14 +28,15 @@ public:
             std::ranges::any_of(constants_, [](const auto& c) { return c.second <= highest_begin; });
         if (!may_go_wrong || !bit_.exists()) return {spirv_.begin(), spirv_.end()};
         std::vector<std::uint32_t> module(spirv_.begin(), spirv_.begin() + spirv_header_words);
-        bool is_declared = false;
         for_each_instruction(spirv_, [&](std::uint32_t op, SpirvWords w) {
-            if (op == function && !is_declared) bit_.declare(module, next_id_), is_declared = true;
-            const std::size_t limit = limit_of(op, w);
-            const std::uint32_t unknown = limit == 0 ? 0 : hide(module, w[limit]);
+            if (op == function) declare(module);
+            const Comparison comparison = comparison_with_one(op, w);
+            const std::uint32_t limit = comparison.place == 0 ? 0 : hidden_one(module);
             const std::size_t at = module.size();
             module.insert(module.end(), w.begin(), w.end());
-            if (limit != 0) module[at + limit] = unknown;
+            if (comparison.place == 0) return;
+            module[at] = first_word(comparison.op, w.size());
+            module[at + comparison.place] = limit;
         });
         module[spirv_bound_word] = next_id_;
         return module;
@@ -50,6 +51,10 @@ private:
         case constant:
             if (w[1] == int_) constants_.emplace(w[2], static_cast<std::int32_t>(w[3]));
             break;
+        case copy_object:  // what parameters that are fixed for a pipeline become
+            if (const auto found = constants_.find(w[3]); found != constants_.end())
+                constants_.emplace(w[2], found->second);
+            break;
         default: break;
         }
     }
@@ -59,26 +64,49 @@ private:
         return found != constants_.end() && found->second == value;
     }
 
-    /// The index of the operand that is the constant, if the instruction compares with one so that 0 and 1 differ:
-    /// `x < 1`, `x >= 1`, `x <= 0`, `x > 0`, or with the constant first; else 0.
-    std::size_t limit_of(std::uint32_t op, SpirvWords w) const {
-        const bool of_one = op == s_less_than || op == s_greater_than_equal;  // with the constant last
-        const bool of_zero = op == s_less_than_equal || op == s_greater_than;
-        if (!of_one && !of_zero) return 0;
-        if (is(w[4], of_one ? 1 : 0)) return 4;
-        return is(w[3], of_one ? 0 : 1) ? 3 : 0;
+    /// A comparison with 1, and the index of the operand that is the 1; 0: there is none.
+    struct Comparison {
+        std::uint32_t op = 0;
+        std::size_t place = 0;
+    };
+
+    /// The same as a comparison with 1, if the instruction compares with a constant so that 0 and 1 differ.
+    Comparison comparison_with_one(std::uint32_t op, SpirvWords w) const {
+        switch (op) {
+        case s_less_than:  // x < 1, 0 < x
+            if (is(w[4], 1)) return {s_less_than, 4};
+            return is(w[3], 0) ? Comparison{s_less_than_equal, 3} : Comparison{};
+        case s_less_than_equal:  // x <= 0, 1 <= x
+            if (is(w[4], 0)) return {s_less_than, 4};
+            return is(w[3], 1) ? Comparison{s_less_than_equal, 3} : Comparison{};
+        case s_greater_than:  // x > 0, 1 > x
+            if (is(w[4], 0)) return {s_greater_than_equal, 4};
+            return is(w[3], 1) ? Comparison{s_greater_than, 3} : Comparison{};
+        case s_greater_than_equal:  // x >= 1, 0 >= x
+            if (is(w[4], 1)) return {s_greater_than_equal, 4};
+            return is(w[3], 0) ? Comparison{s_greater_than, 3} : Comparison{};
+        default: return {};
+        }
     }
 
-    std::uint32_t hide(std::vector<std::uint32_t>& module, std::uint32_t limit) {
+    void declare(std::vector<std::uint32_t>& module) {
+        bit_.declare(module, next_id_);
+        if (one_ != 0) return;
+        one_ = next_id_++;
+        append(module, constant, {int_, one_, 1});
+    }
+
+    /// 1, which the driver does not know: it is or-ed with the unknown bit, and so is 1 whatever that is.
+    std::uint32_t hidden_one(std::vector<std::uint32_t>& module) {
         const std::uint32_t bit = bit_.emit(module, next_id_), result = next_id_++;
-        append(module, bitwise_or, {int_, result, limit, bit});
+        append(module, bitwise_or, {int_, result, one_, bit});
         return result;
     }
 
     SpirvWords spirv_;
-    std::uint32_t next_id_, int_ = 0;
+    std::uint32_t next_id_, int_ = 0, one_ = 0;
     UnknownBit bit_;
-    std::unordered_map<std::uint32_t, std::int32_t> constants_;  ///< of ints
+    std::unordered_map<std::uint32_t, std::int32_t> constants_;  ///< values of ints, by id
 };
 
 }  // namespace

@@ -26,7 +26,7 @@ VkShaderModule make_module(Context& context, const Pipeline& pipeline, const Spi
         with_fixed_parameters(with_float_modes(words_of(spirv), context.float_controls.modes), pipeline.fixed);
     if (context.float_controls.hides_zeros) code = with_hidden_zeros(code);
     if (context.float_controls.keeps_sums) code = with_kept_sums(code);
-    if (context.hides_limits) code = with_hidden_limits(code);
+    if (context.hides_loop_ends) code = with_hidden_limits(code);
     const VkShaderModuleCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                            .codeSize = code.size() * sizeof(std::uint32_t),
                                            .pCode = code.data()};

@@ -1,6 +1,6 @@
 // A zero that a driver's compiler does not know: the top bit of x of the invocation's global number or, where a module
-// does not have that, of the workgroup's number. It is never set. (The lowest bit of x * (x + 1) would not do: NVIDIA's
-// driver knows that it is 0.)
+// does not have that, of the workgroup's number. It is set only in invocations from 2^31 on along x. (The lowest bit of
+// x * (x + 1) would not do: NVIDIA's driver knows that it is 0.)
 #pragma once
 
 #include "spirv_module.h"
@@ -32,13 +32,14 @@ public:
     /// The id of the type of unsigned integers of 32 bits.
     std::uint32_t type() const { return uint_; }
 
-    /// Declares what `emit` needs. Its place is among the module's constants.
+    /// Declares what `emit` needs, if that was not done. Its place is among the module's constants.
     void declare(std::vector<std::uint32_t>& module, std::uint32_t& next_id) {
+        if (shift_ != 0) return;
         shift_ = next_id++;
         append(module, spirv::constant, {uint_, shift_, 31});
     }
 
-    /// Computes the bit, a uint of 0, and returns its id.
+    /// Computes the bit, as a uint, and returns its id.
     std::uint32_t emit(std::vector<std::uint32_t>& module, std::uint32_t& next_id) const {
         const std::uint32_t all = next_id++, first = next_id++, bit = next_id++;
         append(module, spirv::load, {uint3_, all, input_});
