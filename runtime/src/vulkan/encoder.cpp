@@ -213,7 +213,7 @@ void Encoder::dispatch(const Kernel& kernel, const Call& call) {
     if (groups.none()) return;
     ++batch_->operations;
     const auto& limit = context_.properties.max_workgroups;
-    if (kernel.rank == 1) fold(groups, limit[0]);
+    if (kernel.rank == 1) fold(groups, limit_along_x(kernel, limit[0]));
     if (kernel.of_blocks) fold_blocks(groups, limit[1]);
     const bool fits = groups.within(limit);
     const bool is_sized = patches_size(pipeline, call);

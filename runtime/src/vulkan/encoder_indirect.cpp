@@ -117,7 +117,7 @@ Slice Encoder::prepare(const Pipeline& pipeline, const Call& call, const Slice& 
     return prepare({.block = block.chunk ? block.address() : 0,
                     .size = size,
                     .per_group = covered_by_group(kernel),
-                    .limit_x = context_.properties.max_workgroups[0],
+                    .limit_x = limit_along_x(kernel, context_.properties.max_workgroups[0]),
                     .rank = kernel.rank,
                     .size_word = pipeline.form->size_offset / 4,
                     .draws = kernel.drawing != nullptr,

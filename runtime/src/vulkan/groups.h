@@ -3,6 +3,7 @@
 
 #include <glift/pass.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 
@@ -36,6 +37,12 @@ inline void fold_blocks(Groups& groups, std::uint32_t limit) {
     if (groups.count[1] <= limit) return;
     groups.count[2] = div_ceil(groups.count[1], limit);
     groups.count[1] = div_ceil(groups.count[1], groups.count[2]);
+}
+
+/// The most workgroups along x of a one-dimensional iteration, where the device allows `limit`: they have fewer than
+/// 2^31 invocations, since the top bit of an invocation's number along x must not be set (unknown_bit.h).
+inline std::uint32_t limit_along_x(const Kernel& kernel, std::uint32_t limit) {
+    return std::min(limit, 0x7fffffffu / kernel.group[0]);
 }
 
 /// Folds a one-dimensional iteration with too many groups along x into two dimensions. The number of rows is a power of

@@ -96,10 +96,11 @@ private:
         append(module, constant, {int_, one_, 1});
     }
 
-    /// 1, which the driver does not know: it is or-ed with the unknown bit, and so is 1 whatever that is.
+    /// 1, which the driver does not know: the unknown bit is added, not or-ed, since the driver knows that 1 | bit
+    /// is 1.
     std::uint32_t hidden_one(std::vector<std::uint32_t>& module) {
         const std::uint32_t bit = bit_.emit(module, next_id_), result = next_id_++;
-        append(module, bitwise_or, {int_, result, one_, bit});
+        append(module, i_add, {int_, result, one_, bit});
         return result;
     }
 

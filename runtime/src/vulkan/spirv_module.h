@@ -60,6 +60,7 @@ enum Op : std::uint32_t {
     bitcast = 124,
     s_negate = 126,
     f_negate = 127,
+    i_add = 128,
     f_add = 129,
     f_sub = 131,
     f_mul = 133,

@@ -1,5 +1,6 @@
 // A zero that a driver's compiler does not know: the top bit of x of the invocation's global number or, where a module
-// does not have that, of the workgroup's number. It is set only in invocations from 2^31 on along x. (The lowest bit of
+// does not have that, of the workgroup's number. It is never set, since passes are folded before they have so many
+// invocations along x (limit_along_x), but for rows of 2^31 elements in two dimensions and more. (The lowest bit of
 // x * (x + 1) would not do: NVIDIA's driver knows that it is 0.)
 #pragma once
 
