@@ -1,4 +1,5 @@
 #include "float_controls.h"
+#include "groups.h"
 #include "hidden_limits.h"
 #include "hidden_zeros.h"
 #include "kept_sums.h"
@@ -165,7 +166,8 @@ TEST(KeptSums, CombineConstantsWithWhatTheDriverDoesNotKnow) {
         EXPECT_THAT(text, HasSubstr(stays));
 }
 
-/// A shader that compares a number of the workgroup (%23) with 0, 1 and 2, and stores `begin` to a variable.
+/// A shader that compares a number of the workgroup (%23) with 0, 1 (also as a copy, as parameters become that
+/// are fixed for a pipeline) and 2, and stores `begin` to a variable.
 std::string limits(const std::string& begin) {
     return R"(
     OpCapability Shader
@@ -202,6 +204,8 @@ std::string limits(const std::string& begin) {
     %45 = OpSGreaterThanEqual %5 %23 %11
     %46 = OpSLessThan %5 %10 %23
     %47 = OpSLessThanEqual %5 %11 %23
+    %25 = OpCopyObject %7 %11
+    %48 = OpSLessThan %5 %23 %25
     %50 = OpSLessThan %5 %23 %10
     %51 = OpSLessThan %5 %23 %12
     %52 = OpSGreaterThan %5 %23 %11
@@ -233,6 +237,15 @@ TEST(HiddenLimits, AreInModulesAloneWithLoopsThatMayGoWrong) {
     for (const char* begin : {"-1", "3"}) {
         const std::vector<std::uint32_t> before = assembled(limits(begin));
         EXPECT_EQ(with_hidden_limits(before), before) << begin;
+    }
+}
+
+TEST(Groups, LeaveTheTopBitOfAnInvocationsNumberUnset) {
+    Kernel kernel{};
+    for (std::uint32_t width : {32u, 256u, 1024u}) {
+        kernel.group[0] = width;
+        EXPECT_LE(std::uint64_t{limit_along_x(kernel, 0x7fffffffu)} * width, 0x7fffffffu) << width;
+        EXPECT_EQ(limit_along_x(kernel, 65535), 65535u) << width;
     }
 }
 
