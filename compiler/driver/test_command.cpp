@@ -101,10 +101,10 @@ std::variant<std::vector<TestProgram>, int> build_programs(const Options& option
     const std::vector<std::string> folders = include_folders(options);
     for (const Output& output : result.outputs) {
         if (output.tests.empty()) continue;
-        const std::vector<Output> sources = sources_of(output, result);
-        programs.push_back({built.name_of(sources, folders, compilation.read_files), output.tests});
+        const TestSources sources{sources_of(output, result), folders, compilation.read_files};
+        programs.push_back({built.name_of(sources), output.tests});
         const std::string& name = programs.back().name;
-        if (is_wanted(options, output.tests) && !built.has(name)) built.build(name, sources, folders);
+        if (is_wanted(options, output.tests) && !built.has(name)) built.build(name, sources);
     }
     for (const std::string& file : compilation.read_files) questions.note_read(file);
     if (compilation.diagnostics.all().empty()) remember_run(built.record_of(options), questions, programs);

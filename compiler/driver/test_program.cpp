@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t entries_kept = 128;  ///< in the cache: programs, records of runs, precompiled headers
+constexpr std::size_t entries_kept = 512;  ///< in the cache: programs, objects, records of runs, precompiled headers
 constexpr int cannot_run = 127;
 
 /// The headers that all sources of test programs except those of kernels include.
@@ -130,6 +130,38 @@ void publish(const fs::path& made, const fs::path& name) {
     if (error) fs::remove_all(made, error);
 }
 
+/// Makes a file of the cache the newest one, the last to be removed.
+void touch(const fs::path& path) {
+    std::error_code ignored;
+    fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
+}
+
+/// The file of SPIR-V that a source of kernels includes; null if it has none.
+const Output* spirv_of(const Output& source, const std::vector<Output>& outputs) {
+    const std::string name = fs::path(source.name).replace_extension(".spirv");
+    const auto found = std::ranges::find(outputs, name, &Output::name);
+    return found == outputs.end() ? nullptr : &*found;
+}
+
+/// What a source and its object are called.
+struct Object {
+    fs::path source, object;
+    fs::path cached;  ///< the object in the cache
+
+    /// Takes the object from the cache; false if it is not there.
+    bool take() const {
+        std::error_code error;
+        fs::create_hard_link(cached, object, error);
+        if (!error) touch(cached);
+        return !error;
+    }
+    /// Puts the object into the cache, unless another process was faster.
+    void keep() const {
+        std::error_code ignored;
+        fs::create_hard_link(object, cached, ignored);
+    }
+};
+
 }  // namespace
 
 Ended run_and_wait(const std::vector<std::string>& words) { return wait_for(start(words)); }
@@ -183,9 +215,7 @@ fs::path TestPrograms::compiled_headers() {
     const fs::path folder = folder_ / ("headers-" + tools_);
     const fs::path header = folder / "common.hpp";
     if (fs::exists(header)) {
-        std::error_code ignored;
-        fs::last_write_time(folder, fs::file_time_type::clock::now(),
-                            ignored);  // in use: not to be removed as one of the oldest
+        touch(folder);
         return header;
     }
     const fs::path made = new_folder(folder);
@@ -198,48 +228,66 @@ fs::path TestPrograms::compiled_headers() {
     return header;
 }
 
-void TestPrograms::compile(const fs::path& folder, const std::vector<Output>& outputs,
-                           const std::vector<std::string>& include_folders) {
-    for (const Output& output : outputs)
+/// The place in the cache of a source's object: its name is a hash of all that the C++ compiler reads.
+fs::path TestPrograms::object_of(const Output& source, const TestSources& sources) const {
+    Digest digest;
+    digest.add(tools_);
+    for (const std::string& word : compile_command()) digest.add(word);
+    for (const std::string& folder : sources.include_folders) digest.add(folder);
+    for (const std::string& file : sources.read_files) digest.add(text_of(file));
+    for (const Output& output : sources.outputs)
+        if (output.name.ends_with(".hpp")) digest.add(output.bytes);
+    digest.add(source.bytes);
+    if (const Output* spirv = spirv_of(source, sources.outputs)) digest.add(spirv->bytes);
+    return folder_ / ("object-" + digest.digits() + ".o");
+}
+
+void TestPrograms::compile(const fs::path& folder, const TestSources& sources) {
+    for (const Output& output : sources.outputs)
         if (auto error = write_if_changed((folder / output.name).string(), output.bytes))
             throw EnvironmentError("cannot write " + output.name + ": " + *error);
-    const auto command_of = [&](const Output& output) {
+    const auto command_of = [&](const Object& object) {
         std::vector<std::string> words = compile_command();
-        for (const std::string& include : include_folders) words.push_back("-I" + include);
+        for (const std::string& include : sources.include_folders) words.push_back("-I" + include);
         words.push_back("-DGLIFT_SPIRV_FOLDER=\"" + folder.string() + "\"");
-        const std::string source = (folder / output.name).string();
-        words.insert(words.end(), {"-c", source, "-o", source + ".o"});
+        words.insert(words.end(), {"-c", object.source.string(), "-o", object.object.string()});
         return words;
     };
     std::vector<std::vector<std::string>> of_kernels, others;
     std::vector<std::string> link = compiler_words();
+    std::vector<Object> compiled;
     std::string stem;
-    for (const Output& output : outputs) {
+    for (const Output& output : sources.outputs) {
         if (!output.name.ends_with(".cpp")) continue;
         if (stem.empty()) stem = output.name.substr(0, output.name.find(".glift."));
+        const fs::path source = folder / output.name;
+        const Object object{source, source.string() + ".o", object_of(output, sources)};
+        link.push_back(object.object.string());
+        if (object.take()) continue;
         const bool is_of_kernels = output.name.find(".kernels.") != std::string::npos;
-        (is_of_kernels ? of_kernels : others).push_back(command_of(output));
-        link.push_back((folder / output.name).string() + ".o");
+        (is_of_kernels ? of_kernels : others).push_back(command_of(object));
+        compiled.push_back(object);
     }
     // Sources of kernels do not include the common headers: their compilation starts before these are precompiled.
     std::vector<pid_t> children = start_all(of_kernels);
-    if (const fs::path headers = compiled_headers(); !headers.empty())
+    if (const fs::path headers = others.empty() ? fs::path() : compiled_headers(); !headers.empty())
         for (std::vector<std::string>& words : others) words.insert(words.end(), {"-include", headers.string()});
     std::ranges::copy(start_all(others), std::back_inserter(children));
     const std::string library = library_.string();
     link.insert(link.end(),
                 {"-L" + library, "-Wl,-rpath," + library, "-lglift", "-ltbb", "-o", (folder / "program").string()});
-    if (!wait_for_all(children) || !run_and_wait_for(link))
+    const bool well = wait_for_all(children);
+    if (well) std::ranges::for_each(compiled, &Object::keep);
+    if (!well || !run_and_wait_for(link))
         throw std::runtime_error("the C++ compiler refused what gliftc wrote for " + stem);
 }
 
-std::string TestPrograms::name_of(const std::vector<Output>& outputs, const std::vector<std::string>& include_folders,
-                                  const std::vector<std::string>& read_files) const {
+std::string TestPrograms::name_of(const TestSources& sources) const {
     Digest digest;
     digest.add(tools_);
-    for (const std::string& folder : include_folders) digest.add(folder);
-    for (const std::string& file : read_files) digest.add(text_of(file));
-    for (const Output& output : outputs) {
+    for (const std::string& folder : sources.include_folders) digest.add(folder);
+    for (const std::string& file : sources.read_files) digest.add(text_of(file));
+    for (const Output& output : sources.outputs) {
         digest.add(output.name);
         digest.add(output.bytes);
     }
@@ -248,11 +296,10 @@ std::string TestPrograms::name_of(const std::vector<Output>& outputs, const std:
 
 bool TestPrograms::has(const std::string& name) const { return fs::exists(folder_ / name / "program"); }
 
-void TestPrograms::build(const std::string& name, const std::vector<Output>& outputs,
-                         const std::vector<std::string>& include_folders) {
+void TestPrograms::build(const std::string& name, const TestSources& sources) {
     const fs::path made = new_folder(folder_ / name);
     try {
-        compile(made, outputs, include_folders);
+        compile(made, sources);
     } catch (...) {
         std::error_code ignored;
         fs::remove_all(made, ignored);
@@ -263,8 +310,7 @@ void TestPrograms::build(const std::string& name, const std::vector<Output>& out
 }
 
 std::string TestPrograms::use(const std::string& name) const {
-    std::error_code ignored;
-    fs::last_write_time(folder_ / name, fs::file_time_type::clock::now(), ignored);
+    touch(folder_ / name);
     return (folder_ / name / "program").string();
 }
 

@@ -1,4 +1,4 @@
-// Builds test programs with the system's C++ compiler, and caches them by a hash of their inputs.
+// Builds test programs with the system's C++ compiler, and caches them and their objects by hashes of their inputs.
 #pragma once
 
 #include "driver/compile.h"
@@ -18,9 +18,16 @@ struct Ended {
 /// Runs a program with the standard input and outputs of this one, and waits for it.
 Ended run_and_wait(const std::vector<std::string>& words);
 
+/// What a test program is built of.
+struct TestSources {
+    std::vector<Output> outputs;
+    std::vector<std::string> include_folders;  ///< where the C++ compiler looks for imported headers
+    std::vector<std::string> read_files;       ///< the imported headers
+};
+
 /// The cache of test programs: the folder `tests` in GLIFT_CACHE_DIR, else in XDG_CACHE_HOME/glift, else in
 /// ~/.cache/glift. Where none of these is set, or the folder cannot be written, a temporary one that the destructor
-/// removes. After each build the oldest of more than 128 entries are removed.
+/// removes. After each build the oldest of more than 512 entries are removed.
 class TestPrograms {
 public:
     TestPrograms();
@@ -28,16 +35,14 @@ public:
     TestPrograms(const TestPrograms&) = delete;
     TestPrograms& operator=(const TestPrograms&) = delete;
 
-    /// The cache's name of the program made of `outputs`, for which the C++ compiler looks for headers in
-    /// `include_folders`: a hash of the outputs, the folders' paths, what imported headers (`read_files`) contain, and
+    /// The cache's name of the program: a hash of the outputs, the folders' paths, what imported headers contain, and
     /// tools_.
-    std::string name_of(const std::vector<Output>& outputs, const std::vector<std::string>& include_folders,
-                        const std::vector<std::string>& read_files) const;
+    std::string name_of(const TestSources& sources) const;
     /// Whether the cache has the program, which may be from an earlier run.
     bool has(const std::string& name) const;
-    /// Builds the program. Throws std::runtime_error if the C++ compiler fails.
-    void build(const std::string& name, const std::vector<Output>& outputs,
-               const std::vector<std::string>& include_folders);
+    /// Builds the program; sources that an earlier build had, too, are not compiled again. Throws std::runtime_error if
+    /// the C++ compiler fails.
+    void build(const std::string& name, const TestSources& sources);
     /// The path of a program that the cache has. Makes its entry the newest one, the last to be removed.
     std::string use(const std::string& name) const;
 
@@ -45,8 +50,8 @@ public:
     std::string record_of(const Options& options) const;
 
 private:
-    void compile(const std::filesystem::path& folder, const std::vector<Output>& outputs,
-                 const std::vector<std::string>& include_folders);
+    void compile(const std::filesystem::path& folder, const TestSources& sources);
+    std::filesystem::path object_of(const Output& source, const TestSources& sources) const;
     std::vector<std::string> compile_command() const;
     std::filesystem::path compiled_headers();
     void remove_oldest() const;

@@ -49,6 +49,23 @@ for options, programs in ((), 1), ((), 1), (("-g",), 2):
     remembered = len(list(cache.rglob("run-*")))
     expect(remembered == programs, f"programs remembered with {options}", str(remembered))
 
+# After an edit of a kernel only its own source is compiled again.
+edited = """module edited;
+use std.array;
+structure Line = Array<1, uint>;
+kernel fill(to: out each<Line>) {{ to = {}u; }}
+test "filled" {{
+    var line = Line(4u);
+    fill(line);
+    expect(await line[2] == 5u);
+}}
+"""
+objects = 0
+for value, exit_code, says_so, compiled in (5, 0, "pass  filled", 4), (6, 1, "FAIL  filled", 1), (5, 0, "pass  filled", 0):
+    here.write("edited.glift", edited.format(value))
+    says(here.run("test", "--device", "host", here.path / "edited.glift", GLIFT_CACHE_DIR=str(here.path / "objects")), exit_code, says_so)
+    expect(len(list((here.path / "objects").rglob("object-*"))) == (objects := objects + compiled), f"compiled for {value}")
+
 # A test that ends the program is named in the report. The signal stands for a driver that crashes when the program exits.
 here.write("crash.hpp", "inline void crash() {}\n")
 cxx = os.environ.get("CXX", "c++")
