@@ -3,6 +3,7 @@
 #include "lower/dead.h"
 #include "lower/guard.h"
 #include "lower/move_rows.h"
+#include "lower/narrow_loads.h"
 #include "lower/share.h"
 #include "lower/split_at_barriers.h"
 #include "lower/split_at_derivatives.h"
@@ -47,6 +48,8 @@ constexpr BodyPass bodies[] = {
     drop_dead_pass,
     {"merge_single_uses", "trees", "temporaries that are used once, in no deeper loop, stand where they are used",
      without_facts<merge_single_uses>},
+    {"narrow_loads", "trees", "loads of a vector of which one component is used are loads of that component",
+     without_facts<narrow_loads>},
 };
 
 constexpr BodyPass host_bodies[] = {

@@ -29,71 +29,83 @@ float split(float x, out int exponent) {
 )";
 
 constexpr const char* quotient_text =
-    R"(// |a / b| * 2^exponent where that is subnormal: divided bit by bit, rounded to the nearest, ties to even.
-float subnormal_quotient(uint sign, float a, float b, int exponent) {
-    uint rest = (floatBitsToUint(a) & 0x007fffffu) | 0x00800000u, divisor = (floatBitsToUint(b) & 0x007fffffu) | 0x00800000u;
-    int bits = exponent + 149;
-    if (bits < -1) return uintBitsToFloat(sign);
-    uint quotient = 0u;
-    for (int i = 0; i < 25 && i <= bits + 1; ++i) {
-        bool fits = rest >= divisor;
-        quotient = (quotient << 1) | uint(fits);
-        rest = (fits ? rest - divisor : rest) << 1;
-    }
-    uint whole = quotient >> 1;
-    bool up = (quotient & 1u) == 1u && (rest != 0u || (whole & 1u) == 1u);
-    return uintBitsToFloat(sign | (whole + uint(up)));
+    R"(// The quotient's magnitude where that is subnormal, rounded once, ties to even. q: the quotient times a power of two,
+// rounded. shift: by how many bits q's mantissa is too long. rest: positive if the exact quotient is larger than q,
+// negative if it is smaller.
+uint subnormal_quotient(float q, int shift, float rest) {
+    uint mantissa = (floatBitsToUint(q) & 0x007fffffu) | 0x00800000u, bits = uint(min(shift, 25));
+    uint whole = mantissa >> bits, lost = mantissa - (whole << bits), half_unit = 1u << (bits - 1u);
+    bool up = lost > half_unit || (lost == half_unit && (rest > 0.0 || (rest == 0.0 && (whole & 1u) == 1u)));
+    return whole + uint(up);
 }
 
 float scaled_quotient(float a, float b) {
-    uint x = floatBitsToUint(a) & 0x7fffffffu, y = floatBitsToUint(b) & 0x7fffffffu;
-    uint sign = (floatBitsToUint(a) ^ floatBitsToUint(b)) & 0x80000000u;
-    if (x > 0x7f800000u || y > 0x7f800000u) return uintBitsToFloat(0x7fc00000u);
-    if (x == 0u || y == 0u || x == 0x7f800000u || y == 0x7f800000u) {
-        if (x == y) return uintBitsToFloat(0x7fc00000u);
-        return uintBitsToFloat(sign | (x == 0u || y == 0x7f800000u ? 0u : 0x7f800000u));
+    uint x = floatBitsToUint(a) & 0x7fffffffu, y = floatBitsToUint(b) & 0x7fffffffu, magnitude;
+    if (x > 0x7f800000u || y > 0x7f800000u) {
+        magnitude = 0x7fc00000u;
+    } else if (x == 0u || y == 0u || x == 0x7f800000u || y == 0x7f800000u) {
+        magnitude = x == y ? 0x7fc00000u : x == 0u || y == 0x7f800000u ? 0u : 0x7f800000u;
+    } else {
+        int x_exponent, y_exponent;
+        float m = split(uintBitsToFloat(x), x_exponent), n = split(uintBitsToFloat(y), y_exponent), r = 1.0 / n;
+        r = fma(fma(-n, r, 1.0), r, r);
+        r = fma(fma(-n, r, 1.0), r, r);
+        float q = m * r;
+        q = fma(fma(-n, q, m), r, q);
+        q = fma(fma(-n, q, m), r, q);
+        int biased = int(floatBitsToUint(q) >> 23) + x_exponent - y_exponent;
+        if (biased >= 255) {
+            magnitude = 0x7f800000u;
+        } else if (biased >= 1) {
+            magnitude = (floatBitsToUint(q) & 0x007fffffu) | (uint(biased) << 23);
+        } else {
+            magnitude = subnormal_quotient(q, 1 - biased, fma(-n, q, m));
+        }
     }
-    int a_exponent, b_exponent;
-    float m = split(a, a_exponent), n = split(b, b_exponent), r = 1.0 / n;
-    r = fma(fma(-n, r, 1.0), r, r);
-    r = fma(fma(-n, r, 1.0), r, r);
-    float q = m * r;
-    q = fma(fma(-n, q, m), r, q);
-    q = fma(fma(-n, q, m), r, q);
-    int exponent = a_exponent - b_exponent, biased = int((floatBitsToUint(q) >> 23) & 0xffu) + exponent;
-    if (biased >= 255) return uintBitsToFloat(sign | 0x7f800000u);
-    if (biased >= 1) return uintBitsToFloat((floatBitsToUint(q) & 0x807fffffu) | (uint(biased) << 23));
-    return subnormal_quotient(sign, m, n, exponent);
+    return uintBitsToFloat(((floatBitsToUint(a) ^ floatBitsToUint(b)) & 0x80000000u) | magnitude);
 }
 
 float divide(float a, float b) {
-    if (exact_division) return a / b;
-    uint x = (floatBitsToUint(a) >> 23) & 0xffu, y = (floatBitsToUint(b) >> 23) & 0xffu;
-    if (x - 64u >= 126u || y - 64u >= 126u) return scaled_quotient(a, b);
-    float q = a / b, r = 1.0 / b;
-    r = fma(fma(-b, r, 1.0), r, r);
-    q = fma(fma(-b, q, a), r, q);
-    return fma(fma(-b, q, a), r, q);
+    float q = a / b;
+    if (!exact_division) {
+        uint x = (floatBitsToUint(a) >> 23) & 0xffu, y = (floatBitsToUint(b) >> 23) & 0xffu;
+        if (x - 64u >= 126u || y - 64u >= 126u) {
+            q = scaled_quotient(a, b);
+        } else {
+            float r = 1.0 / b;
+            r = fma(fma(-b, r, 1.0), r, r);
+            q = fma(fma(-b, q, a), r, q);
+            q = fma(fma(-b, q, a), r, q);
+        }
+    }
+    return q;
 }
 )";
 
 constexpr const char* root_text = R"(float square_root(float x) {
-    if (exact_division) return sqrt(x);
-    uint bits = floatBitsToUint(x);
-    if ((bits & 0x7fffffffu) == 0u || bits == 0x7f800000u) return x;
-    if (bits > 0x7f800000u) return uintBitsToFloat(0x7fc00000u);
-    int exponent;
-    float m = split(x, exponent);
-    int odd = exponent & 1;
-    if (odd == 1) m *= 2.0;
-    float y = inversesqrt(m), g = m * y, h = 0.5 * y;
-    for (int i = 0; i < 2; ++i) {
-        float r = fma(-h, g, 0.5);
-        g = fma(g, r, g);
-        h = fma(h, r, h);
+    float root = sqrt(x);
+    if (!exact_division) {
+        uint bits = floatBitsToUint(x);
+        if (bits > 0x80000000u) {
+            root = uintBitsToFloat(0x7fc00000u);
+        } else if (bits == 0u || bits == 0x80000000u || bits >= 0x7f800000u) {
+            root = x;
+        } else {
+            int exponent;
+            float m = split(x, exponent);
+            int odd = exponent & 1;
+            if (odd == 1) m *= 2.0;
+            float y = inversesqrt(m), g = m * y, h = 0.5 * y;
+            for (int i = 0; i < 2; ++i) {
+                float r = fma(-h, g, 0.5);
+                g = fma(g, r, g);
+                h = fma(h, r, h);
+            }
+            g = fma(fma(-g, g, m), h, g);
+            root = uintBitsToFloat(floatBitsToUint(g) + (uint((exponent - odd) / 2) << 23));
+        }
     }
-    g = fma(fma(-g, g, m), h, g);
-    return uintBitsToFloat(floatBitsToUint(g) + (uint((exponent - odd) / 2) << 23));
+    return root;
 }
 )";
 

@@ -45,9 +45,13 @@ FloatControls FloatControls::of(const VkPhysicalDeviceVulkan12Properties& proper
     add(controls.modes, signed_zero_inf_nan_preserve,
         has(properties.shaderSignedZeroInfNanPreserveFloat16, properties.shaderSignedZeroInfNanPreserveFloat32,
             properties.shaderSignedZeroInfNanPreserveFloat64));
+    // With RoundingModeRTE for 32 bits, NVIDIA's driver (580, seen on an H100) divides floats by a subroutine, with
+    // which a shader that also used 64-bit integers did not end. Its sums and products are rounded to even without it,
+    // and the quotients that generated shaders correct (gliftc, division.cpp) may be approximations.
+    const bool rounds_single =
+        properties.shaderRoundingModeRTEFloat32 && properties.driverID != VK_DRIVER_ID_NVIDIA_PROPRIETARY;
     add(controls.modes, rounding_mode_rte,
-        allowed(has(properties.shaderRoundingModeRTEFloat16, properties.shaderRoundingModeRTEFloat32,
-                    properties.shaderRoundingModeRTEFloat64),
+        allowed(has(properties.shaderRoundingModeRTEFloat16, rounds_single, properties.shaderRoundingModeRTEFloat64),
                 properties.roundingModeIndependence));
     return controls;
 }

@@ -1,0 +1,116 @@
+#include "lower/narrow_loads.h"
+
+#include "ir/walk.h"
+#include "lower/node_map.h"
+#include "lower/rewrite.h"
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+class Narrowing {
+public:
+    explicit Narrowing(Context& context) : cx(context) {}
+
+    void count(const std::vector<StmtId>& body);
+    std::vector<StmtId> run(const std::vector<StmtId>& body);
+
+private:
+    /// What is read of a local.
+    struct Use {
+        bool is_read = false, is_whole = false;  ///< `is_whole`: also if it is assigned to, or two components are read
+        std::uint8_t lane = 0;                   ///< the only component that is read, unless `is_whole`
+        LocalId component;                       ///< in a narrowed `let`: the local that holds the component instead
+    };
+
+    void count(ExprId id);
+    void count_component(Use& use, std::uint8_t lane);
+    bool is_narrowed(const Stmt& stmt);
+    ExprId visit(ExprId id);
+    StmtId narrowed(const Stmt& stmt, ExprId value);
+
+    Context& cx;
+    NodeMap<LocalId, Use> uses_{cx.first_local};
+};
+
+/// Whether the node is one component of a local.
+bool is_component(const Program& p, const Expr& node) {
+    return node.op == Op::swizzle && !p.types.is_vector(node.type) && p.exprs[node.operands[0]].op == Op::local;
+}
+
+void Narrowing::count_component(Use& use, std::uint8_t lane) {
+    use.is_whole |= use.is_read && use.lane != lane;
+    use.is_read = true;
+    use.lane = lane;
+}
+
+void Narrowing::count(ExprId id) {
+    const Expr& node = cx.p.exprs[id];
+    if (is_component(cx.p, node)) return count_component(uses_[cx.p.exprs[node.operands[0]].local], node.lanes[0]);
+    if (node.op == Op::local) uses_[node.local].is_whole = true;
+    for (ExprId operand : node.operands) count(operand);
+}
+
+void Narrowing::count(const std::vector<StmtId>& body) {
+    for_each_statement(cx.p, body, [&](const Stmt& stmt) {
+        for_each_root(stmt, [&](ExprId root) { count(root); });
+        if (!stmt.target) return;
+        const Expr& place = place_of(cx.p, stmt.target);
+        if (place.op == Op::local) uses_[place.local].is_whole = true;
+    });
+}
+
+bool Narrowing::is_narrowed(const Stmt& stmt) {
+    if (stmt.op != StmtOp::let || !stmt.value || cx.p.exprs[stmt.value].op != Op::load) return false;
+    if (!cx.p.types.is_vector(cx.p.locals[stmt.local].type)) return false;
+    const Use& use = uses_[stmt.local];
+    return use.is_read && !use.is_whole;
+}
+
+ExprId Narrowing::visit(ExprId id) {
+    const Expr& node = cx.p.exprs[id];
+    if (is_component(cx.p, node)) {
+        const LocalId component = uses_[cx.p.exprs[node.operands[0]].local].component;
+        return component ? cx.make.local(component) : id;
+    }
+    return with_operands_visited(cx, id, [&](ExprId operand) { return visit(operand); });
+}
+
+StmtId Narrowing::narrowed(const Stmt& stmt, ExprId value) {
+    Use& use = uses_[stmt.local];
+    const Local whole = cx.p.locals[stmt.local];
+    Stmt let = stmt;
+    let.local = use.component = cx.new_local(whole.name, cx.p.types.scalar_of(whole.type), whole.span);
+    let.value = cx.make.component(value, use.lane);
+    cx.p.locals[let.local].is_temporary = whole.is_temporary;
+    return cx.add(std::move(let));
+}
+
+std::vector<StmtId> Narrowing::run(const std::vector<StmtId>& body) {
+    std::vector<StmtId> result;
+    result.reserve(body.size());
+    for (StmtId id : body) {
+        const Stmt stmt = cx.p.stmts[id];
+        Make::Parts parts = visited_parts(stmt, [&](ExprId part) { return visit(part); });
+        if (is_narrowed(stmt)) {
+            result.push_back(narrowed(stmt, parts.value));
+            continue;
+        }
+        parts.body = run(stmt.body);
+        parts.otherwise = run(stmt.otherwise);
+        result.push_back(cx.make.again(id, std::move(parts)));
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<StmtId> narrow_loads(Context& cx, const std::vector<StmtId>& body) {
+    Narrowing narrowing(cx);
+    narrowing.count(body);
+    return narrowing.run(body);
+}
+
+}  // namespace gliftc::lower
