@@ -104,6 +104,11 @@ Diagnostic& Diagnostics::keep(Diagnostic&& made) {
     return all_.emplace_back(std::move(made));
 }
 
+bool Diagnostics::has_own_errors() const {
+    return has_errors() && std::any_of(all_.begin(), all_.end(),
+                                       [](const Diagnostic& one) { return severity_of(one.id) == Severity::error; });
+}
+
 void Diagnostics::append(Diagnostics&& others) {
     for (Diagnostic& one : others.all_) keep(std::move(one));
 }

@@ -63,6 +63,8 @@ public:
     Diagnostics emptied() const;
 
     bool has_errors() const { return errors_ > 0; }
+    /// Whether there are errors other than warnings that -Werror made errors.
+    bool has_own_errors() const;
     std::size_t error_count() const { return errors_; }
     const std::vector<Diagnostic>& all() const { return all_; }
 

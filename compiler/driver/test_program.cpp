@@ -4,6 +4,7 @@
 #include "driver/environment.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -81,7 +82,8 @@ pid_t start(const std::vector<std::string>& words) {
 
 Ended wait_for(pid_t child) {
     int status = 0;
-    waitpid(child, &status, 0);
+    while (waitpid(child, &status, 0) < 0)
+        if (errno != EINTR) return {1, 0};
     if (WIFEXITED(status)) return {WEXITSTATUS(status), 0};
     return {1, WTERMSIG(status)};
 }
@@ -223,18 +225,29 @@ fs::path TestPrograms::compiled_headers() {
     std::vector<std::string> words = compile_command();
     words.insert(words.end(),
                  {"-x", "c++-header", (made / "common.hpp").string(), "-o", (made / "common.hpp.gch").string()});
-    if (!run_and_wait_for(words)) return {};
+    if (!run_and_wait_for(words)) {
+        std::error_code ignored;
+        fs::remove_all(made, ignored);
+        return {};
+    }
     publish(made, folder);
     return header;
 }
 
-/// The place in the cache of a source's object: its name is a hash of all that the C++ compiler reads.
-fs::path TestPrograms::object_of(const Output& source, const TestSources& sources) const {
+/// A hash of what all sources of a program are compiled with.
+Digest TestPrograms::digest_of_surroundings(const TestSources& sources) const {
     Digest digest;
     digest.add(tools_);
     for (const std::string& word : compile_command()) digest.add(word);
     for (const std::string& folder : sources.include_folders) digest.add(folder);
     for (const std::string& file : sources.read_files) digest.add(text_of(file));
+    return digest;
+}
+
+/// The place in the cache of a source's object. Its name is a hash of the source, its SPIR-V, all headers but the
+/// system's, the compiler's options and tools_.
+fs::path TestPrograms::object_of(const Output& source, const TestSources& sources) const {
+    Digest digest = digest_of_surroundings(sources);
     for (const Output& output : sources.outputs)
         if (output.name.ends_with(".hpp")) digest.add(output.bytes);
     digest.add(source.bytes);
@@ -268,7 +281,7 @@ void TestPrograms::compile(const fs::path& folder, const TestSources& sources) {
         (is_of_kernels ? of_kernels : others).push_back(command_of(object));
         compiled.push_back(object);
     }
-    // Sources of kernels do not include the common headers: their compilation starts before these are precompiled.
+    // Sources of kernels include only one of the common headers: they do not wait until these are precompiled.
     std::vector<pid_t> children = start_all(of_kernels);
     if (const fs::path headers = others.empty() ? fs::path() : compiled_headers(); !headers.empty())
         for (std::vector<std::string>& words : others) words.insert(words.end(), {"-include", headers.string()});
@@ -283,10 +296,7 @@ void TestPrograms::compile(const fs::path& folder, const TestSources& sources) {
 }
 
 std::string TestPrograms::name_of(const TestSources& sources) const {
-    Digest digest;
-    digest.add(tools_);
-    for (const std::string& folder : sources.include_folders) digest.add(folder);
-    for (const std::string& file : sources.read_files) digest.add(text_of(file));
+    Digest digest = digest_of_surroundings(sources);
     for (const Output& output : sources.outputs) {
         digest.add(output.name);
         digest.add(output.bytes);
@@ -330,7 +340,8 @@ std::string TestPrograms::record_of(const Options& options) const {
         for (Diag diag : *list) digest.add(std::to_string(static_cast<int>(diag)));
         digest.add("");
     }
-    for (bool flag : {options.checked, options.host_only, options.warnings_are_errors, options.source_lines})
+    for (bool flag :
+         {options.checked, options.host_only, options.warnings_are_errors, options.source_lines, options.optimize})
         digest.add(flag ? "1" : "0");
     digest.add(std::to_string(options.shards));
     digest.add(options.style);

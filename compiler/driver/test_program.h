@@ -2,6 +2,7 @@
 #pragma once
 
 #include "driver/compile.h"
+#include "driver/digest.h"
 
 #include <filesystem>
 #include <string>
@@ -35,8 +36,8 @@ public:
     TestPrograms(const TestPrograms&) = delete;
     TestPrograms& operator=(const TestPrograms&) = delete;
 
-    /// The cache's name of the program: a hash of the outputs, the folders' paths, what imported headers contain, and
-    /// tools_.
+    /// The cache's name of the program: a hash of the outputs, the folders' paths, what imported headers contain, the
+    /// compiler's options, and tools_.
     std::string name_of(const TestSources& sources) const;
     /// Whether the cache has the program, which may be from an earlier run.
     bool has(const std::string& name) const;
@@ -51,6 +52,7 @@ public:
 
 private:
     void compile(const std::filesystem::path& folder, const TestSources& sources);
+    Digest digest_of_surroundings(const TestSources& sources) const;
     std::filesystem::path object_of(const Output& source, const TestSources& sources) const;
     std::vector<std::string> compile_command() const;
     std::filesystem::path compiled_headers();

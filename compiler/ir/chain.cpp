@@ -79,33 +79,54 @@ std::optional<Place> blocks_of(const Program& program, const Structure& structur
 
 namespace {
 
-/// Adds to `found` the places of structures that a function and its callees read; `at` are those of its own structures.
-void add_places(const Program& program, FunctionId function, const std::vector<Place>& at, std::vector<Place>& found) {
+/// Finds the places over a structure whose elements functions read.
+class ReadPlaces {
+public:
+    ReadPlaces(const Program& program, const Structure& over) : program_(program), over_(over) {}
+
+    /// Adds those that a function and its callees read; `at` are those of its own structures.
+    void add(FunctionId function, const std::vector<Place>& at);
+    std::vector<Place> take() { return std::move(found_); }
+
+private:
+    void add(Place place);
+
+    const Program& program_;
+    const Structure& over_;
+    std::vector<Place> found_;
+};
+
+void ReadPlaces::add(Place place) {
+    const Structure& structure = structure_at(program_, over_, place.members);
+    if (is_computed(program_, structure))
+        add(root_structure(program_, structure).at, {root_of(program_, structure, place)});
+    else if (std::ranges::find(found_, place) == found_.end()) found_.push_back(std::move(place));
+}
+
+void ReadPlaces::add(FunctionId function, const std::vector<Place>& at) {
     const auto resolved = [&](const Place& place) {
         Place whole = at[place.root];
         whole.members.append(place.members);
         return whole;
     };
-    for_each_expression(program, program.functions[function].body, [&](ExprId id) {
-        const Expr& node = program.exprs[id];
+    for_each_expression(program_, program_.functions[function].body, [&](ExprId id) {
+        const Expr& node = program_.exprs[id];
         if (node.op == Op::read || node.op == Op::sample || node.op == Op::gather || node.op == Op::compare ||
-            node.op == Op::translate) {
-            Place place = resolved(node.place);
-            if (std::ranges::find(found, place) == found.end()) found.push_back(std::move(place));
-        }
+            node.op == Op::translate)
+            add(resolved(node.place));
         if (node.op != Op::call || node.places.empty()) return;
         std::vector<Place> handed;
         for (const Place& place : node.places) handed.push_back(resolved(place));
-        add_places(program, node.function, handed, found);
+        add(node.function, handed);
     });
 }
 
 }  // namespace
 
-std::vector<Place> places_of_blocks(const Program& program, const Blocks& blocks) {
-    std::vector<Place> found;
-    for (FunctionId function : {blocks.count, blocks.first}) add_places(program, function, {Place{}}, found);
-    return found;
+std::vector<Place> places_of_blocks(const Program& program, const Structure& structure) {
+    ReadPlaces places(program, structure);
+    for (FunctionId function : {structure.blocks->count, structure.blocks->first}) places.add(function, {Place{}});
+    return places.take();
 }
 
 const Blocks* visited_blocks(const Program& program, const Kernel& kernel) {

@@ -28,8 +28,9 @@ const Memory& root_memory(const Program& program, const Structure& structure);
 /// in between, so that addresses stay the same. Absent: the whole domain is one block.
 std::optional<Place> blocks_of(const Program& program, const Structure& structure, const Place& place);
 
-/// The structures that the functions `count` and `first` of blocks read: places over the structure that declares them.
-std::vector<Place> places_of_blocks(const Program& program, const Blocks& blocks);
+/// The structures with memory whose elements the functions `count` and `first` of a structure's own blocks read, also
+/// those that views among them read: places over the structure.
+std::vector<Place> places_of_blocks(const Program& program, const Structure& structure);
 
 /// The blocks that a kernel visits; null: it visits whole ranges.
 const Blocks* visited_blocks(const Program& program, const Kernel& kernel);

@@ -24,10 +24,11 @@ void add_blocks(Context&, const Env&, std::uint32_t structure, const BlockItems&
 std::optional<Operand> call_of_blocks(Body&, const Operand& self, ast::Identifier method, const ast::Expr& call);
 
 /// Finds the blocks that a kernel visits. The parameters that decide are those written by `each`; if there are none,
-/// those that are `at`; else those read by `each` or `near`. If all of them have blocks, Kernel::space is the first of
-/// them and Kernel::same_space the others; all must have their blocks from the same ir::Structure, which is their own
-/// or a memory along their chains (else an error). Kernel::space stays empty for draws, for kernels with a group, and
-/// for those whose invocations take several elements.
+/// those that are `at`; else those read by `each` or `near`. If all of them have blocks (ir::blocks_of), Kernel::space is
+/// the first of them and Kernel::same_space the others; one ir::Structure must declare the blocks of all (else an
+/// error). Kernel::space stays empty if one of them has no blocks, for draws, for kernels with a group, and for those
+/// whose invocations take several elements. Where the host does not know how many blocks there are, also makes the
+/// pipeline that counts them (Blocks::counter).
 void find_space(Context&, ir::Kernel&);
 
 /// Makes a pipeline over a structure that declares blocks, which gives their number as a value on the device, for the

@@ -157,7 +157,9 @@ Env& Context::new_env(std::uint32_t module) {
 
 Diagnostic& Context::error(Diag id, Span span, std::initializer_list<std::string_view> arguments) {
     Diagnostic& diagnostic = diagnostics.report(id, span, arguments);
-    Span last = span;  // of an endless chain of requests at one place, one is enough
+    // The place of the latest message: a request at the same place gets no note, so that endless recursion there does
+    // not fill the report.
+    Span last = span;
     for (auto request = requests.rbegin(); request != requests.rend(); ++request) {
         if (!request->span || request->span == last || request->display.find('<') == std::string::npos) continue;
         last = request->span;
@@ -193,7 +195,7 @@ ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tre
     if (!diagnostics.has_errors()) check_given(c);
     if (!diagnostics.has_errors()) require_transfers_of_arguments(c);
     // No warnings if there are errors, as in close_scope().
-    for (std::uint32_t i = 0; i < modules.size() && !diagnostics.has_errors(); ++i)
+    for (std::uint32_t i = 0; i < modules.size() && !diagnostics.has_own_errors(); ++i)
         if (modules[i].is_root) warn(c, modules[i].tree->decls);
     if (!diagnostics.has_errors() && settings.looks_into_tables) require_transfers_of_tables(c);
     return program;

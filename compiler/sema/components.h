@@ -49,6 +49,10 @@ std::optional<std::uint32_t> box_of(Context&, std::uint32_t dimensions, ir::Type
 /// addresses, directly or in functions that they call.
 bool reads_memory(const ir::Program&, const std::vector<ir::StmtId>&);
 
+/// The first type among those of the function's result and values that memory cannot hold, so that no pass can call it.
+/// Absent if a pass can call it.
+std::optional<ir::TypeId> type_not_for_passes(const ir::Program&, const ir::Function&);
+
 /// A pipeline that calls the function in a pass of one invocation and returns the result, which stays on the device.
 /// Its parameters are the function's structures, then its values; `on_device` says which of the values lie on the
 /// device. Gives its index in Program::pipelines; absent after an error.

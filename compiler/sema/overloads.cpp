@@ -165,8 +165,22 @@ bool is_pass(Body& body, ir::FunctionId function, const std::vector<Operand>& st
     return structures.size() > 1 || structures[0].is_slice || body.program().functions[function].reads_memory;
 }
 
+/// Whether a pass can call the function; reports if not.
+bool is_passable(Body& body, const ir::Function& function, Span span) {
+    Context& c = body.context;
+    const std::optional<ir::TypeId> refused = type_not_for_passes(c.program, function);
+    if (!refused) return true;
+    if (*refused == c.types().void_) c.error(Diag::void_value, span);
+    else
+        note(c.error(Diag::device_value_type, span, {c.text(*refused)}), span,
+             "the function reads memory, so that a pass calls it, whose values lie in memory; that holds neither "
+             "optionals nor structs without fields");
+    return false;
+}
+
 Operand call_as_pass(Body& body, ir::FunctionId function, const std::vector<Operand>& structures,
                      const ir::Operands& values, Span span) {
+    if (!is_passable(body, body.program().functions[function], span)) return error_operand(span);
     ir::Operands arguments;
     std::vector<bool> on_device;
     for (ir::ExprId value : values) on_device.push_back(is_open(body, value));

@@ -5,7 +5,10 @@
 #include "ir/walk.h"
 #include "sema/components.h"
 #include "sema/instances.h"
+#include "sema/typing.h"
 #include "sema/values.h"
+
+#include <algorithm>
 
 namespace gliftc::sema {
 
@@ -72,6 +75,13 @@ ir::Kernel kernel_of(Context& c, ir::FunctionId id, std::uint32_t box) {
 }
 
 }  // namespace
+
+std::optional<ir::TypeId> type_not_for_passes(const ir::Program& program, const ir::Function& function) {
+    std::vector<ir::TypeId> types{function.result};
+    for (ir::LocalId param : function.params) types.push_back(program.locals[param].type);
+    const auto found = std::ranges::find_if_not(types, [&](ir::TypeId type) { return memory_holds(program, type); });
+    return found == types.end() ? std::nullopt : std::optional(*found);
+}
 
 ir::PipelineParam structure_param(Context& c, std::uint32_t structure, Span span) {
     const ir::TypeId type = c.types().of_structure(structure);
@@ -170,10 +180,11 @@ void check_methods(Context& c, std::uint32_t index) {
         const auto function = instantiate_function(c, item.decl, env, {index}, decl.name.span);
         if (!function) return;
         const ir::Function& made = c.program.functions[*function];
-        // Functions that write are called by kernels only. Optionals, which memory cannot hold, are no results in C++.
+        // Functions that write are called by kernels only. Optionals are no results in C++.
         if (!made.effects.empty() || c.types().kind(made.result) == ir::TypeKind::optional) return;
+        if (made.reads_memory && type_not_for_passes(c.program, made)) return;
         ir::Method method{*function, std::nullopt};
-        if (c.program.functions[*function].reads_memory) {
+        if (made.reads_memory) {
             method.pipeline = pipeline_of_function(c, *function, decl.name.span);
             if (!method.pipeline) return;
         }

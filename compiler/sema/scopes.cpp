@@ -8,7 +8,7 @@ void open_scope(Body& body) { body.scopes.emplace_back(); }
 
 void close_scope(Body& body) {
     // No warnings after errors: code that was skipped because of them may have used the name.
-    const bool is_sure = !body.context.diagnostics.has_errors();
+    const bool is_sure = !body.context.diagnostics.has_own_errors();
     std::vector<std::pair<Span, Name>> unused;
     for (const auto& [name, symbol] : body.scopes.back())
         if (is_sure && symbol.warn_unused && !symbol.used && !body.context.text(name).starts_with('_'))

@@ -1,5 +1,7 @@
 #include "sema/typing.h"
 
+#include "ir/empty.h"
+
 #include <algorithm>
 
 namespace gliftc::sema {
@@ -94,6 +96,10 @@ bool holds_optional(const ir::Program& program, ir::TypeId id) {
     if (type.kind != ir::TypeKind::struct_) return false;
     const auto& fields = program.structs[type.index].fields;
     return std::ranges::any_of(fields, [&](const auto& field) { return holds_optional(program, field.type); });
+}
+
+bool memory_holds(const ir::Program& program, ir::TypeId id) {
+    return id != program.types.void_ && !ir::holds_empty(program, id) && !holds_optional(program, id);
 }
 
 bool is_refused_optional(Context& c, ir::TypeId type, std::string_view what, Span span) {

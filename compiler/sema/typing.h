@@ -32,6 +32,8 @@ bool becomes(const ir::Types&, ir::TypeId from, ir::TypeId to);
 
 /// Whether the type is or contains an optional.
 bool holds_optional(const ir::Program&, ir::TypeId);
+/// Whether elements of memory can be of the type: it holds no optionals, no structs without fields, and is not void.
+bool memory_holds(const ir::Program&, ir::TypeId);
 
 /// Whether the type is an optional or an array of optionals, which `what` cannot be; reports it then.
 bool is_refused_optional(Context&, ir::TypeId, std::string_view what, Span);

@@ -1,7 +1,6 @@
 #include "sema/values.h"
 
 #include "ir/effects.h"
-#include "ir/empty.h"
 #include "ir/print.h"
 #include "ir/walk.h"
 #include "sema/components.h"
@@ -213,7 +212,7 @@ ir::ExprId on_device(Body& body, ir::ExprId id) {
              "the host chooses structures and their parts: 'await' the condition");
         return error_value(body, span);
     }
-    if (ir::holds_empty(body.program(), type) || holds_optional(body.program(), type)) {
+    if (!memory_holds(body.program(), type)) {
         note(body.context.error(Diag::device_value_type, span, {body.context.text(type)}), span,
              "memory holds neither optionals nor structs without fields: keep a value and a bool instead");
         return error_value(body, span);

@@ -51,7 +51,10 @@ bool Parser::accept_word(Word word) {
 bool Parser::follows_open_string() const {
     if (!has_open_string_ || cursor_ == 0 || tokens_[cursor_ - 1].kind != TokenKind::string) return false;
     const std::string_view text = text_of(tokens_[cursor_ - 1]);
-    return text.size() < 2 || text.back() != '"';
+    if (text.size() < 2 || text.back() != '"') return true;
+    std::size_t backslashes = 0;
+    while (text[text.size() - 2 - backslashes] == '\\') ++backslashes;  // ends at the opening quote
+    return backslashes % 2 == 1;  // the last quote is escaped
 }
 
 bool Parser::expect(TokenKind kind) {

@@ -71,7 +71,7 @@ void check_names(const Json& json, const std::string& what, const std::set<std::
         if (!names.contains(name)) refuse("'" + what + "' has no member '" + name + "'");
 }
 
-/// A camera whose `up` is no direction, or that of its view, has no picture.
+/// Refuses an `up` that is zero or along the view: it does not say how the picture is turned.
 void check_up(const camera::Camera& camera) {
     constexpr float shortest = 1e-6f, least_sine = 1e-4f;
     const float length = glift::length(camera.up);

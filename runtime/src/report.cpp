@@ -15,6 +15,13 @@ Reporter::Reporter(const Kernel& reporting)
     for (const Binding& binding : reporting.bindings) bindings.emplace_back(binding.name);
 }
 
+/// A coordinate of an address outside: one that a subtraction wrapped around is shown as the negative number it stands
+/// for.
+static std::string shown_coordinate(std::uint32_t at) {
+    constexpr std::uint32_t farthest_below_zero = 1u << 16;
+    return at > 0u - farthest_below_zero ? std::to_string(static_cast<std::int32_t>(at)) : std::to_string(at);
+}
+
 void throw_report(const Reporter& reporter, const StatusRecord& record) {
     if (record.code == StatusRecord::fine) return;
     const std::string& file = reporter.files[record.file < reporter.files.size() ? record.file : 0];
@@ -25,9 +32,8 @@ void throw_report(const Reporter& reporter, const StatusRecord& record) {
                     loop_remedy);
     }
     std::string address = "(";
-    for (std::uint32_t axis = 0; axis < std::min(record.rank, 4u); ++axis) {
-        address += (axis ? ", " : "") + std::to_string(static_cast<std::int32_t>(record.address[axis]));
-    }
+    for (std::uint32_t axis = 0; axis < std::min(record.rank, 4u); ++axis)
+        address += (axis ? ", " : "") + shown_coordinate(record.address[axis]);
     const std::string name =
         record.binding < reporter.bindings.size() ? reporter.bindings[record.binding] : "a structure";
     throw Error(ErrorCode::out_of_range, "an access outside a structure", where,

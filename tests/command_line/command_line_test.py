@@ -44,6 +44,8 @@ expect(ran.said.count("cannot write") == 1, "one folder, one error", ran.said)
 # Diagnostics.
 says(here.run("--error-limit", "1", "--check", "bad.glift"), 1, "1 error; no more")
 says(here.run("--error-limit", "-3", "--check", "good.glift"), 2)
+here.write("unused.glift", "module unused;\nfn f() { let a = 1; let b = 2; }\nfn g(x: int) { let c = 3; }\n")
+says(here.run("-Werror", "--check", "unused.glift"), 1, "'a' is", "'b' is", "'c' is", "'x' is")
 says(here.run("--library", "/nowhere", "--check", "good.glift"), 2, "does not hold the standard library")
 expect("or ir" in here.run("--help").said, "--help names the stage 'ir'")
 for code in ("0 done", "1 errors", "2 wrong usage", "3 a bug", "4 a file"):

@@ -41,10 +41,10 @@ here.write("user.glift", "module user;\nuse base;\ntest \"the base\" { let unuse
 for again in "", " again":
     says(here.run(*run_user), 0, "warning", "pass  the base")
 
-# A program that was built with other options is another one: `-g` names the lines of the source in it.
+# A program that was built with other options is another one: `-g` names the lines of the source in it, `-O` optimises.
 cache = here.path / "cache"
 here.write("clean.glift", "module clean;\ntest \"one\" { expect(1u == 1u); }\n")
-for options, programs in ((), 1), ((), 1), (("-g",), 2):
+for options, programs in ((), 1), ((), 1), (("-g",), 2), (("-O",), 3):
     says(here.run("test", "--device", "host", *options, here.path / "clean.glift", GLIFT_CACHE_DIR=str(cache)), 0, "pass  one")
     remembered = len(list(cache.rglob("run-*")))
     expect(remembered == programs, f"programs remembered with {options}", str(remembered))

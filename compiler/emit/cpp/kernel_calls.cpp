@@ -32,9 +32,9 @@ bool is_container(const Unit& unit, const KernelParam& param) {
            unit.program.structures[param.structure].kind == ir::StructureKind::adaptor;
 }
 
-/// The arguments whose footprints (the elements that are accessed) the runtime compares, in the order of the
-/// parameters. `{}` stands for one that is not compared: a container, of which members are accessed, or a value on the
-/// device.
+/// The footprints (the elements that are accessed) that the runtime compares, in the order of the parameters: the
+/// argument itself if it is a range. `{}` stands for a container or a value on the device, which has no range: the
+/// runtime assumes that the kernel may access all elements of its memories.
 std::string footprints_text(const Unit& unit, const Kernel& kernel) {
     std::string text;
     for (const KernelParam& param : kernel.params)
@@ -50,8 +50,8 @@ std::string object_of(const Unit& unit, const KernelParam& param) {
     return param_name(unit, param) + (is_container(unit, param) ? "." : "->");
 }
 
-/// The C++ expression of the memory that holds the elements at a place of a structure passed for a parameter; empty if
-/// they are computed.
+/// The C++ expression of the buffer or image that holds the elements of the structure at `place`, a path of members
+/// from the structure passed for the parameter. Empty if a view computes these elements.
 std::string memory_text(Unit& unit, const KernelParam& param, const ir::Place& place) {
     const ir::Structure& whole = unit.program.structures[param.structure];
     const ir::Structure& at = ir::structure_at(unit.program, whole, place.members);
@@ -319,21 +319,25 @@ static void print_blocks_visited(Unit& unit, Writer& out, const Kernel& kernel, 
 }
 
 /// Prints the checks that the other visited parameters of a kernel over blocks have the same blocks as the parameter
-/// whose blocks are visited: the structures that the functions of the blocks read (ir::places_of_blocks) must lie in
-/// the same memories.
+/// whose blocks are visited: what blocks() and block(i) read (ir::places_of_blocks) must lie in the same memories.
+/// Values that these functions use, such as extents, are not compared: those of the first parameter decide.
 static void print_same_blocks(Unit& unit, Writer& out, const Kernel& kernel) {
+    const auto owner_in = [&](const KernelParam& param) {
+        return *ir::blocks_of(unit.program, unit.program.structures[param.structure], {});
+    };
     const KernelParam& first = kernel.params[*kernel.space];
+    const ir::Structure& owner =
+        ir::structure_at(unit.program, unit.program.structures[first.structure], owner_in(first).members);
     for (std::uint32_t index : kernel.same_space) {
         const KernelParam& other = kernel.params[index];
         std::string pairs;
-        for (const ir::Place& place : ir::places_of_blocks(unit.program, *ir::visited_blocks(unit.program, kernel))) {
+        for (const ir::Place& place : ir::places_of_blocks(unit.program, owner)) {
             const auto in = [&](const KernelParam& param) {
-                ir::Place whole = *ir::blocks_of(unit.program, unit.program.structures[param.structure], {});
+                ir::Place whole = owner_in(param);
                 whole.members.append(place.members);
                 return memory_text(unit, param, whole);
             };
-            if (const std::string memory = in(first); !memory.empty())
-                pairs += (pairs.empty() ? "{" : ", {") + memory + ", " + in(other) + "}";
+            pairs += (pairs.empty() ? "{" : ", {") + in(first) + ", " + in(other) + "}";
         }
         if (!pairs.empty())
             out.line("iteration.same_blocks(\"" + unit.name(first.name) + "\", \"" + unit.name(other.name) + "\", {" +

@@ -297,4 +297,14 @@ TEST_P(Misuse, CommandsKeptBeyondTheirRecording) {
     EXPECT_EQ(line.read()[0], 1.0f);
 }
 
+TEST_P(Misuse, DifferentBlocksThroughAView) {
+    misuse::Numbers list(device, 2), other_list(device, 2);
+    list.write({1, 3});
+    other_list.write({0, 2});
+    misuse::Listed a(device, 32, list), b(device, 32, list), c(device, 32, other_list);
+    misuse::fill_both(device, a, b);
+    EXPECT_EQ(b.read(7, 10), (std::vector<float>{0, 2, 2}));
+    expect_error("different blocks", [&] { misuse::fill_both(device, a, c); });
+}
+
 }  // namespace

@@ -1,5 +1,6 @@
-// Parallel loops over rows visit each element of a range exactly once, for any shape of range. Also moves of rows, the
-// middle of a row where clamps change nothing, and atomics of floats.
+// host::for_rows visits each element of a range exactly once, for any shape of range; for_strides does so with
+// invocations. load_rows and store_rows copy between arrays and buffers; their index counts rows of four numbers. Also
+// the middle of a row along x, where windows stay in the domain or clamps change nothing, and atomics of floats.
 #include <glift/host/atomics.h>
 #include <glift/host/parallel.h>
 
