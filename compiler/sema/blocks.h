@@ -24,8 +24,8 @@ void add_blocks(Context&, const Env&, std::uint32_t structure, const BlockItems&
 std::optional<Operand> call_of_blocks(Body&, const Operand& self, ast::Identifier method, const ast::Expr& call);
 
 /// Finds the blocks that a kernel visits. The parameters that decide are those written by `each`; if there are none,
-/// those that are `at`; else those read by `each` or `near`. If all of them have blocks (ir::blocks_of), Kernel::space is
-/// the first of them and Kernel::same_space the others; one ir::Structure must declare the blocks of all (else an
+/// those that are `at`; else those read by `each` or `near`. If all of them have blocks (ir::blocks_of), Kernel::space
+/// is the first of them and Kernel::same_space the others; one ir::Structure must declare the blocks of all (else an
 /// error). Kernel::space stays empty if one of them has no blocks, for draws, for kernels with a group, and for those
 /// whose invocations take several elements. Where the host does not know how many blocks there are, also makes the
 /// pipeline that counts them (Blocks::counter).

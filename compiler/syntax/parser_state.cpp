@@ -54,7 +54,7 @@ bool Parser::follows_open_string() const {
     if (text.size() < 2 || text.back() != '"') return true;
     std::size_t backslashes = 0;
     while (text[text.size() - 2 - backslashes] == '\\') ++backslashes;  // ends at the opening quote
-    return backslashes % 2 == 1;  // the last quote is escaped
+    return backslashes % 2 == 1;                                        // the last quote is escaped
 }
 
 bool Parser::expect(TokenKind kind) {
