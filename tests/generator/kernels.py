@@ -1,12 +1,14 @@
 """Random kernels, and the tests that run them."""
 from expressions import Scope
-from model import BOOL, FLOAT, INT, INTEGERS, UINT, Array, Items, Matrix, Node, Optional, Vector, joined, vector
+from model import (BOOL, FLOAT, INT, INTEGERS, UINT, Array, Items, Matrix, Node, Optional, Vector, bytes_of, joined,
+                   vector)
 from structures import Structure, extent_text
 
 OPERATIONS = ["add", "min", "max", "and", "or", "xor"]
 ATOMICS = {"add": "atomicAdd", "min": "atomicMin", "max": "atomicMax", "and": "atomicAnd", "or": "atomicOr", "xor": "atomicXor"}
 SUBGROUPS = {"add": "subgroupAdd", "min": "subgroupMin", "max": "subgroupMax", "and": "subgroupAnd", "or": "subgroupOr",
              "xor": "subgroupXor"}
+MOST_SHARED_BYTES = 8192  # of an array in workgroup memory, of which a kernel has three, and lavapipe 32,768 bytes
 
 
 # An adaptor with a function for each way to write a member. `of` reads the member `given`, which none of them writes.
@@ -357,6 +359,8 @@ class Kernels:
         if self.random.chance(30):
             return self.add_tally(scope, items, name)
         t = self.random.choice(self.types.storable)
+        if bytes_of(t) * group > MOST_SHARED_BYTES:
+            t = UINT
         items.parts.insert(0, Node(f"shared {name}: {t.text()}[{group}];"))
         items.parts.append(Node(f"{name}[local_index()] = ", self.expressions.of(t, scope, 4), ";"))
         items.parts.append(Node("barrier();"))

@@ -86,6 +86,17 @@ def size_of(t):
     return t.size if isinstance(t, Vector) else 1
 
 
+def bytes_of(t):
+    """At least as many bytes as a value of the type takes in workgroup memory."""
+    if isinstance(t, Struct):
+        return sum(bytes_of(of) for _, of in t.fields) + 8
+    if isinstance(t, Array):
+        return t.size * bytes_of(t.element)
+    if isinstance(t, Matrix):
+        return 4 * t.columns * t.rows
+    return size_of(t) * (8 if scalar_of(t) in (DOUBLE, INT64, UINT64) else 4)
+
+
 def is_shaped(t):
     """Whether a type is a scalar or a vector."""
     return isinstance(t, (Scalar, Vector))

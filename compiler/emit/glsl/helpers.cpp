@@ -135,21 +135,41 @@ Conversion conversion_of(Helper helper) {
     }
 }
 
+/// The beginning of a function that converts x, of a floating-point type, to an integer. `safe` is x, or 0 where the
+/// result cannot represent it: that is converted, and the result chosen afterwards. The conversion of a number that
+/// does not fit is undefined, also where its result is not used: lavapipe's compiler (LLVM 15) made undefined addresses
+/// of it.
+std::string conversion_begin(const HelperUse& use, const std::string& type, const std::string& x) {
+    const Conversion c = conversion_of(use.helper);
+    const std::string suffix = type == "double" ? "lf" : "", number = type == "double" ? "double" : "float";
+    return std::string("// Saturates; not-a-number gives 0.\n") + c.result + " " + name_of(use.helper) + "(" + type +
+           " x) {\n    " + number + " safe = " + x + " >= " + c.low + suffix + " && " + x + " < " + c.high + suffix +
+           " ? " + x + " : 0.0" + suffix + ";\n";
+}
+
+/// The end of the function: `fitting` is the result where x fits.
+std::string conversion_end(const HelperUse& use, const std::string& type, const std::string& x,
+                           const std::string& fitting) {
+    const Conversion c = conversion_of(use.helper);
+    const bool is_signed = use.helper == Helper::to_int || use.helper == Helper::to_int64;
+    const std::string suffix = type == "double" ? "lf" : "";
+    const std::string below = is_signed ? x + " < " + c.low + suffix + " ? " + c.least + " : " : "";
+    return "    return " + x + " >= " + c.high + suffix + " ? " + c.most + " : " + below + fitting + ";\n}\n";
+}
+
 /// Converts a floating-point number to an integer of 64 bits in two steps, the upper 32 bits and the lower ones. If a
 /// program uses only the lower half of a conversion to 64 bits, NVIDIA's driver (580) replaces it by a conversion to 32
 /// bits, which saturates. Both steps are exact.
 std::string saturating_conversion_64(const HelperUse& use, const std::string& type) {
-    const Conversion c = conversion_of(use.helper);
     const bool is_signed = use.helper == Helper::to_int64;
     const std::string suffix = type == "double" ? "lf" : "";
-    const std::string size = is_signed ? "abs(x)" : "x";
-    const std::string below = is_signed ? std::string("isnan(x) ? 0l : ") + c.least : c.least;
+    const std::string size = is_signed ? "abs(safe)" : "safe";
     const std::string bits = "packUint2x32(uvec2(low, high))";
-    return std::string("// Saturates; not-a-number gives 0.\n") + c.result + " " + name_of(use.helper) + "(" + type +
-           " x) {\n    if (!(x >= " + c.low + suffix + ")) return " + below + ";\n    if (x >= " + c.high + suffix +
-           ") return " + c.most + ";\n    uint high = uint(" + size + " * 2.3283064365386962890625e-10" + suffix +
-           ");\n    uint low = uint(" + size + " - " + type + "(high) * 4294967296.0" + suffix + ");\n    return " +
-           (is_signed ? "int64_t(x < 0.0" + suffix + " ? 0ul - " + bits + " : " + bits + ")" : bits) + ";\n}\n";
+    const std::string fitting =
+        is_signed ? "int64_t(safe < 0.0" + suffix + " ? 0ul - " + bits + " : " + bits + ")" : bits;
+    return conversion_begin(use, type, "x") + "    uint high = uint(" + size + " * 2.3283064365386962890625e-10" +
+           suffix + ");\n    uint low = uint(" + size + " - " + type + "(high) * 4294967296.0" + suffix + ");\n" +
+           conversion_end(use, type, "x", fitting);
 }
 
 std::string saturating_conversion(Printer& p, const HelperUse& use) {
@@ -162,18 +182,8 @@ std::string saturating_conversion(Printer& p, const HelperUse& use) {
     if (is_wide && type != "float16_t") return saturating_conversion_64(use, type);
     // The bounds, 0 and powers of two up to 2^64, are exact as floats and doubles. A half is compared as a float, since
     // they are beyond its largest number.
-    std::string x = type == "float" ? "x" : type == "float16_t" ? "float(x)" : "x";
-    std::string suffix = type == "double" ? "lf" : "";
-    std::string low = use.helper == Helper::to_uint || use.helper == Helper::to_uint64 ? x + " > " + c.low + suffix
-                                                                                       : x + " >= " + c.low + suffix;
-    std::string text =
-        std::string("// Saturates; not-a-number gives 0.\n") + c.result + " " + name + "(" + type + " x) {\n";
-    text += "    if (" + low + ") return " + x + " < " + c.high + suffix + " ? " + c.result + "(x) : " + c.most + ";\n";
-    bool zero_least = c.least == std::string("0u") || c.least == std::string("0ul");
-    text += zero_least ? std::string("    return ") + c.least + ";\n}\n"
-                       : std::string("    return ") + x + " < " + c.low + suffix + " ? " + c.least + " : " + c.result +
-                             "(0);\n}\n";
-    return text;
+    const std::string x = type == "float16_t" ? "float(x)" : "x";
+    return conversion_begin(use, type, x) + conversion_end(use, type, x, std::string(c.result) + "(safe)");
 }
 
 /// Rounds once on all drivers. For a plain conversion Mesa's convert the double to a float and that to a half, which

@@ -299,9 +299,9 @@ TEST_P(Misuse, CommandsKeptBeyondTheirRecording) {
 
 TEST_P(Misuse, DifferentBlocksThroughAView) {
     misuse::Numbers list(device, 2), other_list(device, 2);
-    list.write({1, 3});
-    other_list.write({0, 2});
-    misuse::Listed a(device, 32, list), b(device, 32, list), c(device, 32, other_list);
+    list.write(std::vector<glift::uint>{1, 3});
+    other_list.write(std::vector<glift::uint>{0, 2});
+    misuse::Listed a(device, list, 32), b(device, list, 32), c(device, other_list, 32);
     misuse::fill_both(device, a, b);
     EXPECT_EQ(b.read(7, 10), (std::vector<float>{0, 2, 2}));
     expect_error("different blocks", [&] { misuse::fill_both(device, a, c); });
