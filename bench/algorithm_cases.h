@@ -11,8 +11,8 @@ namespace bench {
 
 struct AlgorithmCase {
     std::string algorithm, variant;
-    /// `bytes`: the least memory traffic: input read once, output written once. Of select and unique, whose output's
-    /// size depends on the input, and where the output is small (reduce, histogram), only the reads count.
+    /// `bytes`: the least memory traffic: input read once, output written once. Only the reads count for select and
+    /// unique, whose output's size depends on the input, and for reduce and histogram, whose output is small.
     std::uint64_t elements = 0, bytes = 0;
     std::function<void(const glift::Commands&)> work;
     std::function<double()> error = nullptr;  ///< relative error of the result; null: it is exact

@@ -1,6 +1,6 @@
 // bench_lookups [--runs N] [--seconds S] [--scale N] [--json FILE]: table 6.1 of Lefohn's thesis (2006). Counts the
-// instructions of its reads, generated and hand-written, with parameters at run time and with parameters fixed when the
-// pipeline is made; and times them.
+// instructions of the table's reads, generated and hand-written, with parameters at run time and with parameters fixed
+// when the pipeline is made; and times them.
 #include "lookup_cases.h"
 #include "measure.h"
 #include "spy.h"

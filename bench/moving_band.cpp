@@ -80,7 +80,7 @@ Times measure(const glift::Device& device, const Case& one, const Options& optio
         moving_shell::tick(c, clock);
     });
     times.tables = time([&](const glift::Commands& c) { nothing.update(c); });
-    // With the pages of the middle of a period.
+    // The times below are measured with the pages that are resident in the middle of a period.
     moving_shell::set(device, clock, 32);
     moving_shell::ask_everywhere(device, band, clock, one.radius);
     band.update(device);

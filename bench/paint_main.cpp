@@ -65,7 +65,7 @@ struct View {
     camera::Camera camera;
 };
 
-/// The whole model; and what is in the middle of that picture, from near.
+/// Two views: of the whole model, and from near of what is in the middle of the first view.
 std::vector<View> views_of(const mesh::Mesh& mesh, const Options& o) {
     const mesh::Box box = mesh::bounds_of(mesh);
     const auto right = static_cast<float>(o.turn), upwards = static_cast<float>(o.upwards);

@@ -137,7 +137,7 @@ nlohmann::ordered_json lookups_of(const std::string& scene, const bench::LookupT
             {"lit_by_compare", found.lit_by_compare}};
 }
 
-/// Lookups of a plain map, for scenes of which it is timed; the host device has no passes to time.
+/// Times, prints and adds lookups of a standard map alone. Does nothing on the host device, whose passes are not timed.
 void add_lookups(const glift::Device& device, const Options& options, const std::string& scene,
                  const std::vector<scenes::Scene>& moving, nlohmann::ordered_json& all) {
     if (device.is_host()) return;

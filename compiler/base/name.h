@@ -24,8 +24,8 @@ struct Name {
 class Names {
 public:
     Names() : slots_(1024) { intern(""); }
-    /// A table that shares the names of `base` and adds its own. The base must outlive it, and must not change while it
-    /// exists.
+    /// A table that shares the names of `base` and adds its own. The base must outlive the new table, and must not
+    /// change until the last name has been added to the new one.
     static Names extending(const Names& base) { return Names(&base); }
 
     Name intern(std::string_view text) {

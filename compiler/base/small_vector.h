@@ -15,8 +15,8 @@
 
 namespace gliftc {
 
-/// Elements must be trivially copyable. Up to `Inside` of them are stored in the object; if there are more, all are on
-/// the heap.
+/// Elements must be trivially copyable. Up to `Inside` of them are stored in the object; once there are more, or room
+/// for more is reserved, all are on the heap.
 template <class T, std::uint32_t Inside> class SmallVector {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 

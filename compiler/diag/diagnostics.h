@@ -82,14 +82,15 @@ private:
     Diagnostic dropped_{};
 };
 
-/// The diagnostic whose id users write like this: "unknown-name".
+/// The diagnostic with this id as users write it, such as "unknown-name"; none if there is no such diagnostic.
 std::optional<Diag> find_diagnostic(std::string_view id);
 
 /// The id nearest to a misspelled one; empty if none is near.
 std::string_view nearest_diagnostic(std::string_view word);
 
-/// The candidate nearest to `name` by edit distance, other than `name` itself; empty if none is within a third of the
-/// length of `name` (or 1, if that is more).
+/// The candidate nearest to `name` by edit distance, other than `name` itself; of equally near ones the first. Empty if
+/// none is within a third of the length of `name` (or 1, if that is more). A candidate does not count if its distance
+/// is the length of the longer of the two.
 std::string_view did_you_mean(std::string_view name, const std::vector<std::string_view>& candidates);
 
 }  // namespace gliftc

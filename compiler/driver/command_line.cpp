@@ -100,7 +100,7 @@ void check_file_names(const Options& options) {
         if (file == "-") continue;
         const std::filesystem::path path(file);
         const auto [earlier, is_new] = by_stem.try_emplace(path.stem().string(), file);
-        std::error_code unknown;  // where a file is missing, which is reported when it is read
+        std::error_code unknown;  // set if a file is missing; that is reported when the file is read
         if (is_new || file == earlier->second || std::filesystem::equivalent(path, earlier->second, unknown)) continue;
         throw CLI::ValidationError("files", "'" + earlier->second + "' and '" + file +
                                                 "' are written to files of one name, '" + path.stem().string() +

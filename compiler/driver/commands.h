@@ -17,8 +17,9 @@ int run_tests(const Options& options);
 /// diagnostic means.
 int run_explain(const Options& options);
 
-/// `gliftc fmt FILE`: rewrites files in the canonical format, `-` to standard output; with --check, lists those that
-/// are not in it. A file that cannot be read or does not parse is an error; the others are formatted all the same.
+/// `gliftc fmt FILE`: rewrites files in the canonical format; `-` is standard input, formatted to standard output. With
+/// --check, lists the files that are not formatted. A file that cannot be read or does not parse is an error; the other
+/// files are formatted all the same.
 int run_format(const Options& options);
 
 /// Sets which warnings are reported, which are errors, and the error limit.

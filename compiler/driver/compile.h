@@ -30,7 +30,7 @@ struct Compilation {
 struct Output {
     std::string name;  ///< file name in the output folder
     std::string bytes;
-    std::vector<cpp::TestName> tests{};  ///< in the main source of a test program: the tests that it runs; else empty
+    std::vector<cpp::TestName> tests{};  ///< of the main source of a test program: the tests that it runs; else empty
 };
 
 struct StageTime {

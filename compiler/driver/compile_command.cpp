@@ -20,7 +20,8 @@ void print_times(const Result& result) {
     std::fprintf(stderr, "%-10s %9.3f ms\n", "all", all);
 }
 
-/// Throws if the write of this file failed. Only the first failure is reported: others usually have the same cause.
+/// Throws EnvironmentError if `error`, the error of writing this file, is present. Hence only the first failure is
+/// reported: others usually have the same cause.
 void check_written(const std::string& path, const std::optional<std::string>& error) {
     if (error) throw EnvironmentError("cannot write '" + path + "': " + *error);
 }

@@ -9,9 +9,9 @@
 
 namespace gliftc {
 
-/// The first module, as `use` names it, that declares the name as public: in a folder of the standard library, beside
-/// the files on the command line, then in the folders given by -I. The files are not parsed, but searched for lines
-/// that begin with `pub WORD name`. Empty if there is no such module.
+/// The first module, as `use` names it, that declares the name as public. Looks in the folders of the standard library,
+/// then beside the files on the command line, then in the folders given by -I. The files are not parsed, but searched
+/// for lines that begin with `pub WORD name`. Empty if there is no such module.
 std::string module_with_declaration(const Options& options, const FileSystem& files, std::string_view name);
 
 }  // namespace gliftc

@@ -21,7 +21,8 @@ namespace gliftc {
 
 namespace {
 
-/// `scale` or, for a generic kernel, `scale_2_float`; unique in the module.
+/// The name of a kernel's shader: `scale` or, for a generic kernel, `scale_2_float`; not one of `taken`, to which it is
+/// added.
 std::string shader_name(const std::string& display, std::set<std::string>& taken) {
     std::string name;
     for (char c : display) {
@@ -51,8 +52,8 @@ std::string styled(const Options& options, std::string text) {
     return std::move(formatted.text);
 }
 
-/// The path of the source file that generated code names without its folder; of several, the first that was read. The
-/// name itself if there is none.
+/// The path of the source file that has this name without its folder, as generated code names it; of several such files
+/// the first that was read. The name itself if there is no such file.
 std::string path_of(const Compilation& c, std::string_view name) {
     for (std::uint32_t file = 0; file < c.sources.size(); ++file)
         if (const std::string& path = c.sources[file].path; std::filesystem::path(path).filename() == name) return path;
@@ -169,7 +170,7 @@ std::vector<Output> emit(const Options& options, const Compilation& c) {
             throw std::runtime_error("two files on the command line are called '" + base + "'");
         std::vector<ShaderSet> shaders =
             compile_shaders(c, kernels_with_code(options, c, m, cpp, defined), options.optimize);
-        // On another thread, since printing C++ takes as long as all of these together.
+        // The other targets are printed on another thread, since printing C++ takes about as long as all of them.
         auto others = std::async(std::launch::async, [&] {
             std::vector<Output> made;
             emit_shaders(options, c, m, base, shaders, made);

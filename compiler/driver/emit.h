@@ -9,7 +9,7 @@ namespace gliftc {
 /// is invalid, if clang cannot format the C++ (--style), or if two files on the command line have one name.
 std::vector<Output> emit(const Options& options, const Compilation& compilation);
 
-/// If --style is given: an error if clang-format does not accept the style, or cannot be loaded.
+/// Reports an error if --style is given and clang-format does not accept the style, or cannot be loaded.
 void check_style(const Options& options, Diagnostics& diagnostics);
 
 }  // namespace gliftc

@@ -5,8 +5,8 @@
 
 namespace gliftc {
 
-/// A file or program that a command needs is missing, or a file cannot be written. The text says which, and usually
-/// what to do about it.
+/// A file or program that a command needs is missing, a file cannot be written, or a process cannot be started. The
+/// text says which, and often what to do about it.
 struct EnvironmentError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

@@ -1,5 +1,5 @@
-// `gliftc explain FILE`: prints properties of translators (and whether they are inferred, declared or tested),
-// structures and draws, and with --made the sizes of memories.
+// `gliftc explain FILE`: prints properties of translators, structures and draws, and with --made the sizes of memories.
+// Of a translator's mapping and inverse it says whether they are declared or were tested (trials.h).
 #include "driver/command_line.h"
 #include "driver/commands.h"
 #include "driver/compile.h"
@@ -33,10 +33,10 @@ struct ExplainedStructure {
     std::vector<std::pair<std::string, std::string>> parts;  ///< of adaptors: members and functions
     std::vector<std::pair<std::string, std::string>> memories;
     std::vector<Explained> via;
-    std::string blocks;  ///< its blocks, which it or a memory along its chain declares, as text; empty: none
+    std::string blocks;  ///< text about its blocks (ir::blocks_of); empty: the whole domain is one block
 };
 
-/// The text about how `s.compare` compares references with the image's texels; empty if by the default, less_equal.
+/// The text about how `s.compare` compares references with the image's texels; empty for the default, less_equal.
 std::string comparison_of(const ir::Memory& memory) {
     if (memory.compare == ir::Compare::less_equal) return "";
     return ", compared by '" + std::string(ir::spelling(memory.compare)) + "'";
@@ -148,8 +148,8 @@ private:
         return text;
     }
 
-    /// The text about the blocks of a structure, its own or those of a memory along its chain; empty: none. Whether
-    /// blocks overlap is not checked.
+    /// The text about the blocks of a structure, which the structure itself or one that is its memory declares; empty
+    /// if there are none. Whether blocks overlap is not checked.
     std::string blocks_of(const ir::Structure& structure) const {
         const auto place = ir::blocks_of(program_, structure, {});
         if (!place) return "";

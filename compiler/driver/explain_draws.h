@@ -11,7 +11,7 @@ namespace gliftc {
 
 struct ExplainedDraw {
     std::string name, place;
-    /// What is said of the draw, such as {"draws", "triangles of corner"}.
+    /// The lines about the draw, each a heading and a text: {"draws", "triangles of corner"}.
     std::vector<std::pair<std::string, std::string>> facts;
 };
 

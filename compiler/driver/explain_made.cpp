@@ -7,8 +7,8 @@ namespace gliftc {
 
 namespace {
 
-/// Reads `Grid(uint2(18, 16), 20, -1.0)`: a name, and numbers with or without types around them. False if `call` is
-/// something else.
+/// Reads `Grid(uint2(18, 16), 20, -1.0)`: a name, and numbers in parentheses; names of types, brackets and commas among
+/// the numbers are skipped. False if `call` is something else.
 bool read_call(const std::string& call, std::string& name, std::vector<double>& numbers) {
     const std::size_t open = call.find('(');
     name = call.substr(0, open);

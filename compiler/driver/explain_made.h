@@ -16,8 +16,8 @@ struct ExplainedMade {
     std::uint64_t bytes() const;  ///< the sum for the memories whose sizes are known
 };
 
-/// The structures that calls `Name(numbers)` make, in the order of the calls. If something is wrong with one of them:
-/// nothing, and `problem` says what.
+/// The structures that the calls, texts of the form `Name(numbers)`, make, in the order of the calls. If something is
+/// wrong with one of the calls, the result is empty and `problem` says what is wrong.
 std::vector<ExplainedMade> explained_made(const Compilation& compilation, const std::vector<std::string>& calls,
                                           std::string& problem);
 

@@ -15,9 +15,9 @@ struct ReadResult {
 
 struct FileSystem {
     std::function<ReadResult(const std::string& path)> read;  ///< "-" is standard input (disk() only)
-    std::function<bool(const std::string& path)> exists;      ///< whether the path is that of an existing file
+    std::function<bool(const std::string& path)> exists;      ///< whether the path leads to a file, not a folder
     std::function<std::vector<std::string>(const std::string& folder)>
-        list;                                                      ///< names of all that is in a folder, sorted
+        list;                                                      ///< names of all files and folders in it, sorted
     std::function<std::string(const std::string& path)> identity;  ///< a text that is equal for two paths to one file
 };
 
@@ -28,7 +28,7 @@ FileSystem disk();
 FileSystem only_text(std::string text);
 
 /// Writes the file, unless its contents are `bytes` already, so that build tools see no change. Creates its folder.
-/// Returns the error, if there is one.
+/// Returns the text of an error, such as "No space left on device"; absent if there is none.
 std::optional<std::string> write_if_changed(const std::string& path, const std::string& bytes);
 
 /// The folder of the standard library, relative to that of this executable: ../share/glift/stdlib.

@@ -81,7 +81,7 @@ public:
         : options_(options), files_(files), c_(c) {}
 
     void complete(ast::Module& module) {
-        // Only declarations that the source has: import() appends others, which are complete.
+        // Only declarations that are in the source: import() appends others, which are complete already.
         std::size_t written = module.decls.size();
         for (std::size_t i = 0; i < written; ++i) {
             const auto* record = std::get_if<ast::Struct>(&c_.tree.decls[module.decls[i]].body);
@@ -155,7 +155,8 @@ private:
         return {};
     }
 
-    /// Declares the struct of a field of an imported struct, unless the module declares that name.
+    /// Declares the struct that is the type of an imported struct's field, unless the module declares that name
+    /// already.
     void add_nested(ast::Module& module, const ast::Decl& outer, const ImportResult& imported, std::size_t index) {
         Name name = c_.names.intern(last_part(imported.structs[index].name));
         for (ast::DeclId other : module.decls)

@@ -5,8 +5,9 @@
 
 namespace gliftc {
 
-/// Completes every such struct of the loaded modules; nested structs become declarations of the module, too. Headers
-/// are searched beside the .glift file, then in the -I folders.
+/// Completes every `extern struct` of the loaded modules. Structs that are the types of its fields become declarations
+/// of the module, too. Headers are looked for beside the .glift file, then in the -I folders. Reports an error if a
+/// header is not found, or if shaders cannot use the struct.
 void import_structs(const Options& options, const FileSystem& files, Compilation& compilation);
 
 }  // namespace gliftc

@@ -29,7 +29,7 @@ std::string if_there(const FileSystem& files, const fs::path& path) {
     return files.exists(name) ? name : std::string();
 }
 
-/// The module name for a file's name without its ending: my_file for my-file. Dots stay.
+/// The name that a module in a file should have: my_file for my-file.glift, given without its extension. Dots stay.
 std::string module_of_stem(std::string stem) {
     for (char& c : stem) {
         const bool fits = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.';
@@ -122,8 +122,8 @@ private:
         return {};
     }
 
-    /// A module must have the name by which it is imported; the name of a module that is imported by path, or named on
-    /// the command line, must end in that of the file.
+    /// Reports a module that has another name than the one by which it is imported (`asked`). If it is imported by
+    /// path, or is on the command line, `asked` is empty, and the last part of its name must be the name of its file.
     void check_name(const ast::Module& module, const std::string& path, const std::string& asked) {
         const std::string& name = names_[module.name.name];
         if (name.empty()) return;

@@ -15,12 +15,12 @@ namespace {
 
 using ir::Value;
 
-/// A structure that is made: the values that its constructor is given, and its members. Of a structure that is given
-/// from outside the values are not known: `arguments` is empty.
+/// A structure that is made: the values that its constructor is given, and its members. A structure that a
+/// program would pass to the constructor (`is_given`) has no `arguments`, since their values are not known.
 struct Instance {
     const ir::Structure* structure = nullptr;
     std::string path;
-    bool is_given = false;  ///< from outside: its sizes are not known
+    bool is_given = false;  ///< passed to the constructor: its sizes are not known
     std::vector<std::optional<Value>> arguments;
     std::vector<std::shared_ptr<Instance>> members;
 };
@@ -29,7 +29,7 @@ class Maker {
 public:
     explicit Maker(const ir::Program& program) : program_(program) {}
 
-    /// `given`: what the members by reference are, in their order; empty: nothing is known of them.
+    /// `given`: the structures that are the members by reference, in their order; empty: they are not known.
     std::shared_ptr<Instance> make(const ir::Structure& structure, const std::string& path,
                                    std::vector<std::optional<Value>> arguments,
                                    std::vector<std::shared_ptr<Instance>> given) {
@@ -120,8 +120,8 @@ std::uint64_t texel_bytes(ir::Format format) {
     return 0;
 }
 
-/// Lists the memories of what is made, with their bytes. name_roles() is to be called before count(), which adds the
-/// roles to the list.
+/// Lists the memories of the structures that are made, with their bytes. name_roles() is to be called before count(),
+/// which adds the roles to the list.
 class Counter {
 public:
     Counter(const ir::Program& program, const Maker& maker) : program_(program), maker_(maker) {}

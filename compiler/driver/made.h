@@ -14,7 +14,7 @@ namespace gliftc {
 /// out.
 struct MadeMemory {
     std::string path;                    ///< `pages.wanted.data`
-    std::optional<std::uint64_t> bytes;  ///< absent: not known without the structures that are given to it
+    std::optional<std::uint64_t> bytes;  ///< absent: depends on structures that are passed to the constructor
     std::string role;                    ///< `elements of field`, `table of field`, empty: neither
 };
 

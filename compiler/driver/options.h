@@ -28,7 +28,7 @@ struct Options {
     std::vector<std::string> import_folders;
     std::string library_folder;  ///< of the standard library; empty: beside the executable
     std::vector<std::pair<std::string, std::string>> defines;
-    std::vector<Target> targets;  ///< empty: all
+    std::vector<Target> targets;  ///< empty: all, but spirv only without host_only
     std::optional<Stage> stop_after, dump;
     std::string stop_after_pass, dump_after;  ///< names of passes (lower/passes.h); empty: none
     bool check_only = false;                  ///< --check: report, write nothing (fmt: say what is not formatted)
@@ -42,14 +42,14 @@ struct Options {
     bool list_outputs = false;
     bool time_report = false;
     std::string depfile;          ///< --depfile, -MF: the path of the Makefile rule; empty: not given
-    bool writes_depfile = false;  ///< -MD: write that rule, as NAME.glift.d, even if --target is given
+    bool writes_depfile = false;  ///< -MD: write the rule beside the outputs (NAME.glift.d), even if --target is given
     std::string style;            ///< --style, of generated C++: a .clang-format file or a name; empty: as printed
     DiagnosticsFormat diagnostics_format = DiagnosticsFormat::text;
     ColourChoice colour = ColourChoice::automatic;
     bool warnings_are_errors = false;
     std::vector<Diag> silenced, promoted;
     std::size_t error_limit = 50;
-    std::string device;       ///< test: which device to compare with the host; empty: GLIFT_DEVICE, else the best
+    std::string device;       ///< test: which device to compare with the host; empty: as Device::open chooses
     std::string test_filter;  ///< test: only tests with this in their title
     bool validate = true;     ///< test: with Vulkan's validation layer
     bool list_tests = false;  ///< test: print titles, run nothing

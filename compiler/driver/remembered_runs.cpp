@@ -8,7 +8,8 @@ namespace gliftc {
 
 namespace {
 
-// The first letter of a record's lines. Questions: letter, answer or its digest, path. Programs and their tests follow.
+// The first letters of the lines of a record. A question is a line of its letter, the answer or its digest, and the
+// path. The lines of the programs follow, each with the lines of its tests.
 constexpr char reads = 'r', exists = 'e', identity = 'i', lists = 'l', program = 'p', test = 't';
 
 std::string digest_of(const std::string& text) {

@@ -1,5 +1,6 @@
 // A cache of runs of `gliftc test`: a record of the files that a run read, and of its test programs. As long as the
-// files are the same and the programs are still there, a later run with the same options starts them without compiling.
+// files are the same and the programs are still in the cache, a later run with the same options starts the programs
+// without compiling.
 #pragma once
 
 #include "driver/file_system.h"

@@ -10,7 +10,7 @@ namespace gliftc {
 
 /// Replaces each `@file` by its words, separated by white space. Quotes, single or double, hold a word together; a
 /// backslash, also inside quotes, takes the next character as it is. Files may name further files, nested 16 deep at
-/// most. Returns the text of an error, such as a file that cannot be read; empty: none.
+/// most. Returns the text of an error, such as that a file cannot be read; empty if there is none.
 std::string expand_response_files(std::vector<std::string>& words, const FileSystem& files);
 
 }  // namespace gliftc

@@ -1,4 +1,4 @@
-// Compiles kernels to SPIR-V, on all cores, since it is by far the longest part of a compilation.
+// Compiles kernels to SPIR-V, on all cores, since this takes most of a compilation's time.
 #pragma once
 
 #include "driver/compile.h"
@@ -14,8 +14,8 @@ struct ShaderSet {
     std::vector<std::uint32_t> direct_fragment, general_fragment, wide_fragment;
 };
 
-/// The shaders by index in Program::kernels; only those of `kernels` are compiled. Throws std::runtime_error, with the
-/// .glift line, if glslang rejects the generated GLSL.
+/// The shaders by index in Program::kernels; those of kernels that are not in `kernels` are empty. Throws
+/// std::runtime_error, with the .glift line, if glslang rejects the generated GLSL.
 std::vector<ShaderSet> compile_shaders(const Compilation& compilation, const std::set<std::uint32_t>& kernels,
                                        bool optimize);
 

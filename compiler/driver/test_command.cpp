@@ -29,7 +29,7 @@ std::string text_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Runs a test program. True if no test failed; where it crashes, the test that was running has failed.
+/// Runs a test program. True if it exits with code 0. If a signal ends it, prints the test that was running as failed.
 bool run_program(const Options& options, const std::string& program) {
     const fs::path now = fs::temp_directory_path() / ("gliftc-test-now." + std::to_string(getpid()));
     setenv("GLIFT_TEST_NOW", now.c_str(), 1);
@@ -61,7 +61,7 @@ void list(const Options& options, const Result& result) {
             if (is_wanted(options, test)) std::printf("%s (%s)\n", test.title.c_str(), test.place.c_str());
 }
 
-/// The exit code where there is no test to run: an error if there is a filter.
+/// Says that there is no test to run, and returns the exit code: that of wrong usage if there is a filter, else done.
 int nothing_to_run(const Options& options) {
     if (options.test_filter.empty()) {
         std::printf("no tests\n");

@@ -43,7 +43,8 @@ std::string identity_of(const fs::path& path) {
     return path.string() + ":" + std::to_string(size) + ":" + std::to_string(time);
 }
 
-/// The path of the program that a shell would run for this name.
+/// The program that a shell would run for this name, by its path without symbolic links. The name itself if it has a
+/// '/', or if no folder of PATH has such a program.
 fs::path find_program(const std::string& name) {
     if (name.find('/') != std::string::npos) return name;
     const char* path = std::getenv("PATH");
@@ -132,7 +133,7 @@ void publish(const fs::path& made, const fs::path& name) {
     if (error) fs::remove_all(made, error);
 }
 
-/// Makes a file of the cache the newest one, the last to be removed.
+/// Makes a file or folder of the cache the newest one, the last to be removed.
 void touch(const fs::path& path) {
     std::error_code ignored;
     fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
@@ -145,7 +146,7 @@ const Output* spirv_of(const Output& source, const std::vector<Output>& outputs)
     return found == outputs.end() ? nullptr : &*found;
 }
 
-/// What a source and its object are called.
+/// The paths of a source and of its object file.
 struct Object {
     fs::path source, object;
     fs::path cached;  ///< the object in the cache
@@ -210,8 +211,8 @@ std::vector<std::string> TestPrograms::compile_command() const {
     return words;
 }
 
-/// Precompiles the common headers, whose parsing takes most of a small program's build. Returns the header to be
-/// included first; empty if the C++ compiler cannot precompile, and for a temporary cache.
+/// Precompiles the common headers, whose parsing takes most of a small program's build, unless the cache has them.
+/// Returns the header to be included first; empty if the C++ compiler cannot precompile it, or the cache is temporary.
 fs::path TestPrograms::compiled_headers() {
     if (is_temporary_) return {};
     const fs::path folder = folder_ / ("headers-" + tools_);
@@ -244,8 +245,8 @@ Digest TestPrograms::digest_of_surroundings(const TestSources& sources) const {
     return digest;
 }
 
-/// The place in the cache of a source's object. Its name is a hash of the source, its SPIR-V, all headers but the
-/// system's, the compiler's options and tools_.
+/// The path of a source's object file in the cache. Its name is a hash of the source, its SPIR-V, all headers but the
+/// system's, the include folders, the compiler's options and tools_.
 fs::path TestPrograms::object_of(const Output& source, const TestSources& sources) const {
     Digest digest = digest_of_surroundings(sources);
     for (const Output& output : sources.outputs)

@@ -27,7 +27,7 @@ struct TestSources {
 };
 
 /// The cache of test programs: the folder `tests` in GLIFT_CACHE_DIR, else in XDG_CACHE_HOME/glift, else in
-/// ~/.cache/glift. Where none of these is set, or the folder cannot be written, a temporary one that the destructor
+/// ~/.cache/glift. If none of these is set, or the folder cannot be written, a temporary folder that the destructor
 /// removes. After each build the oldest of more than 512 entries are removed.
 class TestPrograms {
 public:

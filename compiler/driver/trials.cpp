@@ -13,8 +13,8 @@ namespace {
 using ir::Value;
 using Words = std::vector<std::uint64_t>;
 
-/// Extents to try, by number of axes. Some sides are 1, most others are no powers of two and differ, to show mistakes
-/// that a power of two or a square hides.
+/// Extents to try, by number of axes. Sides of 1 are a border case; most other sides are no powers of two and differ,
+/// to show mistakes that a power of two or a square hides.
 const std::vector<Words>& extents_of(std::size_t axes) {
     static const std::vector<Words> extents[] = {
         {}, {{1}, {4}, {4093}}, {{1, 1}, {13, 7}, {61, 67}}, {{1, 1, 1}, {17, 16, 15}}, {{1, 1, 1, 1}, {9, 8, 8, 7}}};
@@ -49,8 +49,8 @@ public:
         return ir::evaluate(program_, expr, [this](const ir::Expr& asked) { return property(asked, asked.place); });
     }
 
-    /// The value of `asked`: a constructor argument, a memory's extent or the domain of a structure. Of the path to
-    /// that structure, `place`, the first `depth` steps led to this one.
+    /// The value of `asked`: a constructor argument, a memory's extent or the domain of the structure at `place`. The
+    /// first `depth` steps of that path led to the structure of this object.
     std::optional<Value> property(const ir::Expr& asked, const ir::Place& place, std::size_t depth = 0) const {
         if (depth < place.members.size()) {
             const ir::MemberStructure& member = structure_.members[place.members[depth]];

@@ -1,4 +1,4 @@
-// Tests translators with the compiler's evaluator: all addresses of a few domains, of 2^14 addresses at most.
+// Tests translators with the compiler's evaluator, on all addresses of a few domains of at most 2^14 addresses each.
 #pragma once
 
 #include "ir/ir.h"
@@ -14,8 +14,9 @@ struct Trial {
     std::string wrong_inverse;  ///< "invert(translate({1, 0})) is {0, 1}"; empty: none
 };
 
-/// Tests one translator of a structure's `via`, if the structure is stored, all its constructor's arguments are extents
-/// of its domain's type, and the translator reads no elements; else Trial::addresses is 0.
+/// Tests one translator of a structure's `via`, if the structure is stored, has constructor arguments, all of the type
+/// of its addresses (each is then given the same extent), and the translator reads no elements; else Trial::addresses
+/// is 0.
 Trial try_translator(const ir::Program& program, const ir::Structure& structure, const ir::Stage& stage);
 
 }  // namespace gliftc

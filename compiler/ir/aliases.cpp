@@ -35,7 +35,7 @@ std::vector<FunctionId> public_functions(const Program& program, std::uint32_t s
         const Function& function = program.functions[id];
         const bool is_its = function.structures.size() == 1 && function.structures[0] == structure;
         if (!function.is_pub || !is_its) return;
-        std::string name = function.key;  // overloads share it
+        std::string name = function.key;  // overloads have the same key
         for (LocalId param : function.params) name += " " + std::to_string(program.locals[param].type.index);
         if (names.insert(std::move(name)).second) found.push_back(id);
     };

@@ -14,12 +14,12 @@ std::vector<Name> public_names(const Structure& structure, std::uint32_t module)
 bool is_public(const Structure& structure, std::uint32_t module);
 
 /// The name of the structure in a module: the first public name that the module gives it, else its first private one,
-/// else the first name, public or private, from a module that it imports directly or through others. Empty if there is
-/// none.
+/// else the first name, public or private, from a module that it imports directly or through others. An empty Name if
+/// no such module names the structure.
 Name name_in(const Program& program, const Structure& structure, std::uint32_t module);
 
-/// The public functions that take this structure (or adaptor) and no other, each once: first Structure::methods, which
-/// C++ can call, then the others that the program uses.
+/// The public functions that take this structure (or adaptor) and no other one: first Structure::methods, which C++ can
+/// call, then others of Program::functions. Of functions with one key and one list of parameter types only the first.
 std::vector<FunctionId> public_functions(const Program& program, std::uint32_t structure);
 
 }  // namespace gliftc::ir

@@ -18,8 +18,9 @@ Place base_of(const Structure& structure, const Place& place) {
     return base;
 }
 
-/// Replaces the end of a path that leads to a structure which a member was given by the path from its maker to that
-/// structure; empty if the path has no such end.
+/// Looks for the first two steps of the path that lead to a member made by its owner, and on to a structure that this
+/// member's constructor was given. Returns the path with these steps replaced by the owner's path to that structure;
+/// empty if there are no such steps.
 static std::vector<std::uint32_t> with_giver(const Program& program, const Structure& from,
                                              const std::vector<std::uint32_t>& path) {
     const Structure* owner = &from;
@@ -79,12 +80,13 @@ std::optional<Place> blocks_of(const Program& program, const Structure& structur
 
 namespace {
 
-/// Finds the places over a structure whose elements functions read.
+/// Collects the places, as paths from the structure `over`, whose elements functions read.
 class ReadPlaces {
 public:
     ReadPlaces(const Program& program, const Structure& over) : program_(program), over_(over) {}
 
-    /// Adds those that a function and its callees read; `at` are those of its own structures.
+    /// Adds the places that a function and its callees read. `at`: the places of the function's own structures
+    /// (Function::structures).
     void add(FunctionId function, const std::vector<Place>& at);
     std::vector<Place> take() { return std::move(found_); }
 

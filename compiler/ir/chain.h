@@ -9,12 +9,13 @@ namespace gliftc::ir {
 /// The structure that a path of members leads to, from the structure `from`.
 const Structure& structure_at(const Program& program, const Structure& from, const RareVector<std::uint32_t>& members);
 
-/// The same structure's path through members that are made by their owners: where a member was given to its owner by
-/// the maker of the owner, the path to what that maker gave. One structure has one such path from `from`, but for
-/// structures that `from` itself was given twice.
+/// Another path to the structure that `path` leads to from `from`. Where `path` goes through a member to a structure
+/// that this member's constructor was given, the result goes to that structure by the path that the member's owner has
+/// to it. All paths from `from` to one structure so become equal, unless `from` itself was given that structure twice.
 std::vector<std::uint32_t> made_at(const Program& program, const Structure& from, std::vector<std::uint32_t> path);
 
-/// The place of the next link: the structure that is the memory of `structure`, which is at `place`.
+/// The place of the structure that is the memory of `structure` (the next link), which is at `place`. Only if
+/// Structure::base is not empty.
 Place base_of(const Structure& structure, const Place& place);
 
 /// The place of the root of `structure`, which is at `place`; and the root itself.
@@ -24,12 +25,12 @@ const Structure& root_structure(const Program& program, const Structure& structu
 /// The buffer or image of the root. Only for structures whose root is not a view: is_computed() is false.
 const Memory& root_memory(const Program& program, const Structure& structure);
 
-/// The link that declares the structure's blocks: the structure itself, or further links as long as there is no `via`
-/// in between, so that addresses stay the same. Absent: the whole domain is one block.
+/// The place of the link that declares the blocks of `structure`, which is at `place`: of the first link that declares
+/// blocks, if no link before it has a `via`, so that addresses are the same. Absent: the whole domain is one block.
 std::optional<Place> blocks_of(const Program& program, const Structure& structure, const Place& place);
 
-/// The structures with memory whose elements the functions `count` and `first` of a structure's own blocks read, also
-/// those that views among them read: places over the structure.
+/// The places (root 0 is the structure) of the structures with memory whose elements are read by the functions `count`
+/// and `first` of the structure's own blocks. A view that they read is replaced by what its `at` reads.
 std::vector<Place> places_of_blocks(const Program& program, const Structure& structure);
 
 /// The blocks that a kernel visits; null: it visits whole ranges.
@@ -44,18 +45,19 @@ TypeId physical_type(const Program& program, const Structure& structure);
 /// Whether a translator of some link reads structures, such as a page table.
 bool translates_by_tables(const Program& program, const Structure& structure);
 
-/// Whether the first translator of the chain is total (not partial: it never gives `none`), or there is none.
+/// Whether the first translator of the chain is total (it never gives `none`), or the chain has no translator.
 bool is_total(const Program& program, const Structure& structure);
 
-/// Whether a link after the first begins with a partial translator, which decides itself what lies beyond its domain.
+/// Whether some link after the first is not total (is_total()), so that its translator decides itself which addresses
+/// are mapped.
 bool leads_through_partial(const Program& program, const Structure& structure);
 
-/// Whether, as far as is known, an address may have no element, or several addresses the same one: some translator is
-/// partial or not known to be one-to-one.
+/// Whether an address may have no element, or several addresses may have the same element: some translator of the chain
+/// is partial, or is neither declared one-to-one nor has `invert`.
 bool may_be_sparse(const Program& program, const Structure& structure);
 
-/// Whether a structure stores elements, but perhaps not one for every address of its domain, so that programs can list
-/// which are there: it has blocks, or may be sparse.
+/// Whether a structure stores elements, but perhaps not one for every address of its domain: it has blocks, or may be
+/// sparse. Programs can then list the elements that are there.
 bool has_resident_part(const Program& program, const Structure& structure);
 
 /// The first structure of the chain that has a translator, else its root, as a path of members.
@@ -64,7 +66,8 @@ RareVector<std::uint32_t> translated_by(const Program& program, const Structure&
 /// Whether it is proved that no address leads beyond the structure's own memory, along any of its axes.
 bool is_contained(const Program& program, const Structure& structure);
 
-/// Whether making the structure allocates memory: false for views that make no members, or only such views.
+/// Whether making the structure may allocate memory. False for views all of whose members are given to them, or are
+/// themselves views for which it is false.
 bool makes_memory(const Program& program, const Structure& structure);
 
 /// The place of the first link with an `otherwise`, the value of reads at unmapped addresses; absent: none has one.

@@ -73,8 +73,8 @@ private:
         }
     }
 
-    /// If it depends on a load whether the loop or the fragment part is left, it also depends on that load whether the
-    /// statements of later iterations are executed: the body is then analysed a second time, as in doubt.
+    /// If a load decides whether the loop or the fragment part is left, it also decides whether the statements of later
+    /// iterations are executed: the body is then analysed a second time, with `in_doubt` true.
     void run_loop(const std::vector<StmtId>& body, bool in_doubt) {
         const bool was_out = is_out_;
         run(body, in_doubt);

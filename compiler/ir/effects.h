@@ -6,8 +6,8 @@
 
 namespace gliftc::ir {
 
-/// Whether the operation reads the memory of a binding. Op::row_load, which passes for the host device make of loads at
-/// the end of lowering, is left out.
+/// Whether the operation reads the memory of a binding. False for Op::row_load, which lowering makes of loads at its
+/// end, for the host device only.
 inline bool is_load(Op op) {
     return op == Op::load || op == Op::guarded_load || op == Op::image_load || op == Op::image_sample ||
            op == Op::image_gather || op == Op::image_compare;
@@ -58,11 +58,12 @@ bool may_meet(const KernelParam& one, const KernelParam& other);
 bool is_promised_apart(const Kernel& kernel, std::uint32_t one, std::uint32_t other);
 
 /// When the depth of a fragment is tested: before the fragment part runs, or after. `declared`: before, although the
-/// part writes memory; Vulkan then tests after it unless the shader declares early_fragment_tests.
+/// fragment part writes memory; Vulkan would then test afterwards unless the shader declares early_fragment_tests.
 enum class DepthOrder : std::uint8_t { before, declared, after };
 DepthOrder depth_order(const Program& program, const Pass& pass);
 
-/// The first translator of the structure or of its chain of memories that is declared @many_to_one; or null.
+/// The first translator declared @many_to_one of the structure and of the structures that are its memory (ir/chain.h);
+/// null if there is none.
 const Translator* many_to_one_stage(const Program& program, std::uint32_t structure);
 
 /// Whether the structure's own memory has the format d32.

@@ -31,35 +31,35 @@ struct Value {
 /// How many scalars a value of the type has.
 std::size_t lane_count(const Program& program, TypeId type);
 
-/// The value of `expr`, or nothing if it is not a compile-time constant, or takes over a million steps.
+/// The value of `expr`; absent if it is not a compile-time constant, or takes over a million steps.
 std::optional<Value> evaluate(const Program& program, ExprId expr);
 
 /// Initialisers of immutable locals.
 using Definitions = std::unordered_map<LocalId, ExprId>;
 
-/// The same; a local's value is that of its expression in `definitions`.
+/// As above; the value of a local is that of its expression in `definitions`.
 std::optional<Value> evaluate(const Program& program, ExprId expr, const Definitions& definitions);
 
 /// Gives the values of operations that the interpreter cannot compute itself, since they depend on the context (state,
-/// member, memory_extent, domain, …); nothing where a value is not known.
+/// member, memory_extent, domain, …); absent if the value is not known.
 using Surroundings = std::function<std::optional<Value>(const Expr&)>;
 
 /// The value of `expr`, with the values that `surroundings` gives.
 std::optional<Value> evaluate(const Program& program, ExprId expr, const Surroundings& surroundings);
 
-/// The result of a function for these arguments; nothing if it is not known.
+/// The result of a function for these arguments; absent if it is not known, or takes over a million steps.
 std::optional<Value> call(const Program& program, FunctionId function, std::vector<Value> arguments,
                           const Surroundings& surroundings);
 
-/// Makes a constant, or a construction from constants, with this value.
+/// Makes an expression with this value: a constant, or one that is built of constants.
 ExprId materialize(Program& program, const Value& value, Span span);
 
-/// As written in the language: 4, 1.5, uint2(8, 8).
+/// The value as written in the language: 4, 1.5, uint2(8, 8).
 std::string to_text(const Program& program, const Value& value);
 
 /// The name of a type as written in the language: uint3, float?, Array<4, float>.
 std::string to_text(const Program& program, TypeId type);
-/// The same with the modules of the structs, enums and structures.
+/// The same with the modules of structs, enums and structures: std.array.Array<4, float>.
 std::string to_qualified_text(const Program& program, TypeId type);
 /// The name of a module and a dot: `std.array.`
 std::string module_text(const Program& program, std::uint32_t module);

@@ -1,6 +1,6 @@
 // The type of an operation as implied by its operands, or by the function, field or binding that it names. The text of
-// the IR (print.h) gives a type only where the actual one differs or none is implied, and for operations that are spelt
-// with their type, such as conversions.
+// a lowered pass (print.h) gives a type only where the actual one differs or none is implied, and for operations that
+// are spelt with their type, such as conversions.
 #pragma once
 
 #include "ir/pass.h"

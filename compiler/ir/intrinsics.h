@@ -19,8 +19,8 @@ std::string_view name_of(Intrinsic intrinsic);
 std::string_view signature_of(Intrinsic intrinsic);
 Exactness exactness_of(Intrinsic intrinsic);
 
-/// Whether the result depends on values of other invocations (subgroup operations, derivatives), so that the operation
-/// must not be moved into or out of a branch.
+/// Whether the result depends on which other invocations execute the operation, or on their values (subgroup
+/// operations, derivatives), so that the operation must not be moved into or out of a branch.
 bool is_collective(Intrinsic intrinsic);
 /// Whether it is a derivative: a difference between the fragments of a quad.
 bool is_derivative(Intrinsic intrinsic);

@@ -42,7 +42,7 @@ enum class Builtin : std::uint8_t {
     instance,        // uint: the instance index
     fragment_place,  // float4: the pixel's centre in the framebuffer, depth, 1 / w
     is_front,        // bool
-    skips_branches,  // bool, a specialisation constant: the device jumps over a branch that no lane takes
+    skips_branches,  // bool, a specialisation constant: the device does not execute a branch that no lane takes
 };
 
 }  // namespace gliftc::ir

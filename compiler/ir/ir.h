@@ -1,7 +1,10 @@
 // long: the nodes of the program, which name each other
 // The resolved, instantiated program: every name bound, every type concrete. sema makes it; lower/ adds passes
-// (ir/pass.h), kernels whose operations of structures ("element", "near", "read", "write") have become operations of
-// memory ("load", "store", …) on numbered bindings; layout/ and emit/ read both.
+// (ir/pass.h), which are kernels whose operations on structures ("element", "near", "read", "write") have become
+// operations on memory ("load", "store", …) of numbered bindings; layout/ and emit/ read the program and the passes.
+//
+// "Instance": sema makes one Function, Translator, Structure or Kernel for each set of generic arguments that is used.
+// An instance of a structure is named by its index in Program::structures.
 //
 // Kernels, pipelines and passes share these nodes. ir/levels.h says which operation belongs to which level.
 #pragma once
@@ -35,7 +38,7 @@ using LocalId = Id<Local>;
 using FunctionId = Id<Function>;
 using Operands = SmallVector<ExprId, 4>;
 
-/// A path to a structure: `root` says where the path starts, `members` are the indices of nested members from there.
+/// A path to a structure: `root` says where the path starts, `members` are indices in Structure::members, one a step.
 /// In kernels and functions root is the index of a parameter (of a function: among its structures). In a structure's
 /// own expressions (memory sizes, via arguments, …) root 0 is the structure itself; in a translator's functions root i
 /// is the i-th of the translator's structure-typed fields. In pipelines and tests `root` is unused: the path starts at
@@ -76,8 +79,8 @@ enum class BinaryOp : std::uint8_t {
     logical_or,
 };
 
-/// An expression: an operation and its operands. operations.def says which fields each operation uses. A line of source
-/// becomes hundreds of them, so small members are packed, and rare ones take only a pointer.
+/// An expression: an operation and its operands. operations.def says which fields each operation uses. A program has
+/// very many of them, so small members are packed, and lists that are rarely used (RareVector) take only a pointer.
 struct Expr {
     Op op = Op::constant;
     UnaryOp unary = {};
@@ -105,14 +108,15 @@ enum class StmtOp : std::uint8_t {
 #include "ir/statements.def"
 };
 
-/// Slot of a StmtOp::report about a structure without memory (a view), which has no binding.
+/// Stmt::slot of a StmtOp::report about a view, which has no memory and hence no binding.
 inline constexpr std::uint32_t no_binding = 0xffffffffu;
 
 /// The number of components of a vector by which consecutive scalars are loaded or stored; also the length of the rows
 /// of elements that `s.load(a, step)` and `s.store(a, step, x)` access.
 inline constexpr std::uint32_t row_width = 4;
 
-/// How scatter combines writes to one address.
+/// How a value that `scatter` writes is combined with the element that is there. replace: it replaces the element, and
+/// no other invocation may write that one.
 enum class Combine : std::uint8_t { replace, min, max, add, bit_and, bit_or, bit_xor };
 
 enum class Direction : std::uint8_t { in, out, inout };
@@ -167,10 +171,10 @@ struct Effect {
 struct Function {
     Name name;            ///< the declaration's
     std::string display;  ///< name with generic arguments, for comments and messages: linearize<3>
-    std::string key;      ///< display with module-qualified names: each run of gliftc gives the instance the same one
+    std::string key;      ///< display with module-qualified names; an instance has the same key in every run of gliftc
     Span span;
     std::vector<LocalId> params;
-    std::vector<std::uint32_t> structures;           ///< instances of the structures that calls pass at Expr::places
+    std::vector<std::uint32_t> structures;           ///< instances of the structures that calls pass (Expr::places)
     std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< workgroup size that a calling kernel must have; all 0: any
     std::vector<LocalId> shared;                     ///< its workgroup memory: one allocation for all calls
     TypeId result;
@@ -187,7 +191,7 @@ struct Function {
     bool is_statements() const { return grouped() || !effects.empty(); }
 };
 
-// ----------------------------------------------------------------------------------------------------- components
+// --------------------------------------------------------------------------------------------------- declarations
 
 struct StructField {
     Name name;
@@ -197,7 +201,7 @@ struct StructField {
 struct Struct {
     Name name;
     std::string display;
-    std::string key;  ///< display with module-qualified names; as all keys, the same in each run of gliftc
+    std::string key;  ///< display with module-qualified names; the same in every run of gliftc
     std::uint32_t module = 0;
     bool is_pub = false;
     std::vector<StructField> fields;
@@ -227,16 +231,17 @@ enum class Mapping : std::uint8_t {
 };
 
 /// Properties of a translator: inferred from the code, or declared by @attributes. It is an error to declare
-/// @many_to_one for a translator with `invert`, or a complexity other than O(1) where O(1) was inferred. All other
-/// declarations are believed.
+/// @many_to_one for a translator with `invert` or @one_to_one, or a complexity other than O(1) where O(1) was inferred.
+/// sema does not check whether other declarations are true.
 struct Properties {
     bool partial = false;     ///< translate gives an optional
     bool invertible = false;  ///< has invert
     Mapping mapping = Mapping::unknown;
     bool affine = false;            ///< physical address is an affine function of the virtual one
-    bool uniform = true;            ///< every address takes the same path, apart from branches that only return `none`
-    std::string memory_complexity;  ///< "O(1)", or as declared: "O(n)", …; "not known"
-    std::string access_complexity;  ///< of one translation: "O(1)", …; "not known"
+    bool uniform = true;            ///< the code has the same control flow for every address, apart from branches that
+                                    ///< only return `none`
+    std::string memory_complexity;  ///< of the translator's state: "O(1)", "not known", or as declared ("O(n)", …)
+    std::string access_complexity;  ///< the time of one translation: "O(1)", "not known", or as declared
     std::string location = "GPU and CPU";
 };
 
@@ -250,13 +255,13 @@ struct Translator {
     TypeId virtual_type;                    ///< uint or a vector of uint
     TypeId physical_type;                   ///< uint or a vector of uint; not the optional that translate may give
     std::vector<StructField> scalars;       ///< state that is values: Op::state reads the one at its slot
-    std::vector<std::uint32_t> structures;  ///< state that is structures, as instances: Place root i in its functions
+    std::vector<std::uint32_t> structures;  ///< state that is structures: the instances; Place root i in its functions
     std::vector<Name> structure_names;
     FunctionId translate;  ///< (virtual address) -> physical address, or an optional of it
     /// Made by lower/widen for scalar physical addresses: the copy of translate with a 64-bit result; translate itself
     /// if nothing in it needs 64 bits.
     FunctionId wide;
-    FunctionId wide_of_wide;  ///< the same for a 64-bit virtual address; only if virtual addresses are scalar, too
+    FunctionId wide_of_wide;  ///< as `wide`, but takes a 64-bit virtual address; only if virtual addresses are scalar
     FunctionId invert;        ///< (physical address) -> virtual address; absent if not invertible
     FunctionId domain;        ///< () -> extent of the virtual domain
     Properties properties;
@@ -316,7 +321,7 @@ struct Memory {
     MemoryShape shape = MemoryShape::buffer;
     TypeId element;  ///< the value type that loads give (float for r8, float4 for rgba8)
     Format format = Format::none;
-    ExprId extent;  ///< uint, uint2, uint3, over the structure (root 0); lower/widen makes it 64 bits wide for
+    ExprId extent;  ///< uint, uint2 or uint3, over the structure (root 0); lower/widen.h makes it 64 bits wide for
                     ///< buffers, and for images if its arithmetic may exceed 32 bits
     ExprId mips;    ///< of an image: the number of its mip levels; absent: one
     std::optional<ImagePart> part;  ///< the image is this part of another one; none: it is made with the structure
@@ -391,7 +396,7 @@ struct Structure {
     /// The structure that is the memory, as a path of members; empty if the memory is one of `memories`. Without `via`
     /// both have the same addresses. See ir/chain.h.
     RareVector<std::uint32_t> base;
-    Name base_name;  ///< the name that the declaration gives to that memory
+    Name base_name;  ///< the name that the declaration gives to the memory that `base` leads to
     Span base_span;
     ExprId otherwise;                      ///< value of reads at unmapped addresses; absent: see says_otherwise()
     ExprId domain;                         ///< extent of the virtual domain, over the structure (root 0)
@@ -403,7 +408,7 @@ struct Structure {
     /// axis, so that accesses need no test. Set by lower/contained.cpp.
     std::uint8_t contained_axes = 0;
     std::vector<Method> methods;  ///< of an adaptor: its public functions that C++ calls
-    bool copyable = true;         ///< the host can read and write its elements: false for views and adaptors
+    bool copyable = true;         ///< its elements are stored, so that the host can copy them; false: view or adaptor
     std::string doc;
 };
 
@@ -413,7 +418,7 @@ struct KernelParam {
     Pattern pattern = Pattern::value;
     Direction direction = Direction::in;
     std::uint32_t structure = 0;  ///< instance; Place root is the index of this parameter among the kernel's params
-    std::uint32_t radius = 0;     ///< of near: the window's
+    std::uint32_t radius = 0;     ///< of near: the largest offset from the current address, along each axis
     Combine combine = Combine::replace;  ///< of scatter
     LocalId local;                       ///< of value and argument: holds the value in the body
     std::uint32_t alike =
@@ -473,9 +478,11 @@ struct Pipeline {
     std::vector<PipelineParam> params;
     TypeId result;  ///< void, a value, device value, structure, or slice
     std::vector<StmtId> body;
-    Span host_needed;  ///< first statement that waits or changes host state; none: callable under a device condition
+    /// The first place that waits for the device, changes host state or gives a member other memory; empty: there is
+    /// none, so that the pipeline may be called under a condition that is a value on the device.
+    Span host_needed;
     bool is_value =
-        false;  ///< made by sema/values.cpp: one pass of one invocation, which computes a value on the device
+        false;  ///< made by sema/values.cpp: it has one pass, of one invocation, which computes a value on the device
     std::string doc;
 };
 
@@ -499,7 +506,7 @@ struct Module {
     Name name;  ///< "std.array"
     std::uint32_t file = 0;
     bool is_root = false;                ///< named on the command line: outputs are generated for it
-    std::vector<std::uint32_t> imports;  ///< indices in Program::modules of those that it uses, transitively; sorted
+    std::vector<std::uint32_t> imports;  ///< indices in Program::modules of what it imports, also indirectly; sorted
     std::string doc;
 };
 
@@ -520,9 +527,9 @@ struct Program {
     std::vector<Kernel> kernels;
     std::vector<Pipeline> pipelines;
     std::vector<Test> tests;
-    /// The kernels (indices in Program::kernels) that move a box of a structure's elements between the structure and a
-    /// linear buffer, an instance of `box_structure`, or fill the box with a value. 0xffffffff: there is none, as for
-    /// writes to a view.
+    /// The kernels (indices in Program::kernels) that copy a box of a structure's elements to or from a linear buffer,
+    /// which is a structure of the instance `box_structure`, or fill the box with a value. write_kernel and fill_kernel
+    /// are 0xffffffff if C++ may not write the structure (is_written_in_boxes() of ir/effects.h).
     struct Transfer {
         std::uint32_t structure, read_kernel, write_kernel, fill_kernel;
         std::uint32_t box_structure;

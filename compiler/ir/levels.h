@@ -1,8 +1,8 @@
 // Levels of the IR: each operation and each kind of statement belongs to one, which says where it may occur.
 //
-// Kernels as sema makes them contain operations of the levels value, shape and structure, fragment parts also the
-// statement `discard` of the level memory; pipelines and tests value, shape and host; lowered passes value and memory;
-// their variants for the host device also cpu.
+// Kernels as sema makes them contain operations of the levels value, shape and structure, and fragment parts also the
+// statement `discard`, whose level is memory. Pipelines and tests contain operations of value, shape and host. Lowered
+// passes contain operations of value and memory, and their variants for the host device also of cpu.
 #pragma once
 
 #include "ir/ir.h"
@@ -27,7 +27,8 @@ std::string_view name_of(Op op);
 std::string_view name_of(StmtOp op);
 std::string_view name_of(Level level);
 
-/// Throws an internal error: an operation occurs where its level does not allow it.
+/// Throws std::logic_error, an internal error: the operation or statement occurs where its level does not allow it.
+/// `where` begins the message.
 [[noreturn]] void misplaced(Op op, std::string_view where);
 [[noreturn]] void misplaced(StmtOp op, std::string_view where);
 

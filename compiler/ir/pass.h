@@ -35,7 +35,7 @@ struct PassBinding {
     std::optional<Compare> compare;  ///< images: what its comparison sampler does; absent: it has none. Plain reads of
                                      ///< such an image go through another binding
     bool atomic = false;             ///< some access is atomic
-    bool ordered = false;            ///< floats that are combined by min or max: shaders see ints that have their bits
+    bool ordered = false;            ///< floats that are combined by min or max: shaders access their bits as ints
     bool coherent =
         false;  ///< workgroups see each other's writes within the pass: accesses are neither moved nor merged
     std::uint32_t one_place = 0;  ///< index of the first binding that may alias this one; its own index if there is
@@ -53,11 +53,12 @@ enum class ParameterSource : std::uint8_t {
     uniform,  // `value`, an expression that the host evaluates for each call: constants, arithmetic, calls, locals that
               // are the kernel's value parameters, and member / memory_extent / host_state / domain of its structure
               // parameters and of structures nested in them
-    origin,   // first virtual address of the range of kernel parameter `param`
-    size,     // size of the visited range (uint or vector of uint)
+    origin,   // first virtual address of the range of kernel parameter `param`; of a `near`: the address around which
+              // the first invocation's window lies
+    size,     // extent of the range of Pass::address (uint or vector of uint); draws: {corners, instances}
     range_size,  // size of the range of kernel parameter `param`
     address,     // uint64: device address of binding `param`
-    index,       // where kernel parameter `param`, a value on the device, lies: its element index in its buffer
+    index,       // uint: the element index, in its buffer, of kernel parameter `param`, a value on the device
     base,        // uint3, wide form: origin of a dispatch that is part of a larger one; added to invocation ids
 };
 
@@ -95,9 +96,9 @@ struct Pass {
     std::vector<StmtId> prologue;
     LocalId in_range;  ///< bool: the address is in the range. If not, shaders of kernels without a group return; in
                        ///< kernels with a group, accesses are conditional on it
-    /// The kernel's bodies. The first one is valid on every device and at every address. Of a draw it is the vertex
-    /// part, and the fragment part, if there is one, is another. All others are for some devices only, or under
-    /// assumptions.
+    /// The kernel's bodies. The first one is valid on every device and at every address. Of a draw the first one is the
+    /// vertex part; the fragment part, if there is one, is another variant. All other variants are for some devices
+    /// only, or are valid under assumptions only.
     std::vector<Variant> variants = std::vector<Variant>(1);
     std::vector<FunctionId> functions;  ///< lowered functions that the bodies call, callees before callers
     std::vector<LocalId> shared;        ///< arrays in workgroup memory
@@ -109,10 +110,11 @@ struct Pass {
                                      ///< UINT64_MAX: not known at compile time. The same in all forms
     Span longest_loop;
     bool has_reports = false;          ///< some statement is a `report`. The same in all forms
-    std::vector<std::uint32_t> files;  ///< source files that reports name, the kernel's first. The same in all forms
-    bool exact = true;                 ///< devices agree bit for bit: no inexact intrinsic, no sum of floats by atomic
-                                       ///< operations, no sampler that filters or compares, no texels of 8 bits read as
-                                       ///< floats, no rasterisation
+    std::vector<std::uint32_t> files;  ///< source files that messages of the shaders name, the kernel's first. The same
+                                       ///< in all forms
+    bool exact = true;                 ///< devices agree bit for bit: no intrinsic that is inexact for its operands, no
+                                       ///< sum of floats by atomic operations, no sampler that filters or compares, no
+                                       ///< image of format r8, rg8 or rgba8, no rasterisation. The same in all forms
 
     Variant& plain() { return variants.front(); }
     const Variant& plain() const { return variants.front(); }
@@ -121,7 +123,8 @@ struct Pass {
     /// origin of their dispatch (ParameterSource::base) to invocation ids. False for ranges with one axis, whose
     /// workgroups continue in rows along y within one dispatch.
     bool has_base() const { return form == Form::wide && rank > 1 && splits; }
-    bool splits = false;  ///< several dispatches can run the range: no group is declared, no blocks are visited
+    bool splits = false;  ///< several dispatches can run the range: the kernel declares no group, visits no blocks and
+                          ///< does not draw
 
     /// Whether shaders count the iterations of every loop, for devices that limit them (lavapipe).
     bool counts_rounds() const { return loop_rounds == UINT64_MAX; }

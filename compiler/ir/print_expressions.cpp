@@ -74,7 +74,8 @@ std::string Printer::operand(ExprId id) {
     return is_compound && !needs_type(node) ? "(" + expr(id) + ")" : expr(id);
 }
 
-/// Whether a type has to be added to the operation's text: it is not implied (ir/implied_type.h), nor part of the text.
+/// Whether the type has to be added to the operation's text: it is neither implied (ir/implied_type.h) nor part of the
+/// text. Never without a pass: only the text of passes is read back.
 bool Printer::needs_type(const Expr& node) {
     if (pass_ == nullptr) return false;
     switch (node.op) {

@@ -1,9 +1,9 @@
 // Rasterisation: what a kernel that draws triangles, lines or points has besides its body, which is the vertex part (a
 // vertex shader). The fragment part is the fragment shader.
 //
-// The parts exchange values with the rasteriser through locals that neither declares: the vertex part assigns the
-// position of the vertex ("corner"), its distances to clip planes and the values to interpolate; the fragment part
-// reads the interpolated values and assigns colours and depth.
+// The parts exchange values with the rasteriser through locals that neither part declares: the vertex part assigns the
+// position of the vertex, its distances to clip planes and the values to interpolate; the fragment part reads the
+// interpolated values and assigns colours and depth. docs/language.md calls a vertex a corner.
 #pragma once
 
 #include "base/arena.h"

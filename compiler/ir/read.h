@@ -31,11 +31,11 @@
 //               | "guarded_load(" … ")" | place "." property | "state" n | "none" | "(" expr [ ":" type ] ")" ;
 //     property  = "domain" | "member" n | "memory" n | "host" n ;
 //
-// "tmp" is a let that a pass of lower/ introduced; n is a number; place is a path from a kernel's parameter through
-// nested members, such as f.table; intrinsic is also "some", "has_value" or "value", for optionals. A primary "(" expr
-// ":" type ")" gives the type of an expression whose operands do not imply it (ir/implied_type.h). "fact" is a
-// condition that is known to hold throughout the body; tests and --dump-after write it. "…" stands for what print.h
-// writes there.
+// "declared": the source declares the group. "tmp" is a let that a pass of lower/ introduced; n is a number; place is a
+// path from a kernel's parameter through nested members, such as f.table; "given" is a local that a draw exchanges with
+// the rasteriser; intrinsic is also "some", "has_value" or "value", for optionals. A primary "(" expr ":" type ")"
+// gives the type of an expression whose operands do not imply it (ir/implied_type.h). "fact" is a condition that is
+// known to hold throughout the body; tests and --dump-after write it. "…" stands for what print.h writes there.
 #pragma once
 
 #include "ir/pass.h"

@@ -10,7 +10,7 @@ namespace gliftc::ir {
 
 namespace {
 
-/// The scalar field of a translator that "state" and a number name; none where the text names none.
+/// The number in `called` if it is "state" and a number, the text of Op::state; else absent.
 std::optional<std::uint32_t> state_slot(const std::string& called) {
     const std::string_view prefix = "state";
     const bool is_state = called.starts_with(prefix) && called.size() > prefix.size() &&
@@ -178,8 +178,8 @@ ExprId Reader::intrinsic(const std::string& called) {
     fail("expected a function of ir/intrinsics.def before this");
 }
 
-/// A function that the text does not declare is one that the host calls in a uniform value: the text gives its result
-/// type after the call.
+/// Reads the rest of "@function(…)". If the text does not declare the function, the host calls it for a uniform value;
+/// the text then gives its result type after the call.
 ExprId Reader::call() {
     const std::string called = name();
     auto [found, is_new] = functions_.try_emplace(called);

@@ -154,7 +154,7 @@ void Reader::function() {
     current().functions.push_back(id);
 }
 
-/// Reads "given": a local that a part of a draw exchanges with the rasteriser (raster.h).
+/// Reads the rest of: given name: type. It is a local that a part of a draw exchanges with the rasteriser (raster.h).
 void Reader::given() {
     const std::string called = name();
     expect(":");

@@ -91,7 +91,7 @@ Stmt Reader::copy_of_row() {
     return stmt;
 }
 
-/// Reads the rest of: keep var name: type; or let or tmp instead of var.
+/// Reads the rest of: keep var name: type; where `let` or `tmp` may stand in place of `var`.
 Stmt Reader::keep() {
     const bool is_mutable = accept("var"), is_temporary = !is_mutable && accept("tmp");
     if (!is_mutable && !is_temporary) expect("let");
@@ -100,7 +100,8 @@ Stmt Reader::keep() {
     return stmt;
 }
 
-/// Reads: image_store(binding, at, value); or atomic_add(binding[at], value); or report(binding, address);
+/// Reads the rest of: image_store(binding, at, value); or atomic_add(binding[at], value); (or another atomic_…)
+/// or report(binding, address); or report(view, address);
 Stmt Reader::memory_statement(StmtOp op, Combine combine) {
     Stmt stmt;
     stmt.op = op;

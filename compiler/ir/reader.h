@@ -105,7 +105,7 @@ private:
     std::unordered_map<std::string, FunctionId> functions_;
     std::unordered_map<std::string, std::uint32_t> bindings_, parameters_, roots_;
     std::map<std::string, TypeId, std::greater<>>
-        types_;  ///< structs and enums; in descending order, so that a name is tried before its prefixes
+        types_;  ///< structs and enums by name; in descending order, so that a name is tried before its prefixes
 };
 
 }  // namespace gliftc::ir

@@ -17,7 +17,8 @@ class Reads {
 public:
     explicit Reads(const Program& program) : p(program) {}
 
-    /// What one expression reads, its operands not included. `structures`: the structure at each Place root.
+    /// What one expression reads, its operands not included. `structures`: the instance at each Place root. `effects`:
+    /// those of the body, of which its own coherent ones exclude memory from the result.
     Places of(const Expr& node, const std::vector<std::uint32_t>& structures, const std::vector<Effect>& effects) {
         Places found;
         switch (node.op) {

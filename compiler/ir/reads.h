@@ -7,9 +7,9 @@
 
 namespace gliftc::ir {
 
-/// Visits the memories that are read: the place of the structure that has each (chain.h, root_of), with the span of the
-/// access in the kernel's body. Left out are reads of memory that the kernel or function itself declares coherent, and
-/// of the kernel's arguments that are values on the device.
+/// Calls `visit` for each memory that is read: with the place of the structure that has the memory (root_of() of
+/// chain.h), and the span of the access in the kernel's body. Left out are reads of memory that the kernel or function
+/// that reads it declares coherent, and reads of the kernel's arguments that are values on the device.
 void for_each_read(const Program& program, const Kernel& kernel, const std::function<void(const Place&, Span)>& visit);
 
 }  // namespace gliftc::ir

@@ -31,7 +31,7 @@ enum class TypeKind : std::uint8_t {
     optional,   // element?
     structure,  // an instance of a structure, view or adaptor: Program::structures[index]
     slice,      // only in pipelines: a box of a structure (element is the structure type)
-    device,     // only in pipelines: a value of type `element` that lives on the device until awaited
+    device,     // only in pipelines: a value of type `element` that is on the device; `await` reads it back
 };
 
 struct Type;
@@ -65,8 +65,8 @@ public:
     TypeId of_enum(std::uint32_t index);
     TypeId of_structure(std::uint32_t index);
 
-    /// The id in this table of the type that has the id `id` in `other`, the table of another program with the same
-    /// structs, enums and structures.
+    /// The id in this table of the type that has the id `id` in `other`. `other` is the table of another program, whose
+    /// structs, enums and structures have the same indices.
     TypeId same_as(const Types& other, TypeId id);
 
     TypeId intern(Type type);

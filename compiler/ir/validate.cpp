@@ -131,7 +131,7 @@ void Validator::operand_types(ExprId id) {
         if (!node.places.empty()) fail("a structure is passed in a lowered kernel", id);
         return;
     }
-    default: return;  // checked by the target's compiler
+    default: return;  // the compiler of the generated code checks the other operations
     }
 }
 

@@ -17,7 +17,7 @@ inline constexpr std::uint32_t no_parameter = 0xffffffffu;
 enum class Devices : std::uint8_t { any, shaders, host };
 
 /// The assumption that the invocation's virtual address lies at least `radius` elements from each side of a domain, so
-/// that all neighbours within the radius are inside.
+/// that all neighbours within the radius are inside the domain.
 struct Interior {
     std::uint32_t radius = 0;
     std::uint32_t domain = no_parameter;  ///< pass parameter that holds the domain's extent
@@ -67,13 +67,14 @@ const Variant& variant_for(const Pass& pass, Devices devices);
 /// The fragment part of a draw; null: it has none.
 const Variant* fragment_for(const Pass& pass, Devices devices);
 
-/// The variant that a device may run instead on blocks all of whose elements are visited; null: none.
+/// The variant that a device may run instead of variant_for() on blocks all of whose elements are visited; null: none.
 const Variant* block_variant_for(const Pass& pass, Devices devices);
 
-/// The variant that a device may run instead where all neighbours are inside the domain; null: none.
+/// The variant that a device may run instead of variant_for() where all neighbours are inside the domain (Interior);
+/// null: none.
 const Variant* interior_variant_for(const Pass& pass, Devices devices);
 
-/// The variant that a device may run instead of `variant` where bounds hold; null: none.
+/// The variant that a device may run instead of `variant` where its Assumptions::bounds hold; null: none.
 const Variant* bounded_variant_of(const Pass& pass, const Variant& variant);
 
 /// The statements of `block`, if present, then those of the body.

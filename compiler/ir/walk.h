@@ -48,7 +48,7 @@ template <class Visit> void for_each_node(const Program& program, ExprId id, Vis
     detail::walk_nodes(program, id, seen, visit);
 }
 
-/// The same for nodes that are not in `seen`, and adds them to it.
+/// The same, but leaves out nodes that are in `seen` and what is below them; adds the visited ones to `seen`.
 template <class Visit> void for_each_node(const Program& program, ExprId id, IdSet<Expr>& seen, Visit&& visit) {
     detail::walk_nodes(program, id, seen, visit);
 }

@@ -47,7 +47,8 @@ std::uint32_t Expander::binding(const Place& of_structure, Access access, std::o
     return static_cast<std::uint32_t>(bindings.size() - 1);
 }
 
-/// Loads the kernel's arguments that are values on the device, once, at the start of the body.
+/// Loads, once and at the start of the body, the kernel's arguments that are values in device memory
+/// (Pattern::argument).
 void Expander::read_arguments() {
     for (std::uint32_t i = 0; i < cx.kernel.params.size(); ++i) {
         const KernelParam& param = cx.kernel.params[i];
@@ -59,8 +60,8 @@ void Expander::read_arguments() {
     }
 }
 
-/// Whether the memory of the structure at the place is that of a coherent parameter, or a function that the kernel
-/// calls accesses it as coherent memory.
+/// Whether the elements of the structure at the place lie in the memory of the `coherent` parameter that the place
+/// begins at, or in memory that a function called through this parameter accesses as coherent.
 bool Expander::is_coherent(const Place& place) const {
     const auto is_memory_of = [&](const Place& shared) {
         return root_of(p, cx.structure_at(place), place) == root_of(p, cx.structure_at(shared), shared);
@@ -109,7 +110,8 @@ Pair Expander::atomic(const Expr& node) {
     return {make.local(before), {}};
 }
 
-/// An element of a structure whose root is a view: evaluates the view where `condition` holds, else gives `otherwise`.
+/// An element of a structure whose chain of memories (ir/chain.h) ends in a view: evaluates the view at `address` if
+/// `condition` holds (absent: always), else gives `otherwise`.
 ExprId Expander::computed(const Place& place, ExprId address, ExprId condition, ExprId otherwise,
                           const std::string& name) {
     const Place root = root_of(p, cx.structure_at(place), place);
@@ -123,7 +125,8 @@ ExprId Expander::load(const Place& place, ExprId physical) {
     return load_from(cx, binding(place, Access::read), physical);
 }
 
-/// The value of reads at unmapped addresses: that of the first structure of the chain with an `otherwise`, else zero.
+/// The value of reads at unmapped addresses: that of the first structure with an `otherwise` in the chain of memories
+/// (ir/chain.h), else zero.
 ExprId Expander::otherwise_of(const Place& place) {
     const std::optional<Place> says = says_otherwise(p, cx.structure_at(place), place);
     if (!says) return make.zero(cx.structure_at(place).element);
@@ -132,16 +135,16 @@ ExprId Expander::otherwise_of(const Place& place) {
     return inside(std::move(frame), [&] { return value_of(cx.structure_at(*says).otherwise); });
 }
 
-/// The same for reads of the current element and its neighbours. In kernels with a group, invocations beyond the range
-/// get zero.
+/// As otherwise_of, for reads of the current element and its neighbours. In kernels with a group, invocations beyond
+/// the range get zero.
 ExprId Expander::otherwise_around(const Place& place) {
     const ExprId otherwise = otherwise_of(place);
     if (!cx.kernel.grouped() || !says_otherwise(p, cx.structure_at(place), place)) return otherwise;
     return make.select(make.local(cx.pass.in_range), otherwise, make.zero(make.type(otherwise)));
 }
 
-/// Loads the element if `guard` and the translation's condition `physical.has` hold, else gives `otherwise`.
-/// `safe_address` must be a physical address in the memory; absent: address zero.
+/// Loads the element if `guard` and the translation's condition `physical.has` hold (absent: true), else gives
+/// `otherwise`. `safe_address` must be a physical address in the memory; absent: address zero.
 ExprId Expander::guarded_load(const Place& place, const Pair& physical, ExprId guard, ExprId safe_address,
                               ExprId otherwise, const std::string& name) {
     ExprId condition = make.both(guard, physical.has);
@@ -172,7 +175,8 @@ ExprId Expander::view(const Place& place, ExprId address) {
     });
 }
 
-/// The current element of a view, or a neighbour. In kernels with a group, invocations beyond the range get zero.
+/// The element of a view at `address`, that of the current element or of a neighbour. In kernels with a group,
+/// invocations beyond the range get zero.
 ExprId Expander::view_around(const Place& place, ExprId address) {
     if (!cx.kernel.grouped()) return view(place, address);
     TypeId type = cx.structure_at(place).element;
@@ -233,8 +237,8 @@ std::optional<std::vector<std::int64_t>> Expander::offset_of(const Expr& node) {
     return result;
 }
 
-/// The condition that the neighbour at `offset` is in the domain. Since the current element is in the domain, only the
-/// sides towards which the offset points are tested.
+/// The condition that the neighbour at `offset` is in the domain, if the current element is in it: only those sides of
+/// the domain are tested towards which the offset points.
 ExprId Expander::near_guard(std::uint32_t root, const std::vector<std::int64_t>& offset) {
     ExprId address = centre_address(root), domain = domain_of({root, {}}), guard;
     for (std::uint32_t axis = 0; axis < offset.size(); ++axis) {

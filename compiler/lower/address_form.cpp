@@ -16,8 +16,9 @@ Pair Expander::through_form(const Place& place, const Stage& stage, ExprId addre
     return form.is_known ? made_again(form, address, name) : expanded(place, stage, address, name);
 }
 
-/// Whether the address is known to have no uniform component. Where it has one, expanding the translator would give
-/// other code, since the host evaluates calls with uniform arguments.
+/// Whether no component of the address is seen to be uniform (the same for all invocations). The definition of a local
+/// is not searched for uniform components. With a uniform component, expanding the translator gives better code than a
+/// copy of its form, since calls with uniform arguments are left to the host.
 bool Expander::varies_in_all(ExprId address) {
     const Expr& node = p.exprs[address];
     if (is_uniform(cx, address)) return false;

@@ -127,7 +127,7 @@ std::optional<std::uint64_t> Degrees::index_of(const Expr& node) {
     return at[0].value;
 }
 
-// long: a case for each operation
+// long: one switch over the operations
 Parts Degrees::of(ExprId id) {
     const Expr& node = p.exprs[id];
     switch (node.op) {
@@ -216,7 +216,8 @@ bool Degrees::run_if(const Stmt& stmt) {
     if (!run(stmt.body)) return false;
     Frame taken = std::exchange(*frame_, before);
     if (!run(stmt.otherwise)) return false;
-    // What either side assigns is a select between two values: uniform if both and the condition are, else not affine.
+    // A local that a side assigns becomes a select between two values: uniform if both and the condition are, else
+    // `other`.
     std::vector<StmtId> sides = stmt.body;
     sides.insert(sides.end(), stmt.otherwise.begin(), stmt.otherwise.end());
     for_each_statement(p, sides, [&](const Stmt& inner) {
@@ -230,7 +231,7 @@ bool Degrees::run_if(const Stmt& stmt) {
     return true;
 }
 
-/// Follows the statements; false where it cannot.
+/// Interprets the statements, up to a return; false if it cannot follow one of them.
 bool Degrees::run(const std::vector<StmtId>& body) {
     for (StmtId id : body) {
         const Stmt& stmt = p.stmts[id];

@@ -1,9 +1,9 @@
-// Expander: neighbour reads across block borders, in kernels over blocks. A neighbour at a constant offset, no further
-// away than a block is wide, lies in the invocation's own block or in an adjacent one. The neighbour's physical
-// address is computed for each of these blocks, and the access selects one. This is done only if all loads that it
-// takes, such as look-ups in a page table, depend on the block alone (the translators' divisions by the block size
-// fold, see quotients.cpp), and if the structure can have no neighbours outside of its domain. It needs no barrier and
-// no copy, and works also for memory that the pass writes.
+// Expander: neighbour reads across block borders, in kernels over blocks (blocks.h). A neighbour at a constant offset
+// that is along no axis longer than a block lies in the invocation's own block or in an adjacent one. The neighbour's
+// physical address is computed for each of these blocks, and the access selects one of the addresses. This is done only
+// if all loads that compute them, such as look-ups in a page table, depend on the block alone (the translators'
+// divisions by the block size fold, see quotients.cpp), and if the structure can have no neighbours outside of its
+// domain. It needs no barrier and no copy, and also works for memory that the pass writes.
 #include "ir/effects.h"
 #include "lower/blocks.h"
 #include "lower/expand.h"
@@ -59,8 +59,8 @@ const Expander::Way& Expander::way_along(std::uint32_t root, std::uint32_t axis,
     return way;
 }
 
-/// Whether the value depends on a load that cannot be done once a block, or on a mutable local, which may hold the
-/// value of such a load.
+/// Whether the value depends on a load or call that cannot be made once per block, because it depends on the element or
+/// the pass may change its result; or on a mutable local, which may hold the value of such a load.
 bool Expander::is_loaded_by_element(ExprId id) {
     const Expr& node = p.exprs[id];
     if (node.op == Op::local) {
@@ -73,8 +73,8 @@ bool Expander::is_loaded_by_element(ExprId id) {
     return std::ranges::any_of(node.operands, [&](ExprId operand) { return is_loaded_by_element(operand); });
 }
 
-/// The physical address of an address in a certain block; absent if computing it needs loads that differ between
-/// elements: each element would then have to do them for every candidate block.
+/// The physical address for the virtual `address` of a neighbour in one candidate block; absent if computing it needs
+/// loads that differ between elements: each element would then have to make them for every candidate block.
 std::optional<Pair> Expander::place_in_block(const Place& place, ExprId address, const std::string& name) {
     Pair physical;
     Block made = collect([&] {
@@ -90,8 +90,8 @@ std::optional<Pair> Expander::place_in_block(const Place& place, ExprId address,
     return physical;
 }
 
-/// A select between two values, pushed inwards through constructions and binary operations to the operands in which the
-/// values differ.
+/// A select between two values. If both are constructions (Op::construct), or binary operations that differ in one
+/// operand only, the select is pushed inwards to the operands that differ.
 ExprId Expander::chosen(ExprId condition, ExprId yes, ExprId no) {
     if (numbers_.of(yes) == numbers_.of(no)) return no;
     const Expr a = p.exprs[yes], b = p.exprs[no];
@@ -111,8 +111,9 @@ ExprId Expander::chosen(ExprId condition, ExprId yes, ExprId no) {
     return make.again(a, std::move(operands));
 }
 
-/// The physical address of a neighbour. `at` has the components of the address that are chosen already; recursion over
-/// the axes adds the others, for the own and for the adjacent block.
+/// The physical address of a neighbour. `at` has the components of its address along the axes that are done; recursion
+/// over the axes adds the others, for the own and for the adjacent block. Absent if place_in_block gives none for one
+/// of the blocks.
 std::optional<Pair> Expander::choose_block(const Place& place, const Ways& ways, Beside at) {
     const std::size_t axis = at.address.size();
     if (axis == ways.size()) {
@@ -149,11 +150,11 @@ std::optional<Pair> Expander::beside(const Place& place, const std::vector<std::
     if (!block_.is_of_kernel || !(cx.is_direct() || place.root == *cx.kernel.space)) return std::nullopt;
     const auto widths = block_widths(cx);
     if (!widths || !is_in_reach(offset, *widths)) return std::nullopt;
-    // With one element per invocation, two candidate blocks are worth their lookups, four or more are not.
+    // If an invocation takes one element, two candidate blocks are worth their look-ups, four or more are not.
     const auto axes = std::ranges::count_if(offset, [](std::int64_t part) { return part != 0; });
     if (axes > 1 && elements_in_block(*block_volume(cx)) == 1) return std::nullopt;
     centre(place.root);  // so that its statements come before those of this neighbour, which may use them
-    // After `centre`, too, so that the bindings come in the same order whatever the answer is.
+    // Asked after the call of `centre`, so that bindings are added in the same order whatever the answer is.
     if (may_map_outside(place.root)) return std::nullopt;
     Ways ways;
     for (std::uint32_t axis = 0; axis < offset.size(); ++axis)

@@ -1,6 +1,6 @@
-// Expander: kernels over blocks. An invocation's `address` is {position in its block, number of the block}. First come
-// the values that depend on the number alone, then the test whether the element is visited (with Guards::block: whether
-// all elements of the block are), then the body.
+// Expander: kernels over blocks. An invocation's `address` is {position in its block, number of the block}. The code
+// first computes addresses from this, then tests whether the element is visited (with Guards::block: whether all
+// elements of the block are), and then has the body.
 #include "lower/blocks.h"
 
 #include "ir/chain.h"
@@ -141,7 +141,7 @@ Expander::OwnBlock::Axis Expander::block_along(std::uint32_t axis, ExprId first,
     return along;
 }
 
-/// Computes the block's first address from its number, and from it the element's address.
+/// Computes the block's first address from its number, and the element's address from that and its position.
 void Expander::enter_block() {
     const Blocks& blocks = *cx.structure_at(block_owner(cx)).blocks;
     const ExprId invocation = make.local(cx.pass.address);
@@ -262,8 +262,8 @@ bool Expander::is_value_of_block(StmtId id) {
 
 /// The prelude and the body, with the condition under which they are valid. Without Guards::block: an `if` whose
 /// condition is that the element is visited; only those values of the prelude that depend on the block alone stand
-/// before it, all else is inside. With Guards::block: an `evaluate` after the prelude and before the body, whose value
-/// is the condition that all elements of the block are visited and block_.holds is true.
+/// before it, all else is inside. With Guards::block: the prelude; an `evaluate` whose value is the condition that all
+/// elements of the block are visited and block_.holds is true; the statements that fill the halos; the body.
 Expander::Block Expander::visited_block(Block body) {
     return collect([&] {
         if (guards_ != Guards::block) {

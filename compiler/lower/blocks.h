@@ -17,10 +17,10 @@ TypeId iteration_type(Context& cx);
 /// The place of the structure that declares the blocks which the kernel visits.
 ir::Place block_owner(const Context& cx);
 
-/// The number of elements of a block, but at most 2^32, if it is a constant.
+/// The number of elements of a block, or 2^32 if it is larger; absent if the size of a block is not a constant.
 std::optional<std::uint64_t> block_volume(const Context& cx);
 
-/// The size of a block along each axis, if it is constant.
+/// The size of a block along each axis; absent if it is not a constant.
 std::optional<std::vector<std::uint32_t>> block_widths(const Context& cx);
 
 /// The largest number of blocks that a kernel visits: every device allows that many workgroups along two axes of a

@@ -92,7 +92,7 @@ Parts Following::member(std::uint32_t slot, TypeId type) {
 }
 
 /// A constructor argument, memory extent or domain of the structure, or of one of its members. If the member is given
-/// to the structure and not made by it, the result is unknowns, the same for each member that was given the same
+/// to the structure and not made by it, the result is unknowns, the same ones for all members that are given the same
 /// structure.
 Parts Following::of_leaf(const Expr& node) {
     if (stage_ && node.place.root < stage_->structures.size()) return of_state_leaf(node);
@@ -117,7 +117,7 @@ Parts Following::of_leaf(const Expr& node) {
     return parts;
 }
 
-/// The same in a function of a translator, for a structure in its state.
+/// As of_leaf, in a function of a translator, for a structure in the translator's state.
 Parts Following::of_state_leaf(const Expr& node) {
     Expr placed = node;
     placed.place = stage_->structures[node.place.root];
@@ -128,7 +128,7 @@ Parts Following::of_state_leaf(const Expr& node) {
     return parts;
 }
 
-/// The same for a member that the structure makes itself, whose constructor arguments are known here.
+/// As of_leaf, for a member that the structure makes itself, whose constructor arguments are known here.
 Parts Following::of_member_leaf(const Expr& node) {
     const MemberStructure& member = s->members[*node.place.members.begin()];
     const Structure* const made = &p.structures[member.structure];

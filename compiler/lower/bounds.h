@@ -13,7 +13,7 @@ namespace gliftc::lower {
 /// What is known of a condition.
 struct Truth {
     std::optional<bool> known;                     ///< its value; none: not known
-    std::vector<symbolic::Sum> if_true, if_false;  ///< sums that are at least zero where it is true, where it is false
+    std::vector<symbolic::Sum> if_true, if_false;  ///< sums >= 0 if it is true; sums >= 0 if it is false
 };
 
 /// One scalar of a value: a number, or a condition, for which `sum` is 0 or 1 if it is known, else an unknown.
@@ -45,13 +45,13 @@ public:
     Following(const ir::Program& program, std::uint32_t structure)
         : p(program), whole_(&program.structures[structure]), s(whole_) {}
 
-    /// The value of an expression over the structure itself.
+    /// The value of an expression over the structure (Place::root 0 is the structure), such as a memory's extent.
     Parts of_structure(ir::ExprId id);
-    /// The extent within which physical addresses must lie: a memory's, or the domain of the structure that is the
-    /// memory.
+    /// The extent within which physical addresses must lie: that of a buffer or image, or the domain of the structure
+    /// that is the memory.
     Parts extent_of_memory();
-    /// The physical address of a virtual address, which is symbolic and may stand for many; none if the translators map
-    /// all of these to `none`.
+    /// The physical address that the structure's own translators give for a virtual address, which is symbolic and may
+    /// stand for many; none if all of these are unmapped.
     std::optional<Parts> translated(Parts address);
     /// Sets component `lane` of constructor argument `slot`.
     void set_member(std::uint32_t slot, std::uint32_t lane, const symbolic::Sum& sum) { members_[{slot, lane}] = sum; }
@@ -63,14 +63,15 @@ private:
     struct Frame {
         std::unordered_map<ir::LocalId, Parts> locals;
         std::optional<Parts> returned;
-        bool has_left = false;    ///< every path to the current statement has returned
+        bool has_left = false;    ///< all paths have returned: none reaches the current statement
         bool is_followed = true;  ///< false: code could not be followed, so the result is unknown
     };
 
-    /// As of_structure, for sizes: the runtime computes them exactly, and makes no structure whose sizes are too large.
+    /// As of_structure, for sizes of memories and arguments of members: the runtime computes them exactly (widen.h) and
+    /// makes no structure for which they are too large, so their arithmetic is not taken to wrap around.
     Parts of_size(ir::ExprId id);
     Parts of_domain();
-    /// Sets sizes_ when the first expression is followed, after the calls of set_member.
+    /// Fills sizes_, once: when of_structure is first called, so that set_member must be called before.
     void find_sizes();
     Parts of(ir::ExprId id);
     Parts of_construct(const ir::Expr& node);
@@ -128,8 +129,8 @@ private:
     /// Sizes of memories, and arguments of the members that the structure makes: sums that fit (see `fits`).
     std::vector<symbolic::Sum> sizes_;
     bool has_sizes_ = false;
-    bool is_checked_ = false;  ///< a size is being followed
-    /// For results of bit operations: a number that has all bits which the result may have.
+    bool is_checked_ = false;  ///< the expression that is being followed is a size (of_size)
+    /// For the unknown that is the result of a bit operation: a number with all bits set that may be set in the result.
     std::unordered_map<symbolic::Unknown, symbolic::Sum> bits_;
     unsigned depth_ = 0;
 };

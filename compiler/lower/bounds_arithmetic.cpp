@@ -57,8 +57,9 @@ Sum Following::opaque(std::uint32_t operation, std::vector<Sum> operands, TypeId
     return symbols.applied({operation, std::move(operands)}, {low, std::nullopt}, varies);
 }
 
-/// Whether the sum is known not to exceed 2^32 - 1, so that it is what the program's wrapping arithmetic gives: it is
-/// one number of the program, or no larger than a constructor's argument or than a size that the runtime checks.
+/// Whether the sum is known not to exceed 2^32 - 1, so that the program's wrapping arithmetic gives the same number. It
+/// is known if the sum is a single unknown, which stands for one value of the program; if it is part of a size that the
+/// runtime checks (is_checked_); or if it is no larger than 2^32 - 1, a constructor's argument or one of sizes_.
 bool Following::fits(const Sum& sum) {
     if (is_checked_ && !symbols.varies(sum)) return true;
     if (sum.size() == 1 && sum.begin()->first.size() == 1 && sum.begin()->second == 1) return true;
@@ -75,8 +76,8 @@ Sum Following::at_least_one(const Sum& sum) {
     return symbols.applied({not_zero, {sum}}, {number(1), std::nullopt}, symbols.varies(sum));
 }
 
-/// a - b of unsigned numbers: the sum a - b if b is known to be no larger, and a not to exceed 2^32 - 1; else an
-/// unknown, since the difference may wrap.
+/// The difference of unsigned numbers: the sum a - b if it is known that b is no larger than a and that a does not
+/// exceed 2^32 - 1; else an unknown, since the difference may wrap.
 Sum Following::difference(const Sum& a, const Sum& b) {
     if (fits(a) && symbols.is_natural(a - b)) return a - b;
     return opaque(operation_of(BinaryOp::subtract), {a, b}, p.types.uint);
@@ -106,7 +107,7 @@ Sum Following::exact_quotient(const Sum& a, const Sum& by) {
     std::optional<Sum> low;
     if (symbols.is_natural(rest)) low = number(symbols.is_natural(rest - by) ? 1 : 0);
     std::optional<Sum> high = high_over(rest);
-    // A constant below the divisor increases the quotient by one at most.
+    // The constant term of `rest` is below the divisor, so it increases the quotient by one at most.
     const auto constant = rest.find({});
     if (constant != rest.end() && constant->second > 0 && rest.size() > 1 && value_of(by) && !high)
         high = exact_quotient(rest - number(constant->second), by) + number(1);
@@ -124,7 +125,7 @@ Sum Following::remainder(const Sum& a, const Sum& b) {
                            varies || symbols.varies(a));
 }
 
-/// 1 or 0, the larger one that both numbers are known to reach; none if one of them may be negative.
+/// A lower bound of both numbers: 1 if both are known to be at least 1, else 0; none if one of them may be negative.
 std::optional<Sum> Following::least_of(const Sum& a, const Sum& b) {
     if (!symbols.is_natural(a) || !symbols.is_natural(b)) return std::nullopt;
     const auto is_positive = [&](const Sum& sum) { return fits(sum) && symbols.is_natural(sum - number(1)); };
@@ -167,7 +168,8 @@ Part Following::joined(const Part& a, const Part& b) {
     return part_of(symbols.varying(std::move(bounds)));
 }
 
-/// Either of two values. An empty one stands for `none`: an address that is mapped nowhere.
+/// A value that may be either of two. Empty Parts stand for `none`, an unmapped address; the result is then the other
+/// value.
 Parts Following::joined(const Parts& a, const Parts& b) {
     if (a.empty() || b.empty()) return a.empty() ? b : a;
     Parts result;
@@ -208,7 +210,7 @@ Truth Following::compared(BinaryOp op, const Sum& a, const Sum& b) {
     return truth;
 }
 
-/// A number that is the same for all addresses and has every bit that the given number may have; none: not known.
+/// A number that is the same for all addresses and has every bit set that may be set in `sum`; none: not known.
 std::optional<Sum> Following::bits_of(const Sum& sum) {
     if (!symbols.varies(sum)) return sum;
     if (sum.size() == 1 && sum.begin()->first.size() == 1) {

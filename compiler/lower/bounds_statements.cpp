@@ -99,7 +99,7 @@ void Following::run_if(const Stmt& stmt) {
     const auto after = std::exchange(frame_->locals, before);
     assume(condition.truth.if_false);
     run(stmt.otherwise);
-    if (has_left) return;  // stmt.body has returned: what follows is reached only through stmt.otherwise
+    if (has_left) return;  // all paths in stmt.body return: what follows is reached only through stmt.otherwise
     if (std::exchange(frame_->has_left, false)) {
         frame_->locals = after;
         return;

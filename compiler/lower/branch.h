@@ -1,7 +1,7 @@
 // For lowering kernels on several threads (pipeline.cpp). The program is the trunk, of which each thread has a branch:
-// the branch sees the trunk's nodes, which nobody changes meanwhile, and adds its own. Afterwards the branches' nodes
-// are moved to the trunk in the order of the kernels ("grafted"), so that the result does not depend on which thread
-// did what. Expressions and statements are not copied: the arenas hand over whole blocks of memory.
+// a program that sees the trunk's nodes, which no thread changes meanwhile, and adds its own. Afterwards the branches'
+// nodes are moved to the trunk in the order of the kernels ("grafted"), so that the result does not depend on which
+// thread did what. Expressions and statements are not copied: the arenas hand over whole blocks of memory.
 #pragma once
 
 #include "ir/pass.h"
@@ -34,10 +34,12 @@ struct Growth {
     Mark to;
 };
 
-/// Prepares the program for branches. Called once before they are made.
+/// Prepares the program for branches: fills up the last blocks of its arenas of expressions and statements, so that
+/// those that branches add begin new blocks. Called once before the branches are made.
 void ready_for_branches(ir::Program& trunk);
 
-/// Calls `make`, which lowers one kernel in the branch, and returns the nodes that it added.
+/// Calls `make`, which lowers one kernel in the branch, and returns the range of nodes that this added. Fills up the
+/// last blocks of expressions and statements, since graft() moves whole blocks.
 template <class Make> Growth grown(Branch& branch, Make&& make) {
     const Mark begin(branch.program);
     make();
@@ -47,8 +49,8 @@ template <class Make> Growth grown(Branch& branch, Make&& make) {
     return {&branch, begin, end, branch.names.size(), branch.program.types.size(), end};
 }
 
-/// Moves the nodes to the trunk. Called for one growth at a time, in the order of the kernels, which is also the order
-/// in which each branch made its own.
+/// Moves the growth's nodes to the trunk and sets growth.to. Called for one growth at a time, in the order of the
+/// kernels, which is also the order in which each branch made its growths.
 void graft(ir::Program& trunk, Growth& growth);
 
 /// Replaces the branch's ids in the grafted nodes, and in the forms that refer to them, by the trunk's. Different

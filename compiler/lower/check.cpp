@@ -1,10 +1,11 @@
 // Expander: checks of checked builds (gliftc --checked). Accesses by address outside a structure are reported.
 //
 // Reported is a read, write or atomic operation by address, in a kernel or a function that it calls, outside the domain
-// (or range) of a structure that does not define what lies outside. A structure defines that by an `otherwise` of its
-// own or of its memory, or by a first translator that is partial (a border, a page table). Not reported are accesses by
-// translators, views and functions of blocks, which may rely on reading zeros outside, nor `load`, nor `near`,
-// `sample`, `gather`, `compare`, `find` and `contains`, which are meant for addresses that may be outside.
+// (or range) of a structure that does not define what lies outside. A structure defines that by an `otherwise`, its own
+// or that of a structure in its chain of memories (ir/chain.h), or by a first translator that is partial (a border, a
+// page table). Not reported are accesses by translators, views and functions of blocks, which may rely on reading zeros
+// outside, nor `load`, `near`, `sample`, `gather`, `compare`, `find` and `contains`, which are meant for addresses that
+// may be outside.
 #include "ir/chain.h"
 #include "lower/expand.h"
 

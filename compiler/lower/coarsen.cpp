@@ -28,8 +28,8 @@ namespace {
 /// Kernels with more loads or nodes have enough to do with one element, and two would take too many registers.
 constexpr std::size_t most_loads = 16, most_of_one = 600;
 
-/// Whether a function, or one that it calls, has a loop: then one element is work enough, and lavapipe limits the
-/// iterations of an invocation.
+/// Whether a function, or one that it calls, has a loop: then one element is work enough for an invocation, and
+/// lavapipe limits the iterations that an invocation may execute.
 bool has_loop(const Program& program, FunctionId function) {
     const auto& body = program.functions[function].body;
     bool found = false;
@@ -124,7 +124,7 @@ private:
     std::size_t loads_ = 0, nodes_ = 0;
 };
 
-/// Whether the value of a delayed store needs no `let`, since it cannot change until then.
+/// Whether the value of a delayed store needs no `let`, since it cannot change until the store is executed.
 bool keeps(const Context& cx, ExprId value, bool ends_in_stores) {
     const Expr& node = cx.p.exprs[value];
     if (node.op != Op::local) return is_trivial(cx, value);
@@ -210,8 +210,9 @@ private:
         return found_any;
     }
 
-    /// Replaces the second element's guards of reads at positive y by the first one's for one row more. Where there is
-    /// no second element, such rows then count as outside.
+    /// Replaces the second element's guards of reads at positive y by those of the first element's reads one row
+    /// further. Where there is no second element, its code has the first one's address, and these guards ask for one
+    /// row more than it reads. That is harmless, since it then stores nothing.
     void share_guards(StatementCopy& second, const std::vector<Expander::RowGuard>& guards) {
         for (const Expander::RowGuard& guard : guards) {
             const ExprId distance = cx.make.uint(static_cast<std::uint64_t>(guard.distance + 1));
@@ -240,7 +241,7 @@ private:
     std::vector<StmtId> result_;
     ExprId has_next_;
     std::array<std::uint32_t, 3> elements_{};
-    bool ends_in_stores_ = true;  ///< no other statement follows a store
+    bool ends_in_stores_ = true;  ///< only statements with stores follow the first store in the body
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
-// Thread coarsening: an invocation of a shader takes several elements: two, in kernels over blocks up to eight. With
-// one small element per invocation, GPUs spend most of the time on starting invocations and on waiting for memory
-// (docs/performance.md).
+// Thread coarsening: an invocation of a shader takes several elements: two, in kernels over blocks up to eight. If each
+// invocation takes one element that needs little work, GPUs spend most of the time on starting invocations and on
+// waiting for memory (docs/performance.md).
 //
 // Needs: the statements of a kernel after "expand". Guarantees: at the end of the range, where an invocation has no
 // second element, the code for the second one stores nothing, or the same again as that for the first one. In kernels
@@ -30,7 +30,7 @@ Coarsened coarsened_in_turn(Context& cx, const std::vector<StmtId>& body);
 
 /// In kernels over blocks, several elements of a block, a workgroup's width apart. Values that depend on the block
 /// alone come first, then the elements in a loop. `whole` is the body for blocks all of whose elements are visited: for
-/// these, devices that skip branches run the elements without a loop.
+/// these, devices that skip branches (Builtin::skips_branches) run the elements without a loop.
 Coarsened coarsened_in_block(Context& cx, const std::vector<StmtId>& body, const std::vector<StmtId>& whole);
 
 /// Whether a body has stores, all of which may be delayed until other elements have made their loads; and how many

@@ -18,7 +18,8 @@ using namespace ir;
 
 namespace {
 
-/// Limits for all elements together that load before any of them is stored: more would take too many registers.
+/// Limits for the loads and nodes of all elements together that load before any of them is stored: more would take too
+/// many registers.
 constexpr std::size_t most_loads_together = 64, most_nodes_together = 4096;
 
 /// Whether the statements may be the body of a loop over elements: they have no returns, and no loops, whose iterations
@@ -55,7 +56,7 @@ public:
     BlockCoarsening(Context& context, std::uint64_t volume, std::uint32_t elements)
         : cx(context), volume_(volume), elements_(elements), width_(context.pass.group[0]) {}
 
-    /// A loop over the invocation's elements, whose body tests whether each is visited.
+    /// A loop over the invocation's elements. `body` tests whether an element is visited.
     StmtId loop_over(const std::vector<StmtId>& body) {
         Stmt loop = statement(StmtOp::for_, cx.kernel.span);
         loop.local = cx.new_local("turn", cx.p.types.uint, cx.kernel.span);
@@ -68,7 +69,8 @@ public:
         return cx.add(std::move(loop));
     }
 
-    /// The elements without a loop; `together` of them load before any of these is stored.
+    /// The code for all elements of the invocation, without a loop. It takes groups of `together` elements: all
+    /// elements of a group load before any of them is stored.
     std::vector<StmtId> whole(const std::vector<StmtId>& body, std::uint32_t together) {
         Stmt first = statement(StmtOp::let, cx.kernel.span);
         first.local = cx.new_local("first", cx.p.types.uint, cx.kernel.span);

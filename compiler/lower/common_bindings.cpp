@@ -14,7 +14,8 @@ bool are_of_one_memory(const PassBinding& a, const PassBinding& b) {
     return a.place == b.place && a.memory == b.memory && a.shape == b.shape && a.compare == b.compare;
 }
 
-/// Whether the bindings are of one memory and access it in the same way, on which the barriers around the pass depend.
+/// Whether the bindings are of one memory and have the same access (read, write or both), on which the barriers around
+/// the pass depend.
 bool are_same(const PassBinding& a, const PassBinding& b) { return are_of_one_memory(a, b) && a.access == b.access; }
 
 }  // namespace

@@ -8,7 +8,8 @@ using namespace ir;
 
 namespace {
 
-/// The nodes of one arena that were made after the mark: first marks those that stay, then has their new ids.
+/// Moves the nodes of one arena that were made after the mark: keep() marks those that stay, close_gaps() moves them,
+/// renumber() replaces their old ids by the new ones.
 template <class T> class Moves {
 public:
     Moves(Arena<T>& arena, std::uint32_t first) : arena_(arena), first_(first), to_(arena.size() - first, gone) {}

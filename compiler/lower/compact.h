@@ -1,6 +1,6 @@
 // Garbage collection of nodes after a kernel has been lowered. Each step of lowering makes new nodes, so that in the
-// end nine of ten are unreachable from any pass; once they are removed, the next kernel reuses memory that is in the
-// caches.
+// end most nodes are unreachable from the lowered passes. Once they are removed, the next kernel reuses their memory,
+// which is still in the caches.
 #pragma once
 
 #include "ir/pass.h"
@@ -17,8 +17,9 @@ struct Mark {
     std::uint32_t exprs, stmts, locals, functions;
 };
 
-/// Removes expressions and statements made after `mark` that neither the passes nor functions made after it refer to.
-/// The others keep their order and get ids without gaps. Needs: nothing else refers to nodes made after the mark.
+/// Removes expressions and statements made after `mark` that cannot be reached from the passes or from functions made
+/// after it. The others keep their order and get ids without gaps. Needs: nothing else refers to nodes made after the
+/// mark.
 void compact(ir::Program& program, const Mark& mark, std::span<ir::Pass* const> passes);
 
 }  // namespace gliftc::lower

@@ -53,7 +53,8 @@ Parts any_address(Following& following, const Program& p, const Structure& s) {
 
 constexpr std::uint8_t all_axes = 0xff;
 
-/// The axes along which every physical address lies in the memory, provided that the domain is not empty.
+/// The axes (a bit for each) along which every physical address lies in the memory, provided that the domain is not
+/// empty.
 std::uint8_t axes_inside(const Program& p, std::uint32_t index, const std::vector<Argument>& extents) {
     const Structure& s = p.structures[index];
     Following following(p, index);
@@ -68,8 +69,8 @@ std::uint8_t axes_inside(const Program& p, std::uint32_t index, const std::vecto
 }
 
 /// Whether accesses need no check even if the constructor argument `none`, an extent of the domain, is 0: every address
-/// is unmapped, or leads to physical address 0 of a buffer or image. These always have room for one element, which
-/// reads as zero (so there must be no `otherwise`); a memory that is a structure may have none.
+/// is unmapped, or leads to physical address 0 of a buffer or image. Buffers and images always have room for one
+/// element, which reads as zero (so there must be no `otherwise`); a memory that is a structure may have no elements.
 bool is_harmless_empty(const Program& p, std::uint32_t index, const Argument& none) {
     const Structure& s = p.structures[index];
     Following following(p, index);

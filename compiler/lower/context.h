@@ -45,8 +45,8 @@ struct AddressForm {
     /// that the pass did not have before, it uses a vector address only by its components, and whether it maps the
     /// address is known at compile time.
     bool is_known = false;
-    /// The local that stands for the virtual address; the physical address; whether there is one (absent if
-    /// there always is; else a constant, if `is_known`).
+    /// address: the local that stands for the virtual address. value: the physical address. has: the condition that
+    /// there is a physical address; absent if there always is one, else a constant if `is_known`.
     ExprId address, value, has;
     std::vector<ExprId> nodes;  ///< the nodes of `value` that the expansion made, operands first
     std::vector<Naming> names;
@@ -63,9 +63,9 @@ struct Context {
     Diagnostics& diagnostics;
     Checks checks;
     Trace* trace;             ///< null: nothing is traced
-    bool is_stopped = false;  ///< the pass named by --stop-after has run: later passes are skipped
+    bool is_stopped = false;  ///< the transformation named by --stop-after has run: later ones are skipped
     Make make;
-    /// The first nodes that this lowering makes. Nodes with smaller ids are the program's.
+    /// The ids of the first nodes that this lowering makes. Nodes with smaller ids are the program's.
     ExprId first_expr;
     LocalId first_local;
 

@@ -10,7 +10,7 @@ using namespace ir;
 
 namespace {
 
-/// How values change from one iteration of a loop to the next, all locals but its variable being constant.
+/// How values change from one iteration of the loop to the next. All locals but the loop's variable are constant in it.
 RowSlopes slopes_of(const Context& cx, const Stmt& loop) {
     RowSlopes slopes(cx.p, loop.local);
     for_each_expression(cx.p, loop.body, [&](ExprId id) {
@@ -30,8 +30,8 @@ ExprId at_first(Context& cx, LocalId local, ExprId id) {
 }
 
 /// Whether the loop is `for x in 0..n { array[to + x] = memory[from + x]; }` with a constant n, and the pass only reads
-/// the memory, which is not coherent and not of bools. Loops to another limit, as at the end of a domain, copy few
-/// elements and stay as they are.
+/// the memory, which is not coherent and not of bools. Loops whose limit is not a constant, as at the end of a domain,
+/// copy few elements and stay as they are.
 bool is_copy(const Context& cx, const Stmt& loop) {
     if (loop.op != StmtOp::for_ || loop.body.size() != 1 || cx.make.bits_of(loop.value) != 0 ||
         !cx.make.is_constant(loop.limit))

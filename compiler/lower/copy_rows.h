@@ -1,6 +1,7 @@
-// In kernels over blocks, on the host device: turns each loop that copies a constant number of consecutive elements, of
-// memory that the pass only reads, to a local array, into one copy_row statement (bools and coherent memory excepted).
-// C++ compilers cannot do that themselves, since they cannot know that the 32-bit indices do not wrap.
+// In kernels over blocks, on the host device: a loop that copies a constant number of consecutive elements from memory
+// to a local array becomes one copy_row statement, if the pass only reads the memory, which is not coherent, and the
+// elements are not bools. C++ compilers do not make one copy of such a loop, since they cannot know that the 32-bit
+// indices do not wrap.
 //
 // Needs: Variant::block, as split_blocks makes it: the statements that run once a block. Guarantees: copy_row in place
 // of such loops.

@@ -53,7 +53,7 @@ bool does_nothing_empty(const Program& p, const Stmt& stmt) {
     return ends && !(stmt.value && has_effect(p, stmt.value)) && !(stmt.limit && has_effect(p, stmt.limit));
 }
 
-/// The statement's value as an `evaluate`: it has an effect, but the local that it would be assigned to is dead.
+/// The statement's value as an `evaluate`: the value has an effect, but the local that it would be assigned to is dead.
 StmtId effect_alone(Program& p, const Stmt& stmt, Live& live) {
     Stmt alone = statement(StmtOp::evaluate, stmt.span);
     alone.value = stmt.value;
@@ -66,7 +66,8 @@ bool leaves(const Stmt& stmt) {
     return stmt.op == StmtOp::return_ || stmt.op == StmtOp::break_ || stmt.op == StmtOp::continue_;
 }
 
-/// The statements that stay. Walks backwards, so that what only dropped statements used is dropped, too.
+/// The statements that stay. Walks backwards: after a statement has been dropped, statements before it that only set
+/// locals for it are dropped, too.
 std::vector<StmtId> kept(Make& make, const std::vector<StmtId>& body, Live& live) {
     std::vector<StmtId> result;
     result.reserve(body.size());
@@ -120,7 +121,7 @@ public:
     bool contains(LocalId local) const { return locals_.contains(local); }
 
 private:
-    /// Whether a statement of the body is needed, as far as is known.
+    /// Notes the locals that needed statements use. Whether a statement of the body is needed, as far as is known.
     template <class Statements> bool note(const Statements& body) {
         bool any = false;
         for (StmtId id : body) any |= note(p.stmts[id]);

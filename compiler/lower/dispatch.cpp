@@ -12,7 +12,8 @@ using namespace ir;
 namespace {
 
 /// The workgroup size in kernels over blocks of `volume` elements: a workgroup has one block or a part of it, 256
-/// invocations at most. Several blocks of up to 16 elements share a workgroup.
+/// invocations at most. Several blocks of up to 16 elements share a workgroup. `volume` is absent if it is not a
+/// constant.
 std::array<std::uint32_t, 3> group_of_blocks(std::optional<std::uint64_t> volume) {
     constexpr std::uint32_t most = 256, small = 32, unknown = 64;
     if (!volume) return {unknown, 1, 1};

@@ -1,4 +1,5 @@
-// The shape of the dispatch: workgroup size, the invocation's address, and whether that is in the range.
+// The shape of the dispatch: the workgroup size, the invocation's address, and the condition that this address is in
+// the visited range.
 #pragma once
 
 #include "lower/context.h"
@@ -6,7 +7,8 @@
 namespace gliftc::lower {
 
 /// Sets what the pass says of its dispatch: rank, group, items, whether it visits blocks, whether it can be split; and
-/// its workgroup memory. Makes the locals `address` and `in_range`, except for draws. Called before the body is made.
+/// its workgroup memory. Makes the locals `address` and `in_range`. For draws, sets only rank, group and items, and
+/// makes no locals. Called before the body is made.
 void choose_dispatch(Context& cx);
 
 /// The condition that in_range stands for: address < size along every axis. Needs cx.size to be set.

@@ -1,11 +1,11 @@
 // The pass "expand": from structures to memory. Makes a body of loads and stores out of a kernel's body, whose
 // operations access elements of structures. The Expander's methods are in the files named below.
 //
-// Needs: a kernel that sema accepts. Guarantees: no operation of structures is left; offsets of `near` are constants
-// within the parameter's radius; every load that could be outside a structure is a guarded_load or under a branch
-// (but see rows.cpp for whole vectors), every such store is under a branch; optionals are pairs (has, value) wherever
-// they need no storage; functions are inlined where that gives straight-line code that is not too large. A value that
-// is used twice is one node with two parents, until share.h gives it a local.
+// Needs: a kernel that sema accepts. Guarantees: no operation of structures is left; if the offset of a `near` read is
+// not a constant within the parameter's radius, an error was reported; every load that could be outside a structure is
+// a guarded_load or under a branch (but see rows.cpp for whole vectors), every such store is under a branch; optionals
+// are pairs (has, value) wherever they need no storage; functions are inlined where inline.cpp and inline_size.h allow
+// it. A value that is used twice is one node with two parents, until share.h gives it a local.
 #pragma once
 
 #include "ir/empty.h"
@@ -21,17 +21,18 @@
 
 namespace gliftc::lower {
 
-/// The result of expanding an expression. `has` is present for optional types only: whether there is a value.
+/// The result of expanding an expression. `has` is present for optional types only: whether there is a value. Also a
+/// physical address, where `has` is the condition that the address is mapped; absent: it always is.
 struct Pair {
     ExprId value;
     ExprId has;
 };
 
-/// The largest number of expression nodes that the expansion of a kernel may make: ten times that of the largest kernel
-/// in stdlib.
+/// The largest number of expression nodes that the expansion of a kernel may make: several times what the largest
+/// kernel in stdlib needs.
 constexpr std::uint32_t most_nodes = 1u << 19;
 
-/// Thrown when the expansion of a kernel makes more than most_nodes.
+/// Thrown when the expansion of a kernel makes more than most_nodes nodes.
 struct KernelTooLarge {
     Span span;  ///< the statement that was being expanded
 };
@@ -42,9 +43,10 @@ struct KernelTooLarge {
 enum class Guards { checked, interior, block };
 
 /// For a function that is expanded as statements and returns before its end. The result is in variables; a return sets
-/// them and leaves the enclosing loops of the function, and statements after it test whether a return was executed.
+/// them and leaves the enclosing loops of the function. Statements after it are put into the other side of an `if`, or
+/// test `left`.
 struct Leaving {
-    LocalId value, has;  ///< variables of the result; absent: it has no value, or is no optional
+    LocalId value, has;  ///< variables of the result; `value` absent: no result; `has` absent: it is no optional
     LocalId left;        ///< a bool variable: a return was executed; absent: nothing tests it
     unsigned loops = 0;  ///< how many loops of the function enclose the statement that is being expanded
 };
@@ -64,7 +66,7 @@ class Expander {
 public:
     Expander(Context& context, Guards guards) : cx(context), p(context.p), make(context.make), guards_(guards) {}
 
-    /// The kernel's body; reports offsets that are not constant or too large.
+    /// The kernel's body. Reports offsets of `near` reads that are not constant or exceed the radius.
     std::vector<StmtId> kernel_body();
     /// The body of a part of a draw. It begins with the address: the vertex and instance index, or the pixel.
     std::vector<StmtId> draw_part(ir::Part part, const std::vector<StmtId>& body);
@@ -88,8 +90,8 @@ public:
         ExprId value;
     };
     std::vector<NearValue> near_values;
-    /// For kernels over blocks, the offsets that are read of each near parameter, without those of structures that may
-    /// have neighbours outside of their domain; absent if a function that is not inlined reads some.
+    /// For kernels over blocks, the offsets at which each near parameter is read; only offset zero for a structure that
+    /// may have neighbours outside of its domain. Absent if a function that is not inlined reads neighbours.
     std::optional<NearOffsets> near_offsets = NearOffsets();
     std::vector<Halo> halos;  ///< with Guards::block: the local copies from which neighbours are read
     /// A guard of neighbour reads at positive y: at + distance < extent.
@@ -107,7 +109,7 @@ private:
     ExprId value_of(ExprId id) { return expand(id).value; }
     ExprId without_empty(ExprId whole);
     Pair expand_empty(ExprId id);
-    void expand_effects(ExprId id);  ///< evaluates an expression whose value nobody needs; nothing if it has no effect
+    void expand_effects(ExprId id);  ///< for an expression whose value is not used: makes only its effects, if any
     Pair expand_local(const ir::Expr& node);
     Pair expand_select(const ir::Expr& node);
     Pair expand_logical(const ir::Expr& node);
@@ -160,8 +162,8 @@ private:
     bool expand_past(const ir::Stmt& stmt, const std::vector<StmtId>& rest);
     bool asks_whether_left(const std::vector<StmtId>& body, bool is_in_loop) const;
 
-    /// The adjacent block along one axis, on one side: its first address along the axis (`begin`), whether it is in the
-    /// domain (`exists`), and on the upper side how many addresses the domain has beyond the own block (`room`).
+    /// The adjacent block along one axis, on one side: its first address along the axis (`begin`), whether that is in
+    /// the domain (`exists`), and on the upper side how many addresses the domain has beyond the own block (`room`).
     struct NextBlock {
         ExprId begin, exists, room;
     };
@@ -290,7 +292,7 @@ private:
     /// The blocks around the own one, while the code that copies from them is made.
     struct Neighbours {
         std::vector<std::array<NextBlock, 3>> axes;  ///< for each axis the blocks at step -1, 0, 1
-        ExprId all;                                  ///< condition: all elements that are to be copied exist
+        ExprId all;                                  ///< a condition under which all elements to be copied exist
         Block copies;                                ///< the statements that copy
     };
     /// The loops that copy one part of a halo, one element per iteration. `address`: the element's address in the
@@ -402,11 +404,11 @@ private:
 
     // expand_expressions.cpp: for the other files
     ir::Place resolved(const ir::Place& place) const;
-    /// In the direct form: the same path from the first parameter whose structure has the same state. Else the place
-    /// itself.
+    /// In the direct form: the same path of members, but from the parameter that stands for all parameters with the
+    /// same state (KernelParam::alike). In other forms the place itself.
     ir::Place canonical(const ir::Place& place) const;
     std::uint32_t canonical_root(std::uint32_t root) const;
-    /// Makes a `let` of the value, unless it is trivial or uniform.
+    /// Makes a `let` of the value, unless it is trivial (is_trivial) or uniform; gives a uniform value the name.
     ExprId named(const std::string& name, ExprId value);
     void note_name(ExprId value, Name name);  ///< notes the name that the source gives to a value
     ExprId guarded_load_of(ExprId value) const;

@@ -108,7 +108,8 @@ ExprId Expander::stored(const Pair& pair, TypeId type) {
     return make.select(pair.has, p.exprs.add(std::move(some)), make.zero(type));
 }
 
-/// Whether evaluating the expression before lowering does more than give a value.
+/// Whether the expression, which is not lowered yet, does more than give a value: it contains a call that is expanded
+/// as statements, an atomic operation, or an operation on values of several invocations.
 static bool has_effect(const Program& p, ExprId id) {
     bool found = false;
     for_each_node(p, id, [&](ExprId part) {
@@ -131,7 +132,7 @@ void Expander::expand_effects(ExprId id) {
     }
 }
 
-/// An expression of an empty type: its value is known, but its effects must happen.
+/// An expression of an empty type (ir/empty.h): its value is known, but its effects must happen.
 Pair Expander::expand_empty(ExprId id) {
     const Expr node = p.exprs[id];
     if (!has_effect(p, id)) return {make.zero(node.type), {}};
@@ -147,7 +148,7 @@ Pair Expander::expand_empty(ExprId id) {
     return {make.zero(node.type), {}};
 }
 
-// long: a case for each operation
+// long: one switch over the operations
 Pair Expander::expand(ExprId id) {
     if (p.exprs.size() - cx.first_expr.index > most_nodes) throw KernelTooLarge{span_};
     const Expr& node = p.exprs[id];
@@ -235,8 +236,8 @@ Pair Expander::expand_local(const Expr& node) {
     return {without_empty(make.local(node.local)), {}};
 }
 
-/// A value parameter or constructor argument without its empty parts, which are not in the parameter block: where it
-/// has some, the value is constructed from its other parts.
+/// A value parameter or constructor argument without its empty parts (ir/empty.h), which are not in the parameter
+/// block: if its type has such parts, the value is constructed anew from its other parts and zeros of the empty types.
 ExprId Expander::without_empty(ExprId whole) {
     const TypeId id = make.type(whole);
     const Type type = p.types[id];

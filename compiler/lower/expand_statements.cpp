@@ -55,7 +55,7 @@ Expander::Block Expander::nested(const std::vector<StmtId>& body) {
     return collect([&] { expand_body(body); });
 }
 
-/// Expands the body of a loop.
+/// Expands the body of a loop, and counts the loop in Leaving::loops meanwhile.
 Expander::Block Expander::looped(const std::vector<StmtId>& body) {
     if (frame_->leaving == nullptr) return nested(body);
     ++frame_->leaving->loops;
@@ -167,15 +167,15 @@ void Expander::expand_let(const Stmt& stmt) {
     }
     const ExprId made = make.local(variable(name, local.type, value));
     frame_->locals[stmt.local] = {made, {}};
-    // Zeroed by a loop: as one value it would be a store for each element, over which drivers take long (Mesa's
-    // llvmpipe 2 s for 256).
+    // Zeroed by a loop: an assignment of one zero value would become a store for each element, which drivers take long
+    // to compile (Mesa's llvmpipe 2 s for 256 elements).
     if (!value && is_long_array(p, local.type)) {
         p.stmts[out_->back()].uninitialized = true;
         zero_by_loops(name + "_at", made);
     }
 }
 
-/// Expands the target of an assignment; its indices are evaluated here.
+/// Expands the target of an assignment: a local or a part of one. Indices in it are expanded as values.
 ExprId Expander::expand_target(ExprId id) {
     const Expr& node = p.exprs[id];
     if (node.op == Op::local) return expand_local(node).value;

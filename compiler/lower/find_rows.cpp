@@ -48,8 +48,8 @@ struct RowPlaces {
     std::set<ExprId> items;  ///< Op::index nodes: elements of arrays that are filled once a block
 };
 
-/// Finds accesses that every element of a row executes, at an index that advances by one. Stops at the first early
-/// return: not every element executes what follows.
+/// Finds accesses that every element of a row executes, at an index that advances by one from element to element. Stops
+/// at the first statement that may return: not every element executes what follows it.
 class Finder {
 public:
     Finder(const Context& context, const Variant& variant) : cx(context), slopes_(slopes_of(context, variant)) {
@@ -93,7 +93,7 @@ private:
         return true;
     }
 
-    /// Whether the array is one that is filled once a block: its indices are in bounds.
+    /// Whether the array is one that is filled once a block. Indices of such an array are in bounds, as row_item needs.
     bool is_of_block(ExprId array) const {
         const Expr& node = cx.p.exprs[array];
         return node.op == Op::local && arrays_.contains(node.local);
@@ -179,9 +179,9 @@ bool is_choice_of_inside(const Program& program, const Expr& node) {
            program.exprs[condition.operands[0]].type == program.types.uint;
 }
 
-/// Operations that change nothing in the middle of a row (whatever translator they come from), each with the operand
-/// that it equals there: clamp, min and max of an int, or min of a uint, that advances by one along the row, with
-/// limits that are constant along the row; and x < n ? y : … with such x, y and n.
+/// Maps operations that change nothing in the middle of a row to the operand that each equals there. They are clamp,
+/// min and max of an int x, and min of a uint x, where x advances by one along the row and the limits are constant
+/// along it; and x < n ? y : … of uints, where x and y advance by one and n is constant.
 using Identities = std::map<ExprId, ExprId>;
 
 Identities row_identities(const Context& cx, const Variant& variant, const std::vector<StmtId>& body) {
@@ -205,7 +205,7 @@ Identities row_identities(const Context& cx, const Variant& variant, const std::
     return found;
 }
 
-/// The bounds under which the operation changes nothing.
+/// The bounds of the operation's operand within which the operation changes nothing.
 Bounds bounds_of(Context& cx, const Expr& identity) {
     const Operands& operands = identity.operands;
     const TypeId signed_type = cx.p.types.int_;
@@ -258,8 +258,8 @@ bool is_independent(const Context& cx, const std::vector<StmtId>& body) {
     });
 }
 
-/// Whether elements may be executed twice, and whether that pays: no memory is or may be both read and written, and the
-/// body is straight-line code.
+/// Whether elements may be executed twice, and whether that pays: no memory is both read and written, not even through
+/// bindings that may alias, and the body is straight-line code.
 bool may_be_repeated(const Context& cx, const std::vector<StmtId>& body) {
     for (std::uint32_t i = 0; i < cx.pass.bindings.size(); ++i)
         if (cx.pass.bindings[i].access == Access::read_write || cx.pass.bindings[i].one_place != i) return false;
@@ -277,7 +277,8 @@ RowOrder order_of(const Context& cx, const Variant& variant) {
     return is_of_middle && may_be_repeated(cx, variant.body) ? RowOrder::in_blocks : RowOrder::any;
 }
 
-/// The variant for where clamps change nothing; none if there are no clamps, or it has no row accesses.
+/// The variant for elements for which clamps change nothing; none if there are no clamps, or if it would have no row
+/// accesses.
 std::optional<Variant> unclamped(Context& cx, const Variant& variant) {
     std::vector<StmtId> body = variant.body;
     Variant made{Part::whole, Devices::host, variant.assumes, {}, variant.block};

@@ -1,8 +1,9 @@
-// Prepares the host device's loop over the elements of a row for vectorisation by C++ compilers. Finds accesses whose
-// index advances by one from element to element: they become row_load, row_store and row_item, accesses through a
-// pointer to the row, since compilers cannot know that a 32-bit index does not wrap. Clamps of an index (of border
-// translators), or selects that do the same, hide such accesses; a variant without these "clamps" is made for the
-// middle of a row, where they change nothing. Also finds in which order elements may be executed.
+// Prepares the host device's loop over the elements of a row (elements that are consecutive along x) for vectorisation
+// by C++ compilers. Finds accesses whose index advances by one from element to element: they become row_load, row_store
+// and row_item, accesses through a pointer to the row, since compilers cannot know that a 32-bit index does not wrap.
+// Clamps of an index (of border translators), or selects that do the same, hide such accesses; a variant without these
+// "clamps" is made for the middle of a row, where they change nothing. Also finds in which order the elements of a row
+// may be executed.
 //
 // Needs: variants for the host device of a kernel without a group. Guarantees: the operations above for such accesses
 // that every element executes; the variant without clamps, if there are clamps and it has such accesses;
@@ -13,7 +14,8 @@
 
 namespace gliftc::lower {
 
-/// The variant with row accesses; and after it, if there is one, the variant for where clamps change nothing.
+/// The variant, with row accesses where there are any; and after it, if there is one, the variant for elements for
+/// which clamps change nothing.
 std::vector<ir::Variant> find_rows(Context& cx, const ir::Variant& variant);
 
 }  // namespace gliftc::lower

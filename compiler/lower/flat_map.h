@@ -1,5 +1,5 @@
-// A hash map from ids to small values, in one array, without an allocation per entry: lowering looks up every node
-// several times.
+// A hash map from ids to small values, in one array, without an allocation per entry. It must be fast, since lowering
+// looks up every node several times.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ public:
         return {&slot.value, true};
     }
     Value& operator[](Key key) { return *emplace(key, Value{}).first; }
-    /// Calls visit(Key, Value&) for each, in no order.
+    /// Calls visit(Key, Value&) for each entry, in no particular order.
     template <class Visit> void for_each(Visit&& visit) {
         for (Slot& slot : slots_)
             if (slot.key != empty) visit(Key{slot.key}, slot.value);

@@ -63,7 +63,7 @@ private:
         return value && std::ranges::all_of(value->lanes, is_finite) ? value : std::nullopt;
     }
 
-    /// The operand that a select with a constant condition selects; else absent.
+    /// The operand that a select by one constant bool selects; absent for any other expression.
     ExprId chosen_of(const Expr& expr) {
         if (expr.op != Op::select || !p.types.is_scalar(p.exprs[expr.operands[0]].type) ||
             !is_of_constants(expr.operands[0]))
@@ -112,7 +112,7 @@ std::vector<FunctionId> fold_constants(Program& program) {
     for (std::uint32_t i = 0; i < program.functions.size(); ++i) {
         const FunctionId id{i};
         if (!program.functions[id].structures.empty())
-            continue;  // copied for each place (instances.cpp), which folds it
+            continue;  // passes call lowered instances of it (instances.cpp), whose expressions fold as they are made
         std::vector<StmtId> body = folder.body(program.functions[id].body);
         if (body == program.functions[id].body) continue;
         program.functions[id].body = std::move(body);

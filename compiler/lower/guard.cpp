@@ -74,7 +74,7 @@ private:
         return result;
     }
 
-    /// The name that the source gives to the value, else that of the local.
+    /// The name that Context::names has for the value, else that of the local.
     Name name_of(const Stmt& let) const {
         const Name* in_source = cx.names.find(let.value);
         return in_source != nullptr ? *in_source : cx.p.locals[let.local].name;

@@ -1,9 +1,11 @@
-// Replaces each guarded_load, a load with the condition under which it is allowed, in one of two ways.
+// Replaces each guarded_load, a load with the condition under which it is allowed, in one of two ways, unless its
+// condition is a constant.
 //
-// By a select: a safe address is loaded from without a branch, and a select replaces the value where the condition does
-// not hold. CPUs can then vectorise. By a branch, for elements that are neither scalars nor vectors, and in kernels
-// with a group: in these a select would wait for the load before the next barrier, while a load under a branch, which
-// GPUs turn into a predicate, is waited for only at its first use.
+// By a select: the load is executed without a branch, from a safe address if the condition does not hold, and a select
+// then replaces its value. CPUs can vectorise this. By a branch, for elements that are neither scalars nor vectors, and
+// in kernels with a group: there a select, which uses the loaded value at once, would wait for the load before the next
+// barrier, while a load under a branch, which GPUs turn into a predicate, is waited for only at the first use of the
+// value.
 //
 // Needs: bodies after "share" and "drop_dead". Guarantees: no guarded_load is left; the same values.
 #pragma once

@@ -1,7 +1,8 @@
-// Expander: neighbour reads in kernels over blocks, on the host device. The elements that `near` reads of a block and
-// around it are copied to a local array once a block, and elements read the copy at constant distances. Each adjacent
-// block that the offsets reach is looked up once, if all loads that translating its addresses takes depend on the block
-// alone (the translators' divisions by the block size fold, see quotients.cpp).
+// Expander: neighbour reads in kernels over blocks, on the host device. The elements that are read by `near` from a
+// block and around it are copied to a local array once per block, and the code for an element reads this copy, at
+// constant distances from the element's own index in it. Each adjacent block that the offsets reach is looked up once,
+// if translating its addresses only takes loads that depend on the block alone (the translators' divisions by the block
+// size fold, see quotients.cpp).
 // This is known as ghost cells in block-structured grids, and as block-local storage in Taichi.
 #include "lower/halos.h"
 
@@ -20,7 +21,7 @@ namespace {
 
 /// most_numbers: limit for the scalars in the copies of a pass together, so that they stay in the first or second level
 /// cache.
-/// least_volume: smaller blocks have more elements around them than in them, so that a copy does not pay.
+/// least_volume: smaller blocks mostly have more elements around them than in them, so that a copy does not pay.
 constexpr std::uint64_t most_numbers = 1u << 15, least_volume = 8;
 
 /// Whether the pass reads the memory of the structure at the place and neither writes it nor accesses it as coherent
@@ -161,8 +162,8 @@ ExprId Expander::in_halo(Halo& halo, const std::vector<std::int64_t>& offset) {
     return make.index(make.local(halo.copy), at);
 }
 
-/// The adjacent block along one axis (step 0: the own one). Where it does not exist, `begin` is that of the own block,
-/// so that looking it up is harmless.
+/// The adjacent block along one axis; for step 0 the own one, with `begin` alone. If the adjacent block does not exist,
+/// `begin` is that of the own block, so that looking it up is harmless.
 Expander::NextBlock Expander::next_block(std::uint32_t root, std::uint32_t width, std::uint32_t axis, int step) {
     const OwnBlock::Axis& own = block_.axes[axis];
     if (step == 0) return {own.begin, {}, {}};
@@ -217,6 +218,7 @@ template <class Asks> void divide(Make& make, ExprId condition, ExprId& yes, Exp
 }  // namespace
 
 /// Makes the loops' variables for a part, and from them each element's address in its structure and index in the copy.
+/// Adds to found.all the condition that the domain does not end within the part.
 Expander::Copied Expander::places_of(const Halo& halo, const Halo::Part& part, Neighbours& found) {
     Copied copied;
     copied.name = cx.name_of({halo.root, {}});
@@ -250,8 +252,8 @@ Expander::Copied Expander::places_of(const Halo& halo, const Halo::Part& part, N
     return copied;
 }
 
-/// The physical address of the copied element. Pure `let`s that do not depend on the loops are added before them; the
-/// other statements are put into `inner`.
+/// The physical address of the copied element. Of the statements that compute it, pure `let`s that do not depend on the
+/// loops are appended here, before the loops; the others are put into `inner`.
 Pair Expander::looked_up(const Halo& halo, const Copied& copied, Block& inner) {
     const Place place{halo.root, {}};
     Pair physical;
@@ -285,7 +287,7 @@ Expander::Block Expander::loops_over(const Halo::Part& part, const Copied& copie
     return body;
 }
 
-/// Looks up a block, and makes the statements that copy a part of it, if it exists.
+/// Looks up a block, and makes the statements that copy a part of it, under the condition that the block exists.
 void Expander::copy_from(const Halo& halo, const Halo::Part& part, Neighbours& found) {
     const Copied copied = places_of(halo, part, found);
     Block inner;
@@ -314,8 +316,8 @@ void Expander::append_where(ExprId condition, Block statements) {
     out_->insert(out_->end(), statements.begin(), statements.end());
 }
 
-/// Requires the parameter's range to have the same origin as the range whose blocks are visited. Otherwise block
-/// borders differ, and the variant for whole blocks does not apply.
+/// Adds to block_.holds that the parameter's range has the same origin as the range whose blocks are visited. Otherwise
+/// block borders differ, and the variant for whole blocks does not apply.
 void Expander::ask_for_one_origin(const Halo& halo) {
     if (cx.is_direct() || halo.root == *cx.kernel.space) return;
     const ExprId own = origin_of(halo.root), of_space = origin_of(*cx.kernel.space);
@@ -337,7 +339,7 @@ StmtId Expander::every_element(const Halo& halo, ExprId value) {
     return cx.add(std::move(loop));
 }
 
-/// The statements that fill a copy, for blocks all of whose elements are visited.
+/// Appends the statements that declare and fill a halo's copy, for blocks all of whose elements are visited.
 void Expander::fill(const Halo& halo) {
     if (!halo.copy) return;
     const Place place{halo.root, {}};

@@ -1,5 +1,5 @@
-// Halos, on the host device: in kernels over blocks, the elements that a `near` parameter reads of a block and of the
-// adjacent blocks are copied to a local array once a block.
+// Halos, on the host device: in kernels over blocks, the elements that are read through a `near` parameter from a block
+// and the adjacent blocks are copied to a local array once per block.
 #pragma once
 
 #include "lower/context.h"
@@ -19,8 +19,8 @@ struct Halo {
     std::vector<std::uint32_t> block;   ///< size of a block
     std::vector<std::uint32_t> below;   ///< how many elements the array has before the block's first, along each axis
     std::vector<std::uint32_t> extent;  ///< size of the array along each axis
-    /// A box of elements that is copied from the block at `step` (each axis -1, 0 or 1; all 0: the block itself):
-    /// `count` elements from position `low` in that block on.
+    /// A box of elements that is copied from the block at `step` (along each axis -1, 0 or 1; all 0: the block itself):
+    /// along each axis `count` elements, from position `low` in that block on.
     struct Part {
         std::vector<int> step;
         std::vector<std::uint32_t> low, count;

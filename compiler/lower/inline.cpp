@@ -11,9 +11,9 @@ using namespace ir;
 
 namespace {
 
-/// A function that is only `let`s and a return is inlined everywhere if it has at most this many nodes. Other functions
-/// are inlined if they take structures or give an optional, and in the code of translators, views and functions of
-/// blocks. Nothing is inlined that InlineSizes does not allow.
+/// A function that is only `let`s and a return is inlined if it has at most this many nodes. Any other function is
+/// inlined if it takes structures, if it gives an optional, or if a translator, a view or a function of blocks
+/// (ir::Blocks) calls it. But no call is inlined that InlineSizes refuses, or that is nested deeper than depth_limit.
 constexpr std::size_t plain_call_limit = 40;
 constexpr unsigned depth_limit = 64;
 constexpr std::uint32_t largest_tree = 1024;  ///< a value gets a local if it has more nodes as a tree
@@ -30,8 +30,8 @@ bool is_short(const Program& p, const Function& function) {
 
 }  // namespace
 
-/// The value of a call whose arguments are scalar constants (not floats). It is remembered, since unrolled loops repeat
-/// such calls. Absent: it cannot be evaluated, or some argument is no such constant.
+/// The value of a call whose arguments are constants of integers, bools or enums. It is remembered, since unrolled
+/// loops repeat such calls. Absent: the call cannot be evaluated, or some argument is no such constant.
 ExprId Expander::known_call(const Expr& node, const std::vector<Pair>& arguments) {
     std::vector<std::uint64_t> key{node.function.index};
     for (const Pair& argument : arguments) {
@@ -74,7 +74,7 @@ Pair Expander::expand_call(const Expr& node) {
                 ExprId known = materialize(p, *value, node.span);
                 return is_optional ? of_optional(known) : Pair{known, {}};
             }
-        if (uniform && !is_optional) return {id, {}};  // the host computes it once
+        if (uniform && !is_optional) return {id, {}};  // the host evaluates the call (in library functions the shader)
     }
     Frame frame;
     for (const Place& place : node.places) frame.places.push_back(resolved(place));
@@ -110,7 +110,7 @@ Pair Expander::inlined(FunctionId id, std::vector<Pair> arguments, Frame frame) 
 }
 
 /// Executes statements symbolically, with an expression for each local. Returns the value of the `return` that is
-/// reached; absent: none is.
+/// reached; absent: no return is reached, or it has no value.
 Pair Expander::run(const std::vector<StmtId>& body) {
     for (std::size_t i = 0; i < body.size(); ++i) {
         const Stmt& stmt = p.stmts[body[i]];
@@ -152,7 +152,7 @@ Pair Expander::run(const std::vector<StmtId>& body) {
     return {};
 }
 
-/// The condition, or a constant if its value follows from known_.
+/// The condition, or its value as a constant, if known_ has the condition or its negation.
 ExprId Expander::decided(ExprId condition) {
     if (known_.empty()) return condition;
     const Expr& node = p.exprs[condition];
@@ -304,7 +304,7 @@ Pair Expander::merged(ExprId condition, Block yes, Pair a, Block no, Pair b, Typ
         out_->insert(out_->end(), no.begin(), no.end());
         if (is_optional) {
             result.has = make.select(condition, a.has, b.has);
-            // Where there is no value, any will do.
+            // Where the optional has no value, `value` is never used, so the other side's value can stand there, too.
             if (make.is_false(a.has)) return {b.value, result.has};
             if (make.is_false(b.has)) return {a.value, result.has};
         }

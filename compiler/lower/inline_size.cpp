@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t inline_limit = 4000;  ///< nodes that inlining one call may make, loops unrolled
 constexpr std::uint64_t inline_rounds = 64;
 
-/// Whether an index in an assignment's target is a constant once the function is inlined: it consists of constants and
-/// variables of (unrolled) loops.
+/// Whether an index in an assignment's target is a constant once the function is inlined: it is computed by operators
+/// from constants and from variables of `loops`, which inlining unrolls.
 bool is_known_index(const Program& p, ExprId id, const std::vector<LocalId>& loops) {
     bool known = true;
     for_each_node(p, id, [&](ExprId part) {
@@ -56,8 +56,8 @@ std::size_t InlineSizes::of_value(ExprId root) {
     return size;
 }
 
-/// The size of an `if`. `rest`: the statements after it, if there is a return inside: they are then made once for each
-/// side; else empty.
+/// The size of an `if`. `rest`: if a side contains a return, the statements after the `if`, which inlining appends to
+/// both sides; else empty.
 std::optional<std::size_t> InlineSizes::of_both(const Stmt& stmt, const Statements& rest, Loops& loops) {
     Statements yes(stmt.body.begin(), stmt.body.end()), no(stmt.otherwise.begin(), stmt.otherwise.end());
     for (Statements* side : {&yes, &no}) side->insert(side->end(), rest.begin(), rest.end());

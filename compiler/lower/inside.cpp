@@ -1,13 +1,13 @@
-// Expander: a partial translator that maps nothing beyond the edge tests whether the address is in the domain. These
-// functions remove that test where the address is known to be inside (the current element) or is tested by the caller
-// (neighbours).
+// Expander: a partial translator that maps no address outside its domain tests whether an address is in the domain.
+// These functions remove that test where the address is known to be inside (the current element) or is tested by the
+// caller (neighbours).
 #include "lower/expand.h"
 
 namespace gliftc::lower {
 
 using namespace ir;
 
-/// Whether the condition is all(lessThan(address, domain)), or address < domain, with the parameter's own domain.
+/// Whether the condition is all(lessThan(address, domain)), or address < domain, with the domain of parameter `root`.
 bool Expander::is_asking_inside(std::uint32_t root, ExprId condition, ExprId address) {
     const Expr* test = &p.exprs[condition];
     if (test->op == Op::intrinsic && test->intrinsic == Intrinsic::all) {
@@ -36,8 +36,8 @@ ExprId Expander::without_inside(std::uint32_t root, ExprId condition, ExprId add
 }
 
 /// Whether the structure of a near parameter may have neighbours outside of its domain: its first translator is partial
-/// and, as far as is known, maps addresses that are not inside, as `Edge` does where it repeats a box. Known is that a
-/// translator gives `none` for them if it asks with one comparison of whole addresses.
+/// and may map addresses outside, as Edge<N, Boundary.repeat> of std.edge does. That a partial translator does not is
+/// found only if it compares the whole address with the domain in one comparison and then gives `none`.
 bool Expander::may_map_outside(std::uint32_t root) {
     const Place place{root, {}};
     if (is_total(cx.structure_at(place))) return false;
@@ -46,13 +46,14 @@ bool Expander::may_map_outside(std::uint32_t root) {
     return found->second;
 }
 
-/// Translates an address that is known to lie outside, only to see whether the result is `none`: its statements and
-/// bindings are thrown away.
+/// Whether the structure at `place` maps no address outside its domain. Expands the translation of an address that is
+/// assumed to lie outside, to see whether the result is `none`; the statements and bindings that this makes are
+/// discarded.
 bool Expander::is_none_outside(const Place& place) {
     const ExprId address = make.local(cx.new_local("address", make.type(centre_address(place.root)), span_));
     std::vector<Fact> outside{{numbers_.of(inside_domain(place, address)), false}};
     if (!p.types.is_vector(make.type(address))) {
-        // `inside` of std.address compares scalars as vectors of one component.
+        // The function inside() of std.address compares scalars as vectors of one component: all(lessThan(…)).
         const ExprId less = make.intrinsic(Intrinsic::lessThan, p.types.bool_, {address, domain_of(place)});
         outside.push_back({numbers_.of(make.intrinsic(Intrinsic::all, p.types.bool_, {less})), false});
     }

@@ -20,8 +20,8 @@ constexpr std::uint64_t bits_of_a_word = 32;
 std::uint64_t plus(std::uint64_t a, std::uint64_t b) { return a > unknown - b ? unknown : a + b; }
 std::uint64_t times(std::uint64_t a, std::uint64_t b) { return a != 0 && b > unknown / a ? unknown : a * b; }
 
-/// Whether the update is a loop: shaders add floats in buffers by compare-and-swap, again and again until no other
-/// invocation has come between.
+/// Whether shaders execute the atomic update as a loop: they add floats in buffers by compare-and-swap, which is
+/// repeated until no other invocation has changed the element in between.
 bool is_retried(const Program& program, const Pass& pass, const Stmt& atomic) {
     const PassBinding& binding = pass.bindings[atomic.slot];
     return binding.shape == MemoryShape::buffer && program.types.kind(binding.element) == TypeKind::float_ &&
@@ -50,8 +50,8 @@ private:
         if (stmt.op == StmtOp::while_ || (stmt.op == StmtOp::atomic && is_retried(cx.p, cx.pass, stmt)))
             inside = note(stmt, unknown);
         if (stmt.op == StmtOp::for_) {
-            // The last test, which fails, counts as an iteration, too: devices then go through the inner loops once,
-            // with no lane active.
+            // The last test, which fails, counts as an iteration, too: devices may go through the inner loops once more
+            // then, with no lane active (emit/glsl/status.cpp).
             auto known = rounds_of(cx.p, stmt.value, stmt.limit);
             std::uint64_t count = known ? known->count : most(stmt.limit);
             inside = note(stmt, plus(times(count, plus(inside, 1)), plus(1, loops_in(stmt.body))));
@@ -71,7 +71,7 @@ private:
         return loops;
     }
 
-    /// An upper bound of a uint expression.
+    /// An upper bound of a uint expression; `unknown` if none is known.
     std::uint64_t most(ExprId id) {
         const Expr& node = cx.p.exprs[id];
         if (is_bit_count_as_uint(node)) return bits_of_a_word;
@@ -85,8 +85,9 @@ private:
         return node.op == Op::local ? most(node.local) : unknown;
     }
 
-    /// A local's bound that lowering knows (Make::limits), or that of its value: a loop may run to `x % n`, of which
-    /// only x is left, since quotients.cpp knew that x is below n.
+    /// An upper bound of a local: that in Make::limits, else that of the local's definition. Make::limits is needed
+    /// since quotients.cpp folds `x % n` to x where it knows that x is below n: the expression no longer shows the
+    /// bound n.
     std::uint64_t most(LocalId local) {
         if (const auto known = cx.make.limits.find(local); known != cx.make.limits.end()) return known->second;
         const ExprId* definition = cx.definitions.find(local);

@@ -24,8 +24,8 @@ struct Settings {
 /// and fills in properties of translators and structures (affine, contained_axes, wide, wide_of_wide).
 ir::Lowered lower(ir::Program& program, Diagnostics& diagnostics, Settings settings = {});
 
-/// Lowers a kernel as the body of a library function with these parameters: it has no dispatch and no range, and
-/// accesses the structures' state and memory by name.
+/// Lowers a kernel as the body of a library function with these parameters. The function has no dispatch and no range,
+/// and accesses the structures' state and memory by name.
 ir::Pass lower_function(ir::Program& program, Diagnostics& diagnostics, const ir::Kernel& kernel,
                         std::vector<ir::LocalId> params);
 

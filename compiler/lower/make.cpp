@@ -15,7 +15,8 @@ bool is_finite(const Value& value) {
     return true;
 }
 
-/// Whether the result's component i depends on the operands' components i only.
+/// Whether the result's component i depends on the operands' components i only. Products with matrices, of which this
+/// is not true, are for the caller to exclude.
 bool is_component_wise(const Types& types, const Expr& node) {
     switch (node.op) {
     case Op::unary:
@@ -192,7 +193,7 @@ bool Make::is_number(ExprId id, double value) const {
     return static_cast<double>(static_cast<std::int64_t>(node->bits)) == value;
 }
 
-/// Whether the value is known to be equal to itself: numbers and bools are, unless they are floats, which may be NaNs.
+/// Whether the value is known to be equal to itself: integers, bools and vectors of them are, floats may be NaNs.
 bool Make::equals_itself(ExprId id) const {
     const bool is_number = p.types.is_scalar(type(id)) || p.types.is_vector(type(id));
     return is_number && !p.types.is_floating(p.types.scalar_of(type(id)));
@@ -206,7 +207,7 @@ std::optional<ExprId> Make::simpler_binary(const Expr& node, ExprId a, ExprId b)
                      node.binary == BinaryOp::greater_equal);
     switch (node.binary) {
     case BinaryOp::add:
-        // x + (2^32 - 1) is x - 1.
+        // x + (2^32 - n) is x - n, for n below 2^31.
         if (node.type == p.types.uint && p.exprs[b].op == Op::constant && p.exprs[b].bits > 0x80000000u)
             return binary(BinaryOp::subtract, a, uint(0x100000000ull - p.exprs[b].bits));
         [[fallthrough]];

@@ -33,7 +33,7 @@ public:
     ExprId binary(ir::BinaryOp op, ExprId a, ExprId b);
     ExprId add(ExprId a, ExprId b) { return binary(ir::BinaryOp::add, a, b); }
     ExprId multiply(ExprId a, ExprId b) { return binary(ir::BinaryOp::multiply, a, b); }
-    ExprId both(ExprId a, ExprId b);  ///< a && b; an absent one is true
+    ExprId both(ExprId a, ExprId b);  ///< a && b; an absent operand is true; absent if both are
     ExprId negate(ExprId a) { return unary(ir::UnaryOp::logical_not, a); }
     ExprId select(ExprId condition, ExprId yes, ExprId no);
     ExprId construct(TypeId type, Operands parts);
@@ -55,7 +55,8 @@ public:
     /// A copy of the statement with other parts; the statement itself if the parts are its own.
     StmtId again(StmtId id, Parts parts);
 
-    /// Whether `id` is a constant or `none`, or is constructed of such alone; nothing is evaluated.
+    /// Whether `id` is a constant or `none`, or consists of these alone (Op::construct, Op::some); nothing is
+    /// evaluated.
     bool is_constant(ExprId id) const;
     /// The bits of the constant, if `id` is a scalar constant.
     std::optional<std::uint64_t> bits_of(ExprId id) const;
@@ -64,7 +65,7 @@ public:
     TypeId type(ExprId id) const { return p.exprs[id].type; }
 
     ir::Program& p;
-    /// Known upper bounds of uint locals, for quotients.cpp and loops.cpp.
+    /// The largest values that uint locals may have, where known: for quotients.cpp and loops.cpp.
     std::unordered_map<LocalId, std::uint64_t> limits;
 
 private:

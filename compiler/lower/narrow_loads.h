@@ -1,9 +1,9 @@
-// Loads of a vector of which one component is used become loads of that component.
+// Where a local holds a loaded vector of which only one component is used, only that component is loaded.
 //
-// This is not left to drivers' compilers: NVIDIA's (580, seen on an H100) makes a shader that does not end of some
-// loads of a vec<4, int64> of which 32 bits are used, beside a division.
+// This is not left to drivers' compilers: from some shaders that load a vec<4, int64> of which only 32 bits are used,
+// and that also divide, NVIDIA's (driver 580, seen on an H100) makes code that never ends.
 //
-// Needs: trees. Guarantees: the same values.
+// Needs: expressions are trees. Guarantees: the same values.
 #pragma once
 
 #include "lower/context.h"

@@ -8,8 +8,9 @@
 
 namespace gliftc::lower {
 
-/// Lowering a kernel makes a hundred such maps of the same size in turn: each takes over the array of an earlier one on
-/// its thread. Entries have the number (`time`) of the map that made them, so that arrays need not be cleared.
+/// Lowering a kernel makes about a hundred maps of similar size one after the other: each reuses the array of an
+/// earlier map of its thread. An entry is valid if its `time` is the array's, which each new map and each clear()
+/// increases, so that no entries have to be reset.
 template <class Id, class Value> class NodeMap {
 public:
     /// `first`: nodes with smaller ids are older than the lowering.

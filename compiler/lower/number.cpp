@@ -114,7 +114,7 @@ ValueNumber Numbers::of(ExprId id) {
     ShapeKey key = shape_of(node);
     if ((traits & impure) && (node.op == Op::call || has_effect(cx.pass, node)))
         key.mix(++next_ + (std::uint64_t{1} << 32));
-    if (node.op == Op::call && (traits & changes))  // the function's loads have versions of their own
+    if (node.op == Op::call && (traits & changes))  // the function may load from any of these memories
         for (const PassBinding& binding : cx.pass.bindings) key.mix(version_of(binding.one_place));
     for (ExprId operand : node.operands) key.mix(of(operand));
     ValueNumber& number = memory_->number_of(key);
@@ -134,7 +134,7 @@ void Numbers::change_all(const Stmt& stmt) {
     change_all(stmt.otherwise);
 }
 
-/// Notes what the statement itself changes, without the statements inside it.
+/// Notes what the statement itself changes; the statements nested in it are left out.
 void Numbers::change_by(const Stmt& stmt) {
     if (stmt.op == StmtOp::assign) {
         ExprId root = stmt.target;

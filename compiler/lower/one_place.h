@@ -1,13 +1,14 @@
 // Aliases: calls may pass one memory for two parameters if each invocation accesses only its own element by both
-// (docs/language.md, "One memory given twice"). "One place" is such an element.
+// (docs/language.md, "One memory given twice"). The two parameters then have "one place": they name the same element.
 //
-// The general and the wide form are valid for such calls: a store by one binding counts as a store by all that may
-// alias it (number.h), so that no load is moved over it. No special passes are compiled, since there would be one for
-// each partition of the set of parameters. Vulkan devices run the wide form, whose buffers are pointers that may be
-// equal. Images have descriptors in every form; an image that is loaded after a store by a binding that may alias it is
-// a storage image, not a texture, so that the invocation sees its own store (in all forms, see agree() in loops.h). The
-// direct form assumes that there are no aliases. Where each of its invocations computes two elements, both before the
-// first store, and aliases do not allow this in another form, the other form computes them one after the other.
+// The general and the wide form are valid for such calls: a store by one binding counts as a store by all bindings that
+// may alias it (number.h), so that no load is moved past it. No passes are compiled for particular aliases, since there
+// would be one for each partition of the set of parameters. Vulkan devices run the wide form for such calls: its
+// buffers are pointers, which may be equal. Images have descriptors in every form; an image that is loaded after a
+// store by a binding that may alias it is a storage image, not a texture, so that the invocation sees its own store (in
+// all forms, see agree() in loops.h). The direct form assumes that there are no aliases. An invocation of its shaders
+// may compute two elements, both before the first store; if possible aliases forbid that in another form, that form
+// computes the two elements one after the other.
 #pragma once
 
 #include "lower/context.h"
@@ -18,12 +19,12 @@ namespace gliftc::lower {
 /// or its own index.
 std::uint32_t first_of_place(const Context& cx, const ir::PassBinding& binding);
 
-/// Whether the element that an invocation reads by this parameter may be written by another parameter, which may alias
-/// it.
+/// Whether the invocation's own element of the parameter `root` may be written through another parameter, which may
+/// alias it.
 bool may_be_written_elsewhere(const Context& cx, std::uint32_t root);
 
-/// Whether, among bindings that may alias (`place` is their one_place), a load may come after a store in the body.
-/// Loaded from a sampled image, the value would be that from before the pass.
+/// Whether, among bindings that may alias (`place` is their one_place), a load may come after a store in the body. Such
+/// a load must not be from a sampled image: that would give the value from before the pass.
 bool loads_after_store(const ir::Program& program, const ir::Pass& pass, std::uint32_t place);
 
 }  // namespace gliftc::lower

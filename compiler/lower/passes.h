@@ -10,8 +10,8 @@
 
 namespace gliftc::lower {
 
-/// A transformation of a body of memory operations. All guarantee, too, that the same values are stored in the same
-/// order.
+/// A transformation of a body of memory operations. Each also guarantees that an invocation stores the same values in
+/// the same order as before.
 struct BodyPass {
     std::string_view name;
     std::string_view needs;

@@ -1,4 +1,4 @@
-// Lowers kernels: runs the passes in order. Each says in its header what it needs and what it guarantees.
+// Lowers kernels: runs the passes in order. passes.cpp says what each pass needs and what it guarantees.
 #include "base/parallel.h"
 #include "ir/effects.h"
 #include "ir/validate.h"
@@ -37,8 +37,8 @@ using namespace ir;
 
 namespace {
 
-/// The least number of kernels for a thread: with fewer, starting it and its branch of the program costs more than it
-/// saves.
+/// The least number of kernels for a thread: with fewer, starting the thread and making its branch of the program
+/// (branch.h) costs more time than it saves.
 constexpr std::size_t kernels_of_a_thread = 8;
 
 /// In development builds: validates a body after a pass.
@@ -111,7 +111,7 @@ void reach_by_address(Context& cx) {
     }
 }
 
-/// Adds the host device's variant for blocks all of whose elements are visited.
+/// In kernels over blocks: adds the host device's variant for blocks all of whose elements are visited.
 void add_whole_block(Context& cx, const Expander& checked, const std::vector<ExprId>& facts) {
     if (!cx.kernel.space) return;
     Expander expander(cx, Guards::block);
@@ -126,8 +126,9 @@ void add_whole_block(Context& cx, const Expander& checked, const std::vector<Exp
     cx.pass.variants.push_back(std::move(made));
 }
 
-/// Adds the host device's variant for elements whose neighbours are all in the domain. Keeps the expression of the
-/// domain in `holders`, until move_uniforms has made a parameter of it.
+/// Adds the host device's variant for elements whose neighbours are all in the domain, if neighbour reads have guards,
+/// all of one domain; not in kernels over blocks or in the wide form. Keeps the expression of the domain in `holders`
+/// until move_uniforms has made a parameter of it.
 void add_interior(Context& cx, Expander& checked, const std::vector<ExprId>& facts, std::vector<StmtId>& holders) {
     if (cx.kernel.space || !checked.has_near_guards || !checked.near_domains_agree || cx.is_wide()) return;
     Expander expander(cx, Guards::interior);
@@ -153,7 +154,8 @@ void settle_interior(Context& cx, const Expander& checked, const std::vector<Stm
         interior.origin = cx.parameter(ParameterSource::origin, {}, cx.kernel.domain_type, *checked.near_root);
 }
 
-/// Runs the passes for the host device over a variant.
+/// Runs the passes for the host device over a variant. Returns the variants that they make of it; none, if it is for
+/// whole blocks and split_blocks is not able to split it.
 std::vector<Variant> for_host(Context& cx, const Variant& variant) {
     Variant made{variant.part, Devices::host, variant.assumes, variant.body, variant.block};
     cx.part = variant.part;
@@ -207,8 +209,9 @@ void check_whole([[maybe_unused]] const Context& cx) {
 #endif
 }
 
-/// How many elements an invocation of a shader takes; in kernels over blocks "two" means up to eight, wherever it
-/// helps. two_in_turn: the second after the first has been stored.
+/// How many elements an invocation of a shader takes. two_where_it_helps: two, if coarsened() of coarsen.h finds a
+/// gain. two_in_turn: two, the second computed after the first has been stored. In kernels over blocks both mean up to
+/// eight, as coarsened_in_block() chooses.
 enum class Elements { one, two_where_it_helps, two_in_turn };
 
 /// The last steps, after move_uniforms: variants for the host device, properties of bindings, the summary.

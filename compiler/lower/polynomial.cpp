@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t term_limit = 64;
 
-/// The cost of a term with a condition. Uniform terms are computed by the host, so any number of them is cheaper.
+/// What a term with a condition adds to Difference::operations: so much that differences of uniform terms alone, which
+/// the host computes, are preferred.
 constexpr unsigned choice_operations = 1000;
 
 std::strong_ordering order(const Term& a, const Term& b) {

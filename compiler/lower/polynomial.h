@@ -34,7 +34,8 @@ public:
     /// The terms of `varying` without those that are a condition (1 or 0) times a uniform amount.
     Polynomial unchosen(const Polynomial& varying);
 
-    /// a - b; or b - a, to be subtracted, where all factors of a - b are above 2^31 (negative).
+    /// The terms of a - b. If all its factors are above 2^31, and so stand for negative numbers, those of b - a
+    /// instead, which are then to be subtracted.
     struct Difference {
         Polynomial terms;
         bool is_negative = false;  ///< `terms` are b - a
@@ -42,7 +43,7 @@ public:
     };
     Difference difference(const Polynomial& a, const Polynomial& b);
 
-    /// The sum as an expression; absent: zero.
+    /// The polynomial as an expression; absent if it is zero.
     ExprId expression(const Polynomial& polynomial);
 
 private:

@@ -95,7 +95,7 @@ std::optional<ExprId> Make::simpler_remainder(ExprId value, std::uint64_t diviso
     return std::nullopt;
 }
 
-/// x, for x / c * c (`quotients`) + x % c (`rest`).
+/// x, if `quotients` is x / c * c and `rest` is x % c, so that their sum is x; else absent.
 std::optional<ExprId> Make::put_together(ExprId quotients, ExprId rest) {
     const Expr product = p.exprs[quotients], remainder = p.exprs[rest];
     const bool fits = product.op == Op::binary && product.binary == BinaryOp::multiply && remainder.op == Op::binary &&

@@ -16,7 +16,7 @@ template <class Visit> ExprId with_operands_visited(Context& cx, ExprId id, Visi
     return cx.p.exprs.add(std::move(copy));
 }
 
-/// A statement's expressions, each replaced by visit(expression); without the statements inside it.
+/// A statement's target, value and limit, each replaced by visit(expression); its inner statements are left out.
 template <class Visit> Make::Parts visited_parts(const ir::Stmt& stmt, Visit&& visit) {
     Make::Parts parts;
     if (stmt.value) parts.value = visit(stmt.value);

@@ -4,7 +4,7 @@
 // lie in the domain, and if loads are of an `in` parameter; else one by one. A row of four elements of N numbers each
 // is N such vectors. If there is one row of four scalars of a one-dimensional structure, and it is known to begin at
 // such a multiple, it is loaded without a test that all of it is in the domain: shaders may read a buffer up to the
-// next multiple of 16 bytes (glift/memory.h). Selects then replace the elements beyond the domain.
+// next multiple of 16 bytes (vulkan_memory.h). Selects then replace the elements beyond the domain.
 #include "ir/chain.h"
 #include "lower/expand.h"
 #include "lower/polynomial.h"
@@ -16,9 +16,9 @@ namespace gliftc::lower {
 
 using namespace ir;
 
-/// Makes a loop over the rows, if there are several, with what `body` makes for one. Shaders unroll it if there are no
-/// more than unroll_limit, so that arrays of elements become registers and all loads are issued before the first is
-/// waited for.
+/// Makes the statements of `body` for each row: in a loop over the rows, if there are several. Shaders unroll the loop
+/// if there are at most unroll_limit rows, so that arrays of elements become registers and all loads are issued before
+/// the first is waited for.
 template <class Body> void Expander::for_each_row(const Rows& rows, Body&& body) {
     if (rows.count == 1) return body(make.uint(0));
     Stmt loop = statement(StmtOp::for_, span_);
@@ -110,7 +110,8 @@ bool Expander::is_at_vector(ExprId physical) {
            });
 }
 
-/// Whether there is one row of one vector, along a single axis, which is known to begin at a multiple of four.
+/// Whether there is only one row, of one vector, in a structure with one axis, and the row's physical address is known
+/// to be a multiple of four.
 bool Expander::is_whole_vector(const Rows& rows, ExprId physical) {
     return rows.count == 1 && parts_of(rows) == 1 && make.type(rows.first) == p.types.uint && is_at_vector(physical);
 }
@@ -168,7 +169,7 @@ ExprId Expander::first_vector(const Rows& rows, ExprId physical) {
     return named(rows.name + "_vector", make.multiply(row, make.uint(parts_of(rows))));
 }
 
-/// Number `i` of a row, taken from the row's vectors.
+/// Scalar `i` of a row, taken from the row's vectors.
 ExprId Expander::number_in(const std::vector<ExprId>& vectors, std::uint32_t i) {
     return make.component(vectors[i / row_width], i % row_width);
 }

@@ -1,7 +1,8 @@
-// Expander: `sample`, `gather` and `compare`, which access the elements around a point. Of an image that keeps each
-// element at its own address, the device's sampler filters, gathers or compares the texels, if it can for the image's
-// shape and format. If it can gather the texels but not compare them, `compare` gathers them and compares by
-// arithmetic. All other elements are read one by one, and `sample` and `compare` interpolate by arithmetic.
+// Expander: `sample`, `gather` and `compare`, which access the elements around a point. If element a of the structure
+// is texel a of an image, and the parameter is not coherent, the device's sampler filters, gathers or compares the
+// texels, as far as it can for the image's shape and format. If it can gather the texels but not compare them,
+// `compare` gathers them and compares by arithmetic. Otherwise the elements are read one by one, and `sample` and
+// `compare` interpolate by arithmetic.
 #include "ir/chain.h"
 #include "lower/expand.h"
 #include "lower/memory.h"
@@ -94,8 +95,8 @@ ExprId Expander::sample(const Expr& node) {
     return of_image(Op::image_sample, node.type, binding(place, Access::read, {}, is_cube), std::move(operands));
 }
 
-/// Whether the device gathers the texels around a point: of 2-D images and arrays of them in which elements have their
-/// own addresses, unless they are coherent.
+/// Whether the device gathers the texels around a point: if texel a of a 2-D image, or of an array of 2-D images, holds
+/// element a, and the structure is not a coherent parameter.
 bool Expander::is_gathered(const Place& place) {
     return !is_coherent(place) && is_texel_address(place) && is_flat(root_memory(p, cx.structure_at(place)).shape);
 }
@@ -127,7 +128,8 @@ ExprId Expander::gather(const Expr& node) {
     return make.construct(node.type, around(place, at).values);
 }
 
-/// The mean of the comparisons with each of the elements around a point, with the weights that `sample` gives them.
+/// The weighted mean of the results (0 or 1) of comparing the reference with each element around a point; the weights
+/// are those that `sample` gives the elements.
 ExprId Expander::compare(const Expr& node) {
     Place place = resolved(node.place);
     const Memory computed;  // stands for the memory of a view
@@ -160,8 +162,8 @@ ExprId Expander::texel_near(const Place& place, ExprId texel) {
     return make.intrinsic(Intrinsic::clamp, type, {texel, make.zero(type), last});
 }
 
-/// The elements around a point, each read separately. Element centres lie at +0.5. Beyond the edge of an image the
-/// nearest texel is taken; other structures give there what they give to reads.
+/// The elements around a point, each read separately. The centre of element a lies at a + 0.5. Beyond the edge of an
+/// image the nearest texel is taken; of other structures, what a read of that address gives.
 Expander::Around Expander::around(const Place& place, ExprId at) {
     const Structure& structure = cx.structure_at(place);
     const bool is_image = is_texel_address(place);

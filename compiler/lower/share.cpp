@@ -42,7 +42,7 @@ struct Plan {
 /// Whether the first operand is a location in memory, not a value: in atomic operations.
 bool names_place(const Expr& node) { return node.op == Op::intrinsic && signature_of(node.intrinsic)[0] == '@'; }
 
-/// The first walk over a body: counts uses and decides.
+/// The first walk over a body: counts the uses of each value, and makes the Decisions for the second walk.
 class Counting {
 public:
     Counting(Context& context, const std::vector<ExprId>& facts, Plan& plan)

@@ -33,8 +33,8 @@ std::int64_t times(std::int64_t a, std::int64_t b) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b));
 }
 
-/// Whether a / b is the same for all elements of a row: a begins the row at a multiple of the row's length,
-/// `a.aligned`, and b is such a multiple, too.
+/// Whether a / b is the same for all elements of a row, so that a % b advances as a does: at the row's first element a
+/// is a multiple of the row's length, `a.aligned`; it advances by one; and b is a multiple of that length, too.
 bool is_by_rows(const Slope& a, const Slope& b) {
     return a.step == 1 && a.aligned != 0 && b.constant && *b.constant > 0 && *b.constant % a.aligned == 0;
 }
@@ -140,7 +140,7 @@ bool RowSlopes::is_word(ir::TypeId type) const {
     return scalar == program_.types.int_ || scalar == program_.types.uint;
 }
 
-/// The slope of `vector[constant]`.
+/// The slope of `vector[i]`; absent: i is not a constant from 0 to 3, or what is indexed is no vector.
 std::optional<Slope> RowSlopes::of_component(const Expr& expr) {
     const Slope index = of(expr.operands[1])[0];
     const bool is_known = index.constant && *index.constant >= 0 && *index.constant < 4;

@@ -1,4 +1,5 @@
-// Induction variable analysis: finds values that advance by a constant from one element of a row to the next.
+// Induction variable analysis: finds values that advance by a constant from one element of a row to the next. A row is
+// a run of elements that are consecutive along x.
 #pragma once
 
 #include "ir/pass.h"

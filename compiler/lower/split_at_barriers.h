@@ -4,8 +4,8 @@
 // which must be uniform on every device.
 //
 // Needs: a kernel with a group, and its prologue. Guarantees: no workgroup barrier is inside an `invocations`
-// statement; a local that is used in several of them, or in one and outside, has a value for each invocation (`keep`),
-// unless it is workgroup memory or the variable of a loop that all execute together.
+// statement; a local that is used in several such statements, or in one and outside, has a value for each invocation
+// (`keep`), unless it is workgroup memory or the variable of a loop that all invocations execute together.
 #pragma once
 
 #include "lower/context.h"

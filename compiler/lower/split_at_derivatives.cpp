@@ -71,9 +71,9 @@ private:
         return cx.make.again(node, {operand});
     }
 
-    /// Whether the expression is an immutable local that the fragment part declares. The derivative uses it behind a
-    /// barrier, so that `keep` makes it an array with the values of all fragments: it needs no copy. An interpolated
-    /// value does, since each loop over fragments computes it anew.
+    /// Whether the expression is an immutable local that the fragment part declares. It needs no copy: since the
+    /// derivative uses it behind a barrier, a `keep` statement makes it an array with the values of all fragments. An
+    /// interpolated value needs a copy, since each loop over fragments computes it anew.
     bool is_kept_anyway(ExprId id) const {
         const Expr& node = cx.p.exprs[id];
         return node.op == Op::local && !cx.p.locals[node.local].is_mutable &&

@@ -23,8 +23,8 @@ public:
         }
         for (StmtId id : body) {
             const Stmt& stmt = cx.p.stmts[id];
-            // The declaration of a mutable local with a value stays in the body; so what assigns it must stay there,
-            // too.
+            // The declaration of a mutable local that is given a value, or zeroed, stays in the body; so what assigns
+            // the local must stay there, too.
             if (stmt.op == StmtOp::let && !stmt.uninitialized) others_.insert(stmt.local);
             if (!fills(id)) note_assigned(id);
         }

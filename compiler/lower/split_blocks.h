@@ -1,9 +1,9 @@
 // Loop-invariant code motion in kernels over blocks (of a structure's elements), on the host device: statements that
 // depend on the block alone move out of the loop over its elements.
 //
-// Needs: the body for blocks all of whose elements are visited, with expressions that are trees; its `evaluate`
-// statement has the condition that the block is such a one. Guarantees: Variant::block has these statements and the
-// condition.
+// Needs: the body for blocks all of whose elements are visited, with expressions that are trees; its first `evaluate`
+// statement of a bool has the condition that all elements of the block are visited. Guarantees: Variant::block has the
+// statements that depend on the block alone, and the condition.
 #pragma once
 
 #include "lower/context.h"

@@ -1,6 +1,6 @@
 // Expander: calls that are expanded as statements of the caller, not as expressions. These are calls of functions with
-// a group, whose barriers and workgroup memory are the kernel's, and of functions that write, whose writes must be
-// executed exactly once, where the call is.
+// a group, whose barriers and workgroup memory are the kernel's, and of functions that write structures or access them
+// coherently (Function::effects), which must be executed exactly once, where the call is.
 #include "lower/expand.h"
 #include "lower/unroll.h"
 
@@ -144,7 +144,7 @@ bool Expander::expand_past(const Stmt& stmt, const std::vector<StmtId>& rest) {
         Block no = nested(joined(stmt.otherwise, yes_leaves ? rest : std::vector<StmtId>{}));
         append_if(condition, std::move(yes), std::move(no));
         if (yes_leaves || no_leaves) return true;
-        if (is_in_loop) return false;  // a return has broken out of the loop, so the rest is not reached
+        if (is_in_loop) return false;  // a return breaks out of the loop, so that `rest` is skipped in any case
     } else {
         if (stmt.op == StmtOp::for_) expand_for(stmt);
         else expand_while(stmt);

@@ -85,8 +85,8 @@ ExprId Strength::relative(ExprId id) {
     return cx.make.binary(nearest.is_negative ? BinaryOp::subtract : BinaryOp::add, base, amount);
 }
 
-/// Makes base + (c ? step : 0) of c ? base + step : base, if step is uniform: neither value of this select has to be
-/// computed, so that it needs no branch.
+/// Makes base + (c ? step : 0) of c ? base + step : base, if step is uniform: both values of the new select are then
+/// uniform, so that nothing has to be computed under a branch.
 ExprId Strength::around_select(const Expr& node, Operands operands) {
     const Expr* named = &cx.p.exprs[operands[1]];
     // A temporary is used elsewhere, too, so base + step is computed anyway: then the select stays.

@@ -84,15 +84,16 @@ void mark_last_reads(Program& p, const std::vector<StmtId>& body, std::size_t at
     }
 }
 
-/// Whether the structure has its own memory: views and adaptors refer to that of others.
+/// Whether the structure is one that stores elements, not a view or an adaptor: the elements that are accessed through
+/// these lie in other structures.
 bool has_own_memory(const Program& p, LocalId local) {
     return p.structures[p.types[p.locals[local].type].index].kind == StructureKind::stored;
 }
 
 /// Whether the statement may write the memory that a device_read without a copy refers to. A dispatch may if it writes
-/// what is not itself one of `temporaries`, or one of `names`: the locals that refer to the memory if it is a
-/// temporary's. So may calls of pipelines that are not values (Pipeline::is_value), and all other statements but `let`,
-/// `temp` and `assign`.
+/// through a local that is not itself one of `temporaries`. It also may if the memory is a temporary's (`is_temporary`)
+/// and it writes through one of `names`, the locals that refer to that memory. Calls of pipelines that are not values
+/// (Pipeline::is_value) may, and so may all statements other than dispatch, `let`, `temp` and `assign`.
 bool may_write(const Program& p, const Stmt& stmt, const std::vector<LocalId>& names, bool is_temporary,
                const std::vector<LocalId>& temporaries) {
     const auto is_among = [](const std::vector<LocalId>& list, LocalId local) {
@@ -147,8 +148,8 @@ void mark_reads(Program& p, const std::vector<StmtId>& body, const std::vector<S
     }
 }
 
-/// Those of the aliases that are declared after the temporary in the same list of statements: they are released with
-/// it, for which this makes them mutable.
+/// Those of the aliases that are declared after the temporary in the same list of statements. They are released
+/// together with it. Since a release changes them, they are made mutable here.
 std::vector<LocalId> declared_beside(Program& p, const std::vector<StmtId>& body, std::size_t at,
                                      const std::vector<LocalId>& aliases) {
     std::vector<LocalId> result;

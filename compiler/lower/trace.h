@@ -11,7 +11,7 @@ namespace gliftc::lower {
 
 struct Trace {
     std::string dump_after;  ///< the name of a pass of passes.h; empty: none
-    std::string stop_after;  ///< likewise
+    std::string stop_after;  ///< the name of the pass after which lowering stops; empty: it does not stop
     /// The bodies after pass `dump_after`, of kernels of root modules (those named on the command line); syntax:
     /// ir/read.h.
     std::string text;

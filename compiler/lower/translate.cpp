@@ -19,8 +19,9 @@ Pair Expander::linked(const Place& place, ExprId address, const std::string& nam
     return at;
 }
 
-/// The address in the memory of the chain's root: applies the links one after the other. asks(link, address) gives the
-/// condition that the link's memory has an address.
+/// The address in the memory of the root of the structure at `place` (ir/chain.h): translates by the structure, then by
+/// the structure that is its memory, and so on. asks(link, address) gives the condition that the memory of the
+/// structure at `link` has the address.
 template <class Asks> Pair Expander::chained(const Place& place, ExprId address, const std::string& name, Asks&& asks) {
     Place link = place;
     std::string at_link = name;
@@ -45,8 +46,8 @@ Pair Expander::translated(const Place& place, ExprId address, const std::string&
     return chained(place, address, name, [&](const Place& link, ExprId at) { return inside_memory(link, at); });
 }
 
-/// The physical address for a write: as translated(), but addresses beyond the domain of a structure that is the memory
-/// count as unmapped, even if it maps them somewhere for reads.
+/// The physical address for a write: as translated(), but where the memory is a structure, addresses beyond its domain
+/// count as unmapped, even if its translator maps them for reads (as an edge mode does).
 Pair Expander::written(const Place& place, ExprId address, const std::string& name) {
     return chained(place, address, name, [&](const Place& link, ExprId at) {
         const Structure& structure = cx.structure_at(link);
@@ -57,7 +58,7 @@ Pair Expander::written(const Place& place, ExprId address, const std::string& na
 /// The physical address for a write of the current element.
 Pair Expander::written_centre(std::uint32_t root) {
     const Place place{root, {}};
-    Place link = place;  // skips links with the same addresses and domain: there the element is in the memory's domain
+    Place link = place;  // skips structures whose memory has the same addresses and domain: the element is in it, too
     while (cx.structure_at(link).via.empty() && !cx.structure_at(link).base.empty()) {
         const Place base = base_of(cx.structure_at(link), link);
         if (numbers_.of(domain_of(link)) != numbers_.of(domain_of(base))) break;
@@ -73,8 +74,9 @@ std::string Expander::link_name(const Place& link) const {
     return (*p.names)[cx.structure_at(owner).members[link.members.back()].name];
 }
 
-/// The condition that a physical address lies in the memory. If the memory is a structure: in its domain; absent if it
-/// has no domain, or if the first translator of its chain is partial, which decides that itself.
+/// The condition that a physical address lies in the memory; if the memory is a structure, in its domain. Absent: this
+/// is proved for all addresses, or the memory is a structure that has no domain or is not total (ir::is_total), so that
+/// its partial translator decides itself what lies outside.
 ExprId Expander::inside_memory(const Place& place, ExprId physical) {
     const Structure& structure = cx.structure_at(place);
     if (!structure.base.empty()) {
@@ -90,8 +92,8 @@ ExprId Expander::inside_memory(const Place& place, ExprId physical) {
     return less_where_unknown(structure, physical, p.exprs.add(std::move(extent)));
 }
 
-/// The condition that an address is below an extent, tested along those axes only where it is not proved
-/// (contained_axes).
+/// The condition that an address is below an extent, tested only along the axes for which that is not proved
+/// (Structure::contained_axes); absent: it is proved for all axes.
 ExprId Expander::less_where_unknown(const Structure& structure, ExprId address, ExprId extent) {
     if (structure.contained_axes == 0) return all_less(address, extent);
     ExprId inside;
@@ -198,7 +200,8 @@ ExprId Expander::centre_address(std::uint32_t root) {
     return addresses_[root];
 }
 
-/// The physical address of a parameter's current element in a named local, and whether there is one in another.
+/// The physical address of a parameter's current element, and the condition that it has one. Both are put into named
+/// locals before the kernel's body, unless they are short (see named()).
 Pair Expander::centre(std::uint32_t root) {
     // Structures with equal state share addresses, unless tables are read, which each has for itself.
     const std::uint32_t shared = canonical_root(root);

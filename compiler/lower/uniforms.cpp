@@ -64,7 +64,7 @@ private:
     std::map<ValueNumber, std::uint32_t> leaves_;  ///< leaves that are used, with a bit for each component used
     /// For each body the uniform values in it, in the order of their uses.
     std::vector<std::vector<ExprId>> lifted_values_;
-    std::unordered_map<ValueNumber, std::uint32_t> slots_;  ///< the parameters of values that have become one
+    std::unordered_map<ValueNumber, std::uint32_t> slots_;  ///< index of the parameter that a value has become
     // The members from visited_ to top_ are for the body that is being rewritten.
     NodeMap<ExprId, ExprId> visited_{cx.first_expr};
     std::unordered_map<ValueNumber, unsigned> counts_;  ///< number of uses of uniform values that the shader computes
@@ -168,7 +168,8 @@ void Uniforms::collect(const std::vector<StmtId>& body) {
     for (ExprId value : lifted_values_.back()) note_leaves(value);
 }
 
-/// Whether the value takes few sums and products of constants and of parts of leaves that are parameters anyway.
+/// Whether the value is computed from constants and from leaves that are parameters anyway (or parts of these), by at
+/// most shader_operations sums, differences and products. `operations` counts them.
 bool Uniforms::is_cheap(ExprId id, unsigned& operations) {
     if (cx.make.is_constant(id)) return true;
     if (is_part_of_leaf(id)) return leaves_.contains(numbers_.of(base(id)));
@@ -209,7 +210,7 @@ std::string Uniforms::name_of(ExprId id) {
     case Op::call: return text(cx.p.functions[node.function].name);
     default: break;  // named after its operands
     }
-    // s_extent_over_8; also for (s_extent + 8 - 1) / 8
+    // An operation with one constant: s_extent / 8 is named s_extent_over_8, and so is (s_extent + 8 - 1) / 8.
     if (has_one_constant(id)) {
         bool is_first = cx.make.is_constant(node.operands[0]);
         ExprId number = node.operands[is_first ? 0 : 1], value = node.operands[is_first ? 1 : 0];

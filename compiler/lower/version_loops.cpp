@@ -30,7 +30,7 @@ struct Reach {
     bool is_number() const { return terms.empty() && step == 0; }
 };
 
-/// The test that base + end <= extent: then the elements base + begin to base + end - 1 are inside.
+/// The test that base + end <= extent, which implies that the indices base + begin to base + end - 1 are below extent.
 struct Fit {
     Terms base;
     ExprId extent;
@@ -115,7 +115,8 @@ ExprId Finder::sum_of(const Terms& terms, std::uint64_t number) const {
     return number == 0 ? sum : cx.make.add(sum, cx.make.uint(number));
 }
 
-/// The conjunction of all tests; absent: there are none. No sum or difference in it wraps unless one in a guard does.
+/// The conjunction of all tests; absent: there are none. Its sums wrap around only if a sum in a guard does. Its
+/// differences never do, since extent >= count is tested before extent - count is computed.
 ExprId Finder::condition() const {
     Make& make = cx.make;
     ExprId all;
@@ -183,9 +184,9 @@ bool Finder::stands_for_less(ExprId at, ExprId extent, std::uint64_t count, Test
     return true;
 }
 
-/// Adds the test that implies `remainder` == `of` in all iterations, `remainder` being at % width; false if there is
-/// none. The remainder is the same in all of them if `at` changes by multiples of width, a power of two, even if sums
-/// wrap.
+/// Adds the test that implies `remainder` == `of` in all iterations, where `remainder` is at % width; false if there is
+/// no such test. The remainder is the same in all iterations if `at` changes by multiples of width, a power of two,
+/// even if sums wrap around.
 bool Finder::stands_for_multiple(ExprId remainder, ExprId of, Tests& wanted) const {
     const Expr& node = program.exprs[remainder];
     if (node.op != Op::binary || node.binary != BinaryOp::remainder) return false;

@@ -3,8 +3,8 @@
 // C++ compilers can vectorise, since its loops have no branches.
 //
 // Needs: uniform values are parameters. Guarantees: the body is `if tests { body without the guards } else { body }`,
-// or unchanged if no guard depends on a loop in a known way. The tests use only the invocation's address, parameters
-// and constants.
+// or unchanged if no test is found that implies a guard in all iterations of a loop. The tests use only the
+// invocation's address, parameters and constants.
 #pragma once
 
 #include "lower/context.h"

@@ -173,9 +173,10 @@ ExprId Widener::widened(const Value& value) {
     return convert(type, value.narrow);
 }
 
-/// Whether the 32-bit value has wrapped around at 2^32 where the exact number is negative or has more bits: a
-/// conversion from a signed or 64-bit number, a complement, in translators also a difference or a negation; each also
-/// as a part of a vector, in a select, and in a local, parameter or result of Width::exact.
+/// Whether the 32-bit value may have wrapped around at 2^32, because the exact number may be negative or have more
+/// bits. This may be so for a conversion from a signed or 64-bit number (which is also how a local, parameter or result
+/// of Width::exact is read), for a complement, in translators also for a difference or a negation; and for selects,
+/// vectors and components of vectors that are made of these.
 bool Widener::wraps(const Expr& narrow) const {
     const auto operand_wraps = [&](ExprId operand) { return wraps(p.exprs[operand]); };
     switch (narrow.op) {
@@ -264,7 +265,7 @@ Value Widener::local(const Expr& node) {
     return note(id);
 }
 
-/// The operation on narrow operands.
+/// The same operation on operands in their original types (`narrowed`).
 Value Widener::rebuilt(Expr node) {
     for (ExprId& operand : node.operands) operand = narrowed(value(operand));
     return {add(std::move(node)), {}};

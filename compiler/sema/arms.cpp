@@ -1,6 +1,6 @@
 // Control flow of pipelines on conditions that the host does not know. The host records the passes of both arms; those
-// of an arm whose condition is not met are dispatched over nothing. A variable that is declared outside an arm and
-// assigned in it lies on the device, and keeps its value where the arm does not run.
+// of an arm whose condition is not met are dispatched with zero workgroups. A variable that is declared outside an arm
+// and assigned in it lies on the device, and keeps its value where the arm does not run.
 #include "sema/arms.h"
 
 #include "ir/walk.h"
@@ -13,14 +13,15 @@ namespace gliftc::sema {
 
 namespace {
 
-/// How many arms were around the declaration of the local.
+/// How many arms were around the declaration of the local; 0 for a local that declare_variable() has not recorded.
 std::size_t depth_of(const Body& body, ir::LocalId local) {
     const auto found = body.depths.find(local);
     return found == body.depths.end() ? 0 : found->second;
 }
 
-/// Whether all arms from number `depth` on run: the conjunction of their conditions, each negated where its arm runs if
-/// it is false. An open expression, for a pass to compute (sema/values.h).
+/// Whether all arms from number `depth` on (0 is the outermost) run: the conjunction of their conditions, each negated
+/// if its arm is the one that runs when the condition is false. An open expression, for a pass to compute
+/// (sema/values.h).
 ir::ExprId runs(Body& body, std::size_t depth, Span span) {
     ir::Program& p = body.program();
     ir::ExprId all;
@@ -36,9 +37,9 @@ ir::ExprId runs(Body& body, std::size_t depth, Span span) {
 }
 
 /// Whether the value calls a function. Other values are computed even where the arm does not run, and then discarded by
-/// a `select`. A call must not be: its operands may be values that passes of the arm did not compute, with which a loop
-/// in the function might not end. So the value gets a pass of its own in the arm, dispatched over nothing where the arm
-/// does not run.
+/// a `select`. A call must not be computed there: its operands may be values that passes of the arm did not compute,
+/// with which a loop in the function might not end. So a value with a call gets a pass of its own in the arm, which is
+/// dispatched with zero workgroups where the arm does not run.
 bool calls_functions(Body& body, ir::ExprId value) {
     bool found = false;
     ir::for_each_node(body.program(), value,
@@ -138,7 +139,7 @@ void check_arms(Body& body, const ast::Stmt& stmt, ir::ExprId condition) {
 
 namespace {
 
-/// One round of `for i in a..b while c`, where c lies on the device; the host records all rounds. `running` is a
+/// Emits one round of `for i in a..b while c`, where c lies on the device; the host records all rounds. `running` is a
 /// variable on the device: whether c was true in all rounds so far. `statements` compute what c needs. They, and the
 /// body, run only while `running` is true.
 void check_round(Body& body, const ast::Stmt& stmt, ir::LocalId running, ir::ExprId condition,

@@ -18,8 +18,8 @@ Locals both(const Locals& one, const Locals& other) {
     return result;
 }
 
-/// The locals assigned on every path to a statement, and on some path; `ends`: control flow does not reach what
-/// follows.
+/// At a statement: `always` are the locals assigned on every path to it, `sometimes` those assigned on some path.
+/// `ends`: control flow does not reach the statement that follows.
 struct State {
     Locals always, sometimes;
     bool ends = false;

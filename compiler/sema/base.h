@@ -16,8 +16,8 @@ bool is_structure_memory(Body&, ast::ExprId);
 /// Sets the memory of the structure to the structure that the item names or constructs.
 void add_base(Body&, std::uint32_t structure, const ast::Item&);
 
-/// Brings the name of the base into scope. Nothing to do if there is no base, or if it is a member of that name, as it
-/// is if the declaration constructs it.
+/// Brings the name of the base into scope. Does nothing if the structure has no base, or if the declaration constructs
+/// the base: then it is a member of that name, which is in scope already.
 void declare_base(Body&, std::uint32_t structure);
 
 /// The domain of the base, as an expression over the structure whose memory it is.

@@ -11,7 +11,7 @@ namespace gliftc::sema {
 namespace {
 
 /// Whether the value is an element of type uint, at a constant address of one dimension, of a stored structure that is
-/// a member of `owner` or of such a member.
+/// a member of `owner`, or a member of one of its members, and so on.
 bool is_stored_element(const ir::Program& p, const ir::Structure& owner, ir::ExprId id) {
     const ir::Expr& read = p.exprs[id];
     if (read.op != ir::Op::read || read.operands.size() != 1 || read.place.root != 0 || read.place.members.empty())
@@ -70,9 +70,9 @@ void return_element(Context& c, ir::Pipeline& pipeline, const ir::Structure& own
 
 }  // namespace
 
-// Where the number is an element of a structure, the pipeline gives the element itself, not a copy: the dispatch that
-// follows uses it at once. Kernels over the same blocks then share the pass that prepares their dispatches, as long as
-// nothing writes the element between them.
+// Where the number is an element of a structure, or the `min` of one and the blocks' bound, the pipeline gives the
+// element itself, not a copy: the dispatch that follows uses it at once, and applies the bound. Kernels over the same
+// blocks then share the pass that prepares their dispatches, as long as nothing writes the element between them.
 std::optional<std::uint32_t> counter_of_blocks(Context& c, std::uint32_t index, Span use) {
     const ir::FunctionId count = c.program.structures[index].blocks->count;
     const auto general = pipeline_of_function(c, count, use);

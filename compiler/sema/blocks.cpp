@@ -74,8 +74,8 @@ bool reads_elements(const ir::Program& p, ir::ExprId id) {
     return reads;
 }
 
-/// An upper bound of the value, one that the host can compute: the value itself, or an operand of a `min`, which may be
-/// nested in another. Absent: none is known.
+/// An upper bound of the value, one that the host can compute: the value itself, or an operand of a `min`, or of a
+/// `min` that is an operand of a `min`. Absent: none is known.
 ir::ExprId bound_of(const ir::Program& p, ir::ExprId value) {
     if (!value || !reads_elements(p, value)) return value;
     const ir::Expr& expr = p.exprs[value];
@@ -166,7 +166,8 @@ std::optional<Operand> call_of_blocks(Body& body, const Operand& self, ast::Iden
 
 namespace {
 
-/// The structure that declares the blocks of the parameter's structure: that one, or a memory along its chain.
+/// The structure that declares the blocks of the parameter's structure: the structure itself, its memory if that is a
+/// structure, the memory of that one, and so on (ir::blocks_of). Absent if none declares blocks.
 std::optional<std::uint32_t> owner_of(const ir::Program& p, const ir::KernelParam& param) {
     const auto place = ir::blocks_of(p, p.structures[param.structure], {});
     if (!place) return std::nullopt;

@@ -1,13 +1,13 @@
-// Blocks: boxes of one size in a structure's domain. Where a structure declares blocks, kernels over it visit their
-// elements and no others, except the kernels that find_space() leaves out. Also which parameter's blocks a kernel
-// visits.
+// Blocks: boxes of one size in a structure's domain. Where a structure declares blocks, kernels over it visit the
+// elements of the blocks and no others, except the kernels that find_space() leaves out. find_space() also chooses the
+// parameter whose blocks a kernel visits.
 #pragma once
 
 #include "sema/body.h"
 
 namespace gliftc::sema {
 
-/// The functions of these names that a structure declares; absent where it does not.
+/// The functions of these names that a structure declares. An absent id: it does not declare that function.
 struct BlockItems {
     ast::DeclId blocks, block, block_size;
 
@@ -15,24 +15,24 @@ struct BlockItems {
     void note(const Context&, ast::DeclId);
 };
 
-/// Checks the declarations and sets Structure::blocks. To be called once Structure::domain_type is set: block() and
-/// block_size() return addresses of that type.
+/// Checks the declarations, if there are any, and sets Structure::blocks. To be called once Structure::domain_type is
+/// set: block() and block_size() return addresses of that type.
 void add_blocks(Context&, const Env&, std::uint32_t structure, const BlockItems&);
 
-/// A call of `s.blocks()`, `s.block(i)` or `s.block_size()`; a structure without blocks, its own or those of its memory
-/// (ir::blocks_of), has one: its domain. Absent if the method has another name.
+/// A call of `s.blocks()`, `s.block(i)` or `s.block_size()`. If neither the structure nor its memory declares blocks
+/// (ir::blocks_of), its whole domain is one block. Absent if the method has another name.
 std::optional<Operand> call_of_blocks(Body&, const Operand& self, ast::Identifier method, const ast::Expr& call);
 
 /// Finds the blocks that a kernel visits. The parameters that decide are those written by `each`; if there are none,
 /// those that are `at`; else those read by `each` or `near`. If all of them have blocks (ir::blocks_of), Kernel::space
 /// is the first of them and Kernel::same_space the others; one ir::Structure must declare the blocks of all (else an
 /// error). Kernel::space stays empty if one of them has no blocks, for draws, for kernels with a group, and for those
-/// whose invocations take several elements. Where the host does not know how many blocks there are, also makes the
-/// pipeline that counts them (Blocks::counter).
+/// whose invocations take several elements. If the host does not know how many blocks Kernel::space has, also makes the
+/// pipeline that counts them (Blocks::counter), unless it is made already.
 void find_space(Context&, ir::Kernel&);
 
-/// Makes a pipeline over a structure that declares blocks, which gives their number as a value on the device, for the
-/// dispatch that follows the call. Its index in Program::pipelines; absent after an error.
+/// Makes a pipeline that takes a structure which declares blocks, and returns their number as a value on the device,
+/// for the dispatch that follows the call. Returns its index in Program::pipelines; absent after an error.
 std::optional<std::uint32_t> counter_of_blocks(Context&, std::uint32_t structure, Span use);
 
 }  // namespace gliftc::sema

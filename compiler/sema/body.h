@@ -14,13 +14,14 @@ namespace gliftc::sema {
 enum class BodyKind : std::uint8_t {
     constant,   // compile-time values
     function,   // functions and methods
-    structure,  // expressions in a structure's declaration: extents, arguments, domain, `otherwise`, initial host state
+    structure,  // expressions in the declaration of a structure, view or adaptor, such as extents and arguments
     kernel,
     pipeline,  // tests too
 };
 
-/// `member`: a value among the constructor parameters of the structure that is in scope. `structure`: a member, base or
-/// structure in a translator's state, or a structure parameter of a function or kernel that is no `iterator`.
+/// `member`: a constructor parameter that is a value, of the structure whose members are in scope (Body::container).
+/// `structure`: a nested structure of it, its base (sema/base.h), a structure in a translator's state, or a structure
+/// parameter of a function or kernel that is no `iterator`. The other kinds: Symbol::slot.
 enum class SymbolKind : std::uint8_t { local, structure, state, member, memory, iterator, host_state };
 
 /// How code may access a structure through one name. `any`: reads by address. `scatter`: writes to any address, and no
@@ -100,9 +101,9 @@ struct Body {
     std::optional<std::uint32_t> container;
     std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< the workgroup size that the declaration gives; all 0: none
     std::vector<ir::LocalId>* shared = nullptr;      ///< the locals in workgroup memory (`shared`) declared so far
-    /// Functions with a workgroup: the last statement of the body, or of the side of a constant `if` that is checked.
-    /// Only it may be a return, since all invocations must reach every barrier. Kernels with a workgroup: empty, so
-    /// that no statement may.
+    /// Functions with a workgroup: the last statement of the body, or of the branch of a constant `if` that is being
+    /// checked. Only it may be a return, since all invocations must reach every barrier. Kernels with a workgroup:
+    /// empty, so that no statement may.
     Span last;
     std::vector<std::uint32_t> structures;  ///< functions: the structures that calls pass, by Place::root
     std::vector<ir::Place> coherent;        ///< the places that are accessed by the pattern coherent
@@ -131,8 +132,8 @@ struct Body {
                                                           ///< each variable
     std::vector<Span> device_variables;  ///< declarations of variables that must lie on the device; if checking adds
                                          ///< one, the pipeline is checked again (check_variable in sema/arms.h)
-    Span host_needed;  ///< where the pipeline first waits for the device, changes host state or gives a member other
-                       ///< memory; empty: nowhere
+    Span host_needed;  ///< where the pipeline, or one that it calls, first waits for the device, changes host state or
+                       ///< gives a member other memory; empty: nowhere
     /// A statement `member = temporary;`.
     struct Replacement {
         std::uint32_t member;
@@ -155,7 +156,7 @@ void close_scope(Body&);                       ///< warns about unused variables
 void declare(Body&, ast::Identifier, Symbol);  ///< reports duplicates in the same scope
 Symbol* find_symbol(Body&, Name);
 ir::LocalId declare_local(Body&, ast::Identifier, ir::TypeId, bool is_mutable, bool warn_unused = true);
-/// Emits the declaration of a new local with this value, which the source does not name; returns the local.
+/// Emits the declaration of a new local, one that the source does not name, with this value; returns the local.
 ir::LocalId emit_temporary(Body&, std::string_view name, ir::ExprId value, Span);
 void emit(Body&, ir::StmtId);
 /// The value of an expression if it is known at compile time; locals in Body::lets have the values given there.
@@ -165,8 +166,9 @@ const Env& env_for(Body&, ast::ExprId);
 const Env& env_for(Body&, const std::vector<ast::ExprId>&);
 
 // expressions
-/// `hint` is the type that the context prefers (bidirectional typing): literals, `none`, tuples, generic calls and
-/// `s.load(a)` take it where nothing else determines theirs. It is not enforced: use check_value or coerce for that.
+/// `hint` is the type that the context prefers (bidirectional typing): literals, `none`, braced lists, generic calls
+/// and `s.load(a)` take it where nothing else determines their types. It is not enforced: use check_value or coerce for
+/// that.
 Operand check(Body&, ast::ExprId, ir::TypeId hint = {});
 ir::ExprId check_hinted(Body&, ast::ExprId, ir::TypeId hint);  ///< check(), then to_value()
 /// The expression as a value. If `wanted` is given, coerced to that type.
@@ -241,7 +243,7 @@ Operand iterator_value(Body&, const Operand&);
 
 // pipelines
 void check_range_return(Body&, const ast::Stmt&);        ///< `return` in a pipeline that returns a range
-bool check_pipeline_statement(Body&, const ast::Stmt&);  ///< false: to be checked as in functions
+bool check_pipeline_statement(Body&, const ast::Stmt&);  ///< false: check it as in functions
 std::optional<Operand> check_pipeline_call(Body&, const std::vector<ast::DeclId>&,
                                            const std::vector<ast::ExprId>& generics, const ast::Expr& call,
                                            const Operand* owner = nullptr);

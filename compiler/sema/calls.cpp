@@ -232,7 +232,7 @@ static ir::ExprId is_in_view(Body& body, const Operand& view, ir::ExprId address
     return all;
 }
 
-/// The value of `find`, an optional: the element at the address if `is` holds, else none.
+/// The value of `find`, an optional: the element at the address if the condition `is` holds, else none.
 static Operand found_where(Body& body, const Operand& structure, ir::ExprId is, ir::ExprId address, Span span) {
     const ir::TypeId optional = body.types().optional(body.program().structures[structure.structure].element);
     const ir::ExprId some =
@@ -241,7 +241,8 @@ static Operand found_where(Body& body, const Operand& structure, ir::ExprId is, 
     return value_operand(body, add(body.program(), ir::Op::select, optional, span, {is, some, none}), span);
 }
 
-/// A function or pipeline of that name that a declaration has inside an `if`, whatever the condition; or none.
+/// A function or pipeline of that name that the declaration has inside an `if`, whatever the condition; absent if it
+/// has none. `is_inside`: the items are inside an `if` already.
 static ast::DeclId conditional_method(const Context& c, const std::vector<ast::Item>& items, Name name,
                                       bool is_inside) {
     for (const ast::Item& item : items) {
@@ -252,8 +253,8 @@ static ast::DeclId conditional_method(const Context& c, const std::vector<ast::I
     return {};
 }
 
-/// Whether a structure along the memory chain, the structure itself left out, declares a function or pipeline of that
-/// name.
+/// Whether the structure's memory, if that is a structure, declares a function or pipeline of that name, or the memory
+/// of that one, and so on. The structure itself is left out.
 static bool has_method_of_base(Context& c, const ir::Structure& structure, Name name) {
     for (const ir::Structure* link = &structure; !link->base.empty();) {
         link = &ir::structure_at(c.program, *link, link->base);
@@ -281,8 +282,8 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         return error_value(body, call.span);
     };
     // A function that a structure declares comes before the built-in one of its name, such as `find`. But a declared
-    // `domain` or `at` is not called by its name, since Op::domain and reads of elements call it, and call_of_blocks()
-    // handles those of blocks. Adaptors have no such exceptions.
+    // `domain` is evaluated by Op::domain, a declared `at` by reads of elements, and call_of_blocks() handles `blocks`,
+    // `block` and `block_size`: these are not called as functions here. Adaptors have no such exceptions.
     const std::vector<const ast::Item*> items = items_of(c, self.structure);
     std::vector<ast::DeclId> overloads, pipelines;
     for (const ast::Item* item : items) {

@@ -18,9 +18,9 @@ namespace gliftc::sema {
 struct Settings {
     /// `-D name=value`: names of constants of the root modules, and the values that replace the written ones.
     std::vector<std::pair<std::string, std::string>> defines;
-    /// For `gliftc test`, which checks translators on the host. Makes kernels that copy between host and device also
-    /// for the structures that translators read, and for those that are the memory of another; makes none that list
-    /// which elements are there.
+    /// Set for `gliftc test`, which checks translators on the host: the kernels that copy between host and device are
+    /// then instantiated also for the structures that translators read, and for those that are the memory of another;
+    /// the kernels that list which elements are there are not.
     bool looks_into_tables = false;
     /// Gives the name of a module that could be imported and declares this public name, or "". For messages; asked
     /// where no loaded module has the name.

@@ -14,9 +14,9 @@ const std::vector<ast::Item>& items_of(const ast::Decl&);
 /// The items of an instance: of those inside an `if`, the ones that its condition selects for the instance's arguments.
 std::vector<const ast::Item*> items_of(Context&, std::uint32_t structure);
 
-/// What `Name<…>` means in the call `Name<…>(arguments)`: where it constructs something, a type. Generic arguments that
-/// are not written are inferred from the arguments that are structures, given by a name or a path of members. Kind none
-/// after an error.
+/// What `Name<…>` means in the call `Name<…>(arguments)`: a Meta of kind `type` if the call constructs a value or a
+/// structure. Generic arguments that are not written are inferred from those arguments of the call that are structures,
+/// given by a name or a path of members. A Meta of kind `none` after an error.
 Meta constructed_type(Body&, const ast::Expr& call);
 
 }  // namespace gliftc::sema

@@ -60,8 +60,9 @@ struct ModuleScope {
     std::vector<std::uint32_t> imports;
 };
 
-/// An instance of a declaration: complete, in progress or failed. `index`: in the Program's table of structs,
-/// translators, functions, kernels or pipelines. `type`: the type, if the declaration is one.
+/// An instance of a declaration, or a kernel or pipeline that sema generates: complete, in progress or failed. `index`:
+/// in the Program's table of structs, translators, functions, kernels or pipelines. `type`: the type, if the
+/// declaration is one.
 struct Instance {
     enum class State : std::uint8_t { in_progress, done, failed } state = State::in_progress;
     std::uint32_t index = 0;
@@ -109,7 +110,7 @@ struct Context {
     const ast::Decl& operator[](ast::DeclId id) const { return tree.decls[id]; }
 
     /// Reports an error or warning, with a note for each instantiation in progress that has generic arguments,
-    /// innermost first; instantiations asked for at `span` itself are left out.
+    /// innermost first. An instantiation that was asked for at the same place as the message before it gets no note.
     Diagnostic& error(Diag id, Span span, std::initializer_list<std::string_view> arguments = {});
     /// A new environment, without bindings, that lives as long as the context.
     Env& new_env(std::uint32_t module);

@@ -8,7 +8,7 @@ namespace gliftc::sema {
 /// Reports every `-D` whose name no root module declares as a constant.
 void check_defines(Context&);
 
-/// The value of the constant: from the command line, else `written`. None after an error.
+/// The value of the constant: from the command line, else `written`. An absent id after an error.
 ir::ExprId defined_value(Context&, ast::DeclId, ir::ExprId written);
 
 }  // namespace gliftc::sema

@@ -5,8 +5,8 @@
 
 namespace gliftc::sema {
 
-/// The generic arguments in one use of a declaration. give() takes explicit ones, then infer() and the like find
-/// others; finish() adds defaults, and checks each argument against its constraint.
+/// The generic arguments in one use of a declaration. give() takes explicit ones, then infer(), infer_value() and
+/// infer_structure() find others; finish() adds defaults, and checks each argument against its constraint.
 struct Arguments {
     Context& context;
     const ast::Decl& decl;
@@ -39,14 +39,14 @@ void infer_from_literal(Arguments&, ast::ExprId pattern, ast::ExprId literal);
 
 /// The declaration's name with its generic arguments: "Array<4, float>".
 std::string display_of(const Context&, const ast::Decl&, const Env&);
-/// The same with module-qualified names: "std.array.Array<4, float>". The same in each run of gliftc.
+/// As display_of(), with module-qualified names: "std.array.Array<4, float>". Each run of gliftc gives the same text.
 std::string qualified_display_of(const Context&, ast::DeclId, const Env&);
 
 /// The key of an instance in Context::instances. Callers append what else distinguishes it, such as the structures
 /// passed to a function.
 std::string key_of(const Context&, ast::DeclId, const Env&);
 
-/// Whether the argument satisfies the constraint; `why` is the reason if not. Errors in the constraint itself are
+/// Whether the argument satisfies the constraint; if not, `why` is the reason. Errors in the constraint itself are
 /// reported.
 bool satisfies(Context&, const Env&, ast::ExprId constraint, const Meta&, std::string& why);
 

@@ -108,8 +108,8 @@ std::optional<ir::Operands> kernel_arguments(Body& body, std::uint32_t kernel_in
         Span span = c[arguments[i].written].span;
         if (param.pattern == ir::Pattern::value) {
             values.push_back(value_argument(body, arguments[i], body.program().locals[param.local].type));
-            // Values on the device that are not locals yet get one here: elements are read and passes run in the order
-            // in which the arguments are written, before the kernel.
+            // Values on the device that are not locals yet become locals here: elements are read and passes run in the
+            // order in which the arguments are written, before the kernel.
             if (is_on_device(body, values.back()) && body.program().exprs[values.back()].op != ir::Op::local)
                 values.back() =
                     make_local(body.program(), emit_temporary(body, c.text(param.name), values.back(), span), span);

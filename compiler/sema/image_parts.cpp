@@ -46,7 +46,8 @@ bool is_image_part(Body& body, ast::ExprId id) {
     const ast::Expr& callee = c[expr.operands[0]];
     if (callee.kind != ast::ExprKind::member) return false;
     const std::string& name = c.text(callee.name);
-    // `module.layer(…)`, where the callee is `name.name`, constructs a structure that a module declares.
+    // A callee of the form `name.layer` does not denote a layer: `module.layer(…)` constructs a structure that a module
+    // declares.
     return (name == "mip" || name == "layer") && c[callee.operands[0]].kind == ast::ExprKind::member;
 }
 

@@ -17,13 +17,14 @@ inline bool has_layers(ir::MemoryShape shape) {
     return shape == ir::MemoryShape::image2darray || shape == ir::MemoryShape::imagecube;
 }
 
-/// Whether the structure keeps element a in texel a of an image.
+/// Whether the structure has an image of its own as its memory, and keeps element a in texel a: each of its translators
+/// is known to return the address unchanged, by a single `return`.
 bool keeps_texels(const Context&, const ir::Structure&);
 
-/// Whether the structure keeps texels, as above, of an image declared with `mips(n)`, of another format than d32.
+/// Whether keeps_texels() holds, and the image is declared with `mips(n)` and has another format than d32.
 bool has_filtered_levels(const Context&, const ir::Structure&);
 
-/// Adds the memory to the structure, and brings its name into scope.
+/// Adds the memory to Structure::memories, and brings its name into scope.
 void declare_memory(Body&, std::uint32_t structure, const ir::Memory&);
 
 }  // namespace gliftc::sema

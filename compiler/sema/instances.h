@@ -8,8 +8,8 @@ namespace gliftc::sema {
 /// The type of a struct, enum, structure, view or adaptor with the generic arguments in `env`, which have been checked.
 ir::TypeId instantiate_type(Context&, ast::DeclId, const Env&, Span use);
 
-/// The instance of a translator, an index in Program::translators, as a list of one: aliases such as `A then B` denote
-/// several, and are handled alike (Meta::translators).
+/// The instance of a translator: a list with one index in Program::translators. It is a list because Meta::translators
+/// is one: an alias such as `A then B` denotes several translators. Absent after an error.
 std::optional<std::vector<std::uint32_t>> instantiate_translator(Context&, ast::DeclId, const Env&, Span use);
 
 /// `structures`: the instances passed for the function's structure parameters; of a function that a structure declares,
@@ -19,7 +19,7 @@ std::optional<ir::FunctionId> instantiate_function(Context&, ast::DeclId, const 
 
 std::optional<std::uint32_t> instantiate_kernel(Context&, ast::DeclId, const Env&, Span use);
 
-/// The radius of a parameter `near<S, r>`; reports one that is missing or out of range.
+/// The radius of a parameter `near<S, r>`; reports one that is missing (then 1) or out of range.
 std::uint32_t window_radius(Context&, const Env&, const ast::Param&);
 /// The three extents after `group`: 1 for each that is not written, all 1 after an error; all 0 if there is no `group`.
 std::array<std::uint32_t, 3> group_of(Context&, const Env&, const std::vector<ast::ExprId>& written);
@@ -32,9 +32,9 @@ std::optional<std::uint32_t> instantiate_pipeline(Context&, ast::DeclId, const E
 inline constexpr std::uint32_t lies_on_device = 0xffffffffu;
 
 /// Instantiates the kernels of std.transfer for the structure, which move boxes of elements between host and device,
-/// fill boxes, and list the elements that are there; adds them to Program::transfers. Nothing to do if that has them
-/// already. Does the same for the structure's members; of an adaptor, for them alone. Nothing to do for a view without
-/// a domain.
+/// fill boxes, and list the elements that are there; adds them to Program::transfers. Does the same for the structure's
+/// members; of an adaptor, for the members alone. Does nothing if Program::transfers has the structure already, or for
+/// a view without a domain.
 void require_transfers(Context&, std::uint32_t structure, Span use);
 
 void instantiate_test(Context&, ast::DeclId);

@@ -84,7 +84,8 @@ bool satisfies_interface(Context& c, const Env& env, ast::DeclId id, const ast::
         why = "this depends on itself";
         return false;
     }
-    // The interface's arguments may grow with each step of such a cycle, so that none repeats.
+    // The interface's arguments may grow with each step of such a cycle, so that no key repeats; then the limit on the
+    // depth of instantiations ends it.
     const InstantiationScope scope(c, display_of(c, c[id], inside), constraint.span);
     if (scope.too_deep()) return true;  // reported
     c.interfaces_under_way.push_back(key);

@@ -74,7 +74,7 @@ void check_exclusive(Context& c, const ast::Param& param, const ir::KernelParam&
     note(diagnostic, param.pattern_span, "scatter<S, op> combines writes to one element: min, max, add, and, or, xor");
 }
 
-/// Reports a parameter other than a target that writes a structure of a depth format: devices cannot.
+/// Reports a parameter other than a target that writes a structure of a depth format: shaders cannot store depths.
 void check_depth_written(Context& c, const ast::Param& param, const ir::KernelParam& made) {
     if (made.direction == ir::Direction::in || made.pattern == ir::Pattern::target) return;
     if (!ir::has_depth_format(c.program.structures[made.structure])) return;
@@ -175,7 +175,7 @@ void find_domain(Context& c, const ast::Kernel& written, ir::Kernel& kernel, boo
                  first->span, "the iteration follows this one");
         }
     }
-    // The patterns as written count: a parameter with an error has another one in the kernel.
+    // The patterns as written count: a parameter with an error has the pattern `value` in the kernel (add_broken).
     const bool is_asked = std::ranges::any_of(written.params, [](const ast::Param& param) {
         return param.pattern == ast::Pattern::each || param.pattern == ast::Pattern::at;
     });
@@ -243,7 +243,7 @@ void read_items(Context& c, const Env& env, const ast::Kernel& written, ir::Kern
     }
 }
 
-/// The index of the parameter that an attribute names.
+/// The index of the parameter that an attribute names; absent if it names none.
 std::optional<std::uint32_t> parameter_named(const Context& c, const ir::Kernel& kernel, ast::ExprId id) {
     const ast::Expr& name = c[id];
     for (std::uint32_t i = 0; i < kernel.params.size(); ++i)
@@ -251,7 +251,7 @@ std::optional<std::uint32_t> parameter_named(const Context& c, const ir::Kernel&
     return std::nullopt;
 }
 
-/// Reads the attributes of a kernel: `@disjoint(read, written)` alone.
+/// Reads the attributes of a kernel. There is only `@disjoint(read, written)`; reports any other.
 void read_attributes(Context& c, const ast::Decl& decl, ir::Kernel& kernel) {
     for (const ast::Attribute& attribute : decl.attributes) {
         if (c.text(attribute.name.name) != "disjoint") {
@@ -306,7 +306,8 @@ static std::string overload_text(const Context& c, ast::DeclId id) {
     return kernels == 0 ? "" : "<overload " + std::to_string(kernels + 1) + ">";
 }
 
-/// Checks what a kernel that does not draw runs over.
+/// Finds the domain and the blocks that a kernel which does not draw runs over, and the number of elements that an
+/// invocation takes.
 static void check_iteration(Body& body, const ast::Kernel& written, bool parameters_are_good) {
     find_domain(body.context, written, *body.kernel, parameters_are_good);
     read_items(body.context, body.env, written, *body.kernel);

@@ -11,17 +11,18 @@ struct Visible {
     std::vector<ast::DeclId> found, hidden;
 };
 
-/// Reports a name that several imports declare as public, unless all declare functions, or all declare kernels or
-/// pipelines.
+/// The declarations of the name that the module can see. Reports a name that several imports declare as public, unless
+/// all declare functions, or all declare kernels or pipelines.
 Visible look_up(Context&, std::uint32_t module, ast::Identifier name);
 
-/// Whether the declarations of one name, all of which are overloaded together, are kernels or pipelines.
+/// Whether the declarations of one name are kernels or pipelines; false if there are none. Looks at the first one:
+/// kernels and pipelines are overloaded only with each other, functions only with functions.
 bool is_pass(const Context&, const std::vector<ast::DeclId>&);
 bool is_function(const Context&, const std::vector<ast::DeclId>&);
 bool some_module_has_function(const Context&, Name);
 
-/// Argument-dependent lookup: adds the functions of this name, public or not, in the modules of the structs and enums
-/// among `types`, or among the elements of arrays and optionals there.
+/// Argument-dependent lookup: adds the functions of this name, public or not, of the modules that declare the structs
+/// and enums among `types`. Arrays and optionals count as their elements.
 void add_functions_of_types(Context&, Name, const std::vector<ir::TypeId>& types, std::vector<ast::DeclId>& functions);
 
 }  // namespace gliftc::sema

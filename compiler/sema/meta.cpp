@@ -99,7 +99,7 @@ Meta builtin(Context& c, std::string_view text) {
     return meta;
 }
 
-/// Records that a module gives the structure a name by `structure Name = …`.
+/// Records that a module gives the structure a name by `structure Name = …`, unless that alias is generic.
 void note_alias(Context& c, ast::DeclId id, ir::TypeId structure) {
     const ast::Decl& decl = c[id];
     if (!decl.generics.empty()) return;
@@ -254,7 +254,7 @@ Meta meta_of_array(Context& c, const Env& env, const ast::Expr& expr) {
 std::vector<ast::DeclId> find_declarations(Context& c, std::uint32_t module, ast::Identifier name) {
     Visible visible = look_up(c, module, name);
     if (!visible.found.empty() || visible.hidden.empty()) return visible.found;
-    // Private names of imports do not hide names of the language.
+    // Private names of imports do not hide built-in names.
     if (builtin(c, c.text(name.name)).kind != MetaKind::none) return {};
     std::string_view owner = c.text(c.modules[c.module_of.at(visible.hidden[0])].tree->name.name);
     note(c.error(Diag::not_public, name.span, {c.text(name.name), owner}), c[visible.hidden[0]].name.span,
@@ -451,7 +451,7 @@ std::string to_text(const Context& c, const Meta& meta) {
 
 std::string to_qualified_text(const Context& c, const Meta& meta) {
     if (meta.kind == MetaKind::type) return ir::to_qualified_text(c.program, meta.type);
-    if (meta.kind == MetaKind::value && meta.value.lanes.size() != 1)  // a vector or struct: type with its module
+    if (meta.kind == MetaKind::value && meta.value.lanes.size() != 1)  // as of a vector: the text begins with the type
         return ir::to_qualified_text(c.program, meta.value.type) + ir::to_text(c.program, meta.value);
     if (meta.kind != MetaKind::translator) return to_text(c, meta);
     std::string text;

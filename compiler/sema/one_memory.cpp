@@ -19,7 +19,8 @@ struct Whole {
 };
 
 /// Where `whole` is, or lies in, a member by reference of a temporary: replaces that member by the structure that the
-/// temporary's constructor was given for it. False if it is not, or if that argument is no Op::structure_value.
+/// temporary's constructor was given for it, and returns true. Returns false if `whole` does not lie in such a member,
+/// or if the argument for it is no Op::structure_value.
 bool follow_given(Body& body, Whole& whole) {
     const ir::Program& p = body.program();
     if (!whole.local || whole.place.members.empty()) return false;  // without a local: a member of the adaptor itself
@@ -43,8 +44,8 @@ bool follow_given(Body& body, Whole& whole) {
 }
 
 /// The root of an argument: the last structure of its chain (ir/chain.h), which stores or computes the elements. If
-/// that structure was given to another one, by a pipeline or by the declaration of a member, its place is the one that
-/// was given, not that of the member, so that one structure has one place. None for slices and values.
+/// that structure is a member that was given to the constructor of its owner, the result is the path to the structure
+/// that was given, so that paths can be compared. None for slices and values.
 std::optional<Whole> root_of(Body& body, const ir::Expr& argument) {
     const ir::Program& p = body.program();
     if (argument.op != ir::Op::structure_value || p.types.kind(argument.type) != ir::TypeKind::structure)
@@ -82,8 +83,10 @@ bool may_meet_through_two(const ir::KernelParam& one, const ir::KernelParam& oth
     return is_element ? writes : ir::may_meet(one, other);
 }
 
-/// A structure that a kernel accesses, and the parameter that leads to it. `is_member`: the parameter has the pattern
-/// `calls` (the kernel calls functions of its structure), and `root` is a member that those functions write.
+/// A structure that a kernel accesses, as its root (root_of), and the parameter that leads to it, whose argument has
+/// the index `argument`. `is_member`: the parameter has the pattern `calls` (the kernel calls functions of its
+/// structure), and the structure is a member that those functions write; `param` then has the pattern by which they
+/// write it.
 struct Touched {
     Whole root;
     ir::KernelParam param;

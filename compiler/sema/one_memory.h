@@ -1,4 +1,4 @@
-// Aliases: one structure, or several that share a memory, passed for several parameters of a kernel.
+// Aliasing: one structure, or several that share a memory, passed for several parameters of a kernel.
 #pragma once
 
 #include "sema/body.h"

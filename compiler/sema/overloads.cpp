@@ -67,8 +67,8 @@ bool takes_literal(Context& c, ast::ExprId argument, ir::TypeId parameter) {
     return c.types().is_scalar(taken) && c.types().is_number(taken);
 }
 
-/// Binds the generics of an overload; null if it is not viable. With `report`, reports why; errors in explicit generic
-/// arguments are reported in any case.
+/// Binds the generics of an overload; null if it is not viable. With `report`, reports why; errors within explicit
+/// generic arguments are reported in any case.
 std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner,
                            const std::vector<ast::ExprId>& explicit_generics, const CheckedArguments& arguments,
                            const ast::Expr& call, ir::TypeId wanted, bool report) {

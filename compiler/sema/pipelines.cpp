@@ -144,8 +144,8 @@ static std::vector<ast::DeclId> overloads_of(Context& c, ast::DeclId id, std::op
     return all;
 }
 
-/// A part of Body::key: the pipeline's container, if it has one, and its number among the overloads unless it is the
-/// first.
+/// A part of Body::key: the pipeline's container, if it has one; then, for all overloads but the first, the number of
+/// the overload.
 static std::string overload_text(Context& c, ast::DeclId id, std::optional<std::uint32_t> owner) {
     const std::vector<ast::DeclId> all = overloads_of(c, id, owner);
     const auto place = std::ranges::find(all, id) - all.begin();

@@ -49,8 +49,9 @@ void look(const ir::Program& program, ir::FunctionId id, Flow& flow) {
     look(program, program.functions[id].body, flow);
 }
 
-/// Weakens properties that a translator of a structure which this translator reads does not have, since each read is
-/// translated in turn. Where the memory of such a structure is a structure, the translators of that one are left out.
+/// A structure that the translator reads is read through its own translators: weakens `uniform` and the complexity of
+/// access where one of those has weaker properties. If the memory of such a structure is a structure, the translators
+/// of that memory are not looked at.
 void add_tables(const ir::Program& program, ir::Translator& translator) {
     ir::Properties& properties = translator.properties;
     for (std::uint32_t structure : translator.structures) {
@@ -62,8 +63,8 @@ void add_tables(const ir::Program& program, ir::Translator& translator) {
     }
 }
 
-/// Whether several virtual addresses may have one physical address, as the attributes of a translator say it; reports
-/// those that contradict each other or `invert`.
+/// Sets Properties::mapping from the attributes of a translator and from `invert`; reports attributes that contradict
+/// each other or `invert`.
 void declare_mapping(Context& c, ir::Translator& translator, const std::vector<ast::Attribute>& attributes) {
     const auto find = [&](std::string_view name) {
         const auto has_name = [&](const ast::Attribute& each) { return c.text(each.name.name) == name; };

@@ -1,4 +1,4 @@
-// Properties of a translator (ir::Properties): inferred where possible, else declared by attributes and checked.
+// Properties of a translator (ir::Properties): inferred from the code, or declared by attributes.
 #pragma once
 
 #include "sema/context.h"
@@ -6,7 +6,8 @@
 namespace gliftc::sema {
 
 /// Fills Translator::properties, of which `partial` and `invertible` are set already, and `affine` is set by lower/.
-/// Reads `@many_to_one`, `@one_to_one`, `@memory(...)`, `@access(...)`; reports contradictions and other attributes.
+/// Reads `@many_to_one`, `@one_to_one`, `@memory(...)`, `@access(...)`; reports those that contradict each other or
+/// what was inferred, and any other attribute.
 void infer_properties(Context&, std::uint32_t translator, const ast::Decl&);
 
 }  // namespace gliftc::sema

@@ -15,11 +15,12 @@ void add_target(Body&, const ast::Param&, const ir::KernelParam&, std::uint32_t 
 bool is_at_home(Context&, const ast::Param&, ir::Pattern, bool in_raster);
 
 /// Checks `cull` and `draw`, the varyings, the address types of corners, instances and pixels, and both parts. The
-/// parameters are in scope.
+/// parameters must be in scope.
 void check_raster(Body&, const ast::Kernel& written);
 
-/// Reports what some path through a part leaves unassigned (the corner's place, varyings, clip distances; colour
-/// targets, but for paths that discard), and a corner that is placed twice on a path, or in a loop.
+/// Reports what some path through a part leaves unassigned: in the vertex part the place of the corner (its clip
+/// coordinates), varyings and clip distances; in the fragment part colour targets, except on paths that discard. Also
+/// reports a corner that is placed twice on a path, or in a loop.
 void check_assigned(Context&, const ir::Kernel&);
 
 /// The local of the fragment part that holds the value for a target; absent if the target had an error.
@@ -32,14 +33,15 @@ void assign_target(Body&, const ast::Stmt&, const Symbol&, ast::ExprId root);
 /// targets; whole: both.
 ir::Part part_of(ir::Pattern);
 
-/// `discard;`
+/// Checks and emits `discard;`.
 void check_discard(Body&, const ast::Stmt&);
 
 /// A call of place, clip_distance, window, front_facing or, in a part of a draw, position; absent: the name is another
 /// one.
 std::optional<Operand> call_in_raster(Body&, std::string_view name, const ast::Expr& call);
 
-/// Whether the code being checked is in the wanted part; reports the use of `name` elsewhere.
+/// Whether the code being checked is in the wanted part (`whole`: in either, or not in a draw); reports the use of
+/// `name` elsewhere.
 bool is_in_part(Body&, ir::Part wanted, std::string_view name, Span);
 
 }  // namespace gliftc::sema

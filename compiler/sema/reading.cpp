@@ -24,7 +24,7 @@ bool reads_memory(const ir::Program& program, const std::vector<ir::StmtId>& bod
 
 namespace {
 
-/// The function's key, then those of the structures that it is called for. Overloads share it.
+/// The function's key, then the keys of the structures that it is called for. Overloads have the same key.
 std::string key_of(const Context& c, const ir::Function& function) {
     std::string key = function.key;
     for (std::uint32_t structure : function.structures) key += "<" + c.program.structures[structure].key + ">";
@@ -180,7 +180,7 @@ void check_methods(Context& c, std::uint32_t index) {
         const auto function = instantiate_function(c, item.decl, env, {index}, decl.name.span);
         if (!function) return;
         const ir::Function& made = c.program.functions[*function];
-        // Functions that write are called by kernels only. Optionals are no results in C++.
+        // Only kernels call functions that write. Methods in C++ cannot return optionals.
         if (!made.effects.empty() || c.types().kind(made.result) == ir::TypeKind::optional) return;
         if (made.reads_memory && type_not_for_passes(c.program, made)) return;
         ir::Method method{*function, std::nullopt};

@@ -23,8 +23,9 @@ std::string why_kept(Body& body, const Operand& target) {
     return "";
 }
 
-/// Whether the temporary's constructor was given `other`, or a part of it, wherever the member's constructor is given
-/// `given`, a member of the container, or the same part of that.
+/// Compares the structures that the constructors of `temporary` and `member` are given. Whether, in each position where
+/// `member` is given the container's member number `given`, or a part of it, `temporary` is given the local `other`, or
+/// the same part of that.
 bool is_made_over(const Body& body, ir::LocalId temporary, const ir::MemberStructure& member, std::uint32_t given,
                   ir::LocalId other) {
     std::vector<ir::Expr> structures;

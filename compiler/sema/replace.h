@@ -5,7 +5,8 @@
 
 namespace gliftc::sema {
 
-/// Whether the assignment is to a structure. If so, checks it and emits the statement.
+/// Whether the assignment is one to a structure (not a slice) in a pipeline. If so, checks it, and emits the statement
+/// unless there is an error.
 bool check_replace(Body&, const ast::Stmt&);
 
 /// At the end of a pipeline: reports the replacement of a member M if the constructor of another member N is given M or

@@ -116,8 +116,8 @@ void check_assign(Body& body, const ast::Stmt& stmt) {
     if (body.kind == BodyKind::pipeline && body.program().exprs[target].op == ir::Op::local)
         return check_variable(body, stmt, target);
     // The host executes the statements of an arm whether or not its condition is true. An assignment to a whole
-    // variable becomes a `select`, which keeps the old value if it is false (check_variable). An assignment to a part
-    // of one does not, so the variable must be declared in the innermost arm.
+    // variable becomes a `select`, which keeps the old value if the arm does not run (check_variable). An assignment to
+    // a part of a variable does not, so the variable must be declared in the innermost arm.
     if (body.kind == BodyKind::pipeline && !is_of_innermost_arm(body, root->local) &&
         is_refused_in_arm(body, "a change of a part of a variable", stmt.span, "assign the whole variable"))
         return;

@@ -69,8 +69,8 @@ std::optional<MemoryText> read_memory(Context& c, ast::ExprId id) {
     return std::nullopt;
 }
 
-/// Whether the type is the name of a generic parameter. If the argument for it holds an optional, that is reported
-/// where the argument is given.
+/// Whether the type is the name of a generic parameter. An error in the argument for it is reported where the argument
+/// is given.
 bool is_generic_name(const Body& body, ast::ExprId type) {
     const ast::Expr& expr = body.context[type];
     return expr.kind == ast::ExprKind::name && body.env.find(expr.name) != nullptr;
@@ -221,7 +221,7 @@ namespace {
 // ------------------------------------------------------------------------------------------------------------- via
 
 /// The translators of `Name<…>(arguments)`; generic arguments are inferred from the arguments and the type of the
-/// incoming address.
+/// incoming address. Empty after an error.
 std::vector<std::uint32_t> stage_translators(Body& body, const ast::Expr& call, const std::vector<Operand>& arguments,
                                              ir::TypeId incoming) {
     Context& c = body.context;

@@ -27,8 +27,8 @@ Operand operation(Body& body, ir::Op op, ir::TypeId type, const Operand& self, c
     return value_operand(body, structure_operation(body, op, type, self, span, operands), span);
 }
 
-/// Whether the structure keeps element a in texel a of an image of this shape; for one without `via` whose memory is a
-/// structure, whether that one does.
+/// Whether the structure keeps element a in texel a of an image of this shape. A structure without `via` whose memory
+/// is a structure keeps its elements as that memory does.
 bool keeps_texels_of(Body& body, const ir::Structure& structure, ir::MemoryShape shape) {
     const ir::Structure* link = &structure;
     while (!link->base.empty() && link->via.empty()) link = &ir::structure_at(body.program(), *link, link->base);

@@ -7,8 +7,8 @@ namespace gliftc::sema {
 
 inline constexpr std::uint64_t most_scalars = 65536;
 
-/// The number of scalars in a value of the type, with one more for each optional. The types that it is made of have at
-/// most most_scalars each, so that the sum does not overflow.
+/// The number of scalars in a value of the type, with one more for each optional. The types of its elements and fields
+/// must have at most most_scalars each, so that the sum does not overflow.
 std::uint64_t scalars_in(const ir::Program& program, ir::TypeId type);
 
 /// "uint[65536][2] has 131072 scalars, the limit is 65536".

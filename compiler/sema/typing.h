@@ -7,7 +7,7 @@ namespace gliftc::sema {
 
 /// In the order in which operands are checked: earlier ones determine the types of later ones.
 enum class Typing : std::uint8_t {
-    own,      // has a type by itself: a name, a call, a comparison, an operator with such an operand, …
+    own,      // has a type by itself: a name, a call, a comparison, an operator with such an operand; also `{…}`
     literal,  // a literal without suffix, or operators and choices over such literals
     none,     // `none` alone
 };
@@ -16,14 +16,15 @@ Typing typing_of(const Context&, ast::ExprId);
 /// Whether the expression is made of literals without suffix, so that its context determines its type.
 inline bool is_flexible(const Context& c, ast::ExprId id) { return typing_of(c, id) == Typing::literal; }
 
-/// Whether an argument is checked only once its parameter's type is known.
+/// Whether an argument is checked only once its parameter's type is known: one made of literals without suffix, `none`,
+/// or a braced list.
 bool waits_for_parameter(const Context&, ast::ExprId);
 
 /// The default type of a flexible expression: int or float, or an optional of it.
 ir::TypeId own_type(Context&, ast::ExprId literal);
 
-/// The type hint for an operand, given the type expected of the result: that without `optional` and `device`, since
-/// operators work on plain values.
+/// The type hint for an operand, given the type expected of the result: that type without `optional` and `device`,
+/// since operators work on plain values.
 ir::TypeId operand_hint(const ir::Types&, ir::TypeId wanted);
 
 /// Whether `from` converts implicitly to `to`: `to` is the same type, an optional of it, or an optional of such an

@@ -14,8 +14,8 @@ namespace gliftc::sema {
 
 namespace {
 
-/// Makes the kernel of one invocation that computes an expression on the device, open or known to the host
-/// (sema/values.h), and the pipeline that runs it.
+/// Computes an expression on the device: makes a kernel of one invocation for it, and the pipeline that runs the
+/// kernel. The expression is open (sema/values.h), or known to the host.
 class Maker {
 public:
     Maker(Body& body, Span span) : body_(body), c_(body.context), p_(body.program()), span_(span) {
@@ -92,8 +92,8 @@ bool Maker::is_known(ir::ExprId id) const {
             std::ranges::all_of(expr.operands, [&](ir::ExprId part) { return is_known(part); }));
 }
 
-/// The expression for the kernel's body. The largest parts that the host can evaluate become parameters; constants
-/// stay.
+/// The expression for the kernel's body. Leaves that lie on the device, and the largest parts that the host can
+/// evaluate, become parameters; constants stay.
 ir::ExprId Maker::rewritten(ir::ExprId id) {
     if (p_.exprs[id].op == ir::Op::device_value) return argument(id);
     if (is_known(id)) return id;
@@ -150,8 +150,8 @@ ir::ExprId Maker::call(ir::ExprId expr, std::uint32_t box) {
     return call;
 }
 
-/// Copies the elements that are leaves so far, since what is evaluated next is a call of a pipeline that may write
-/// them.
+/// Copies the elements that are leaves so far into locals, since what is evaluated next is a call of a pipeline that
+/// may write them.
 void keep_leaves(Body& body) {
     for (ir::ExprId leaf : std::exchange(body.leaves, {})) {
         const ir::ExprId read = body.program().exprs[leaf].operands[0];

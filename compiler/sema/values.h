@@ -12,7 +12,7 @@
 namespace gliftc::sema {
 
 /// While an object of this class lives, expressions are checked as operands of a larger one: values on the device stay
-/// open, so that one pass computes all.
+/// open, so that one pass computes the larger expression as a whole.
 class Parts {
 public:
     explicit Parts(Body& body) : body_(body), outer_(body.is_open) { body.is_open = true; }
@@ -35,15 +35,16 @@ ir::ExprId opened(Body&, ir::ExprId);
 /// leaf; returns any other operand unchanged.
 Operand closed(Body&, Operand);
 ir::ExprId closed(Body&, ir::ExprId);
-/// Computes the expression in a pass, even if the host knows its value; gives a value of a device type.
+/// Computes the expression in a pass, even if the host knows its value; gives a value of a device type. Reports an
+/// expression whose type cannot lie on the device.
 ir::ExprId on_device(Body&, ir::ExprId);
 /// Whether the expression has a device type.
 bool is_on_device(const Body&, ir::ExprId);
 
 /// Changes a value parameter of the kernel to pattern `argument`: a value on the device.
 void make_argument(Context&, ir::Kernel&, std::size_t param, Span use);
-/// A copy of a kernel whose parameters with `on_device` set are values on the device; made once, and found again when
-/// it is asked for again. Its index in Program::kernels.
+/// Makes a copy of the kernel in which each parameter i with on_device[i] takes a value on the device; the same copy is
+/// made only once. Returns its index in Program::kernels.
 std::uint32_t kernel_with_arguments(Context&, std::uint32_t kernel, const std::vector<bool>& on_device, Span use);
 
 }  // namespace gliftc::sema

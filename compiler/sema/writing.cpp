@@ -81,7 +81,7 @@ void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made)
     const bool has_none = allowed == ir::Directions::none;
     switch (param.direction) {
     case ast::Direction::none:
-        // inout where the pattern allows several, so that uses in the body give no further errors.
+        // `inout` unless the pattern only reads or only writes, so that uses in the body give no further errors.
         made.direction = writes_only ? ir::Direction::out : reads_only ? ir::Direction::in : ir::Direction::inout;
         if (!reads_only && !has_none)
             note(c.error(Diag::direction_missing, param.name.span, {c.text(param.name.name)}), param.name.span,
@@ -290,8 +290,8 @@ bool add_effects(Body& body, ir::FunctionId id, const std::vector<Operand>& give
     const ir::Function called = body.program().functions[id];
     for (ir::Effect effect : called.effects) {
         const Operand& through = given[effect.place.root];
-        // A parameter with a pattern: fits_writing() has checked that the caller declares the same pattern, and so has
-        // the effect.
+        // The callee has this effect through a parameter of its own. fits_writing() has checked that the caller
+        // declares the same pattern for the structure that it passes, so that the caller has the effect already.
         const bool is_param = effect.place.members.empty() && !(is_method && effect.place.root == 0);
         ir::Place place = through.place;
         place.members.append(effect.place.members);
@@ -326,7 +326,8 @@ std::string call_text(const Context& c, const ir::Effect& effect, const std::str
 
 }  // namespace
 
-/// Reports the first read, by plain address, of a memory that the kernel also writes by scatter or through functions.
+/// Reports the first read (ir::for_each_read: coherent ones are left out) of a memory that the kernel also writes by
+/// scatter or through functions.
 template <class MemoryOf, class TextOf>
 static void check_reads(Context& c, const ir::Kernel& kernel, MemoryOf&& memory_of, TextOf&& text_of) {
     bool is_reported = false;

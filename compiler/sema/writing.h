@@ -1,5 +1,5 @@
 // What functions and kernels write (their effects): declarations by patterns and `with`, effects of calls, and
-// conflicts between those of one kernel, or with its reads.
+// conflicts between the effects of one kernel, or between its effects and its reads.
 #pragma once
 
 #include "sema/body.h"
@@ -33,12 +33,13 @@ void declare_with(Body&, const ast::Function&, ir::Function&);
 /// Whether the caller may access the argument by the pattern of the function's parameter; reports if not.
 bool fits_writing(Body&, const Env&, const ast::Param&, const Operand& argument);
 
-/// Adds the effects of the called function to those of the function or kernel that calls it. `given`: the structures
-/// passed, of which the first is the callee's container if `is_method`. False after an error.
+/// Adds the effects of the called function to those of the function or kernel that calls it, unless they are there
+/// already. `given`: the structures passed, of which the first is the callee's container if `is_method`. False after an
+/// error.
 bool add_effects(Body&, ir::FunctionId, const std::vector<Operand>& given, bool is_method, Span);
 
-/// Reports two functions called by a kernel that write one memory by different patterns or operations, and a read of a
-/// memory that the kernel also writes by scatter or through functions.
+/// Reports the first two functions called by a kernel that write one memory by different patterns or operations; if
+/// there are none, the first read of a memory that the kernel also writes by scatter or through functions.
 void check_effects(Context&, const ir::Kernel&);
 
 }  // namespace gliftc::sema

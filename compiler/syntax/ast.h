@@ -124,7 +124,7 @@ struct Stmt {
     std::optional<BinaryOp> op;  ///< assign: the operator of `+=` and the like
     Span op_span;
     ExprId value;
-    ExprId condition;               ///< for_: after `while`, or absent
+    ExprId condition;               ///< for_: what follows `while`, or absent
     std::vector<StmtId> body;       ///< if_, for_, while_, block
     std::vector<StmtId> otherwise;  ///< if_: the else part (one if_ statement for `else if`)
     bool has_else = false;
@@ -170,8 +170,8 @@ struct Attribute {
 };
 
 /// One pattern after a function's `with`, such as `scatter<member, op>`. It names a member of the structure or adaptor
-/// that the function belongs to, and says that the function writes it (scatter), reads and writes it (coherent) or
-/// calls functions of it that say so themselves (calls).
+/// that the function belongs to, and says that the function writes the member (scatter), reads and writes it
+/// (coherent), or calls functions of the member that have a `with` themselves (calls).
 struct MemberPattern {
     Pattern pattern = Pattern::none;
     Span pattern_span;
@@ -183,11 +183,11 @@ struct MemberPattern {
 /// domain, at, …), are functions too.
 struct Function {
     std::vector<Param> params;
-    std::vector<ExprId> group;  ///< extents of the workgroup that its callers must have; empty: any or none
+    std::vector<ExprId> group;  ///< extents of the workgroup that kernels must have to call it; empty: any kernel may
     std::vector<MemberPattern> with;
     ExprId result;  ///< or absent
     std::vector<StmtId> body;
-    bool has_body = false;  ///< false: there is `;` instead, as in interfaces
+    bool has_body = false;  ///< false: a `;` stands in place of the body, as in interfaces
 };
 
 struct Field {
@@ -200,7 +200,7 @@ struct Struct {
     std::vector<Field> fields;
     std::string extern_header;  ///< "file.hpp" of `extern struct X from "file.hpp";`, else empty
     Span extern_span;
-    // Filled from the C++ header before sema, as are `fields`:
+    // Of an `extern struct`, these and `fields` are filled from the C++ header before sema:
     std::string extern_name;             ///< as C++ writes it: "sim::Particle"
     std::vector<std::uint32_t> offsets;  ///< in bytes, one per field
     std::uint32_t size = 0;              ///< bytes
@@ -245,7 +245,7 @@ enum class ItemKind : std::uint8_t {
     otherwise,  // otherwise value;         the value of reads at unmapped addresses
     host,       // host name: type = value;   adaptors
     condition,  // if constant { items } [else { items }]
-    function,   // a fn, or a method without the word (domain, at, blocks, …): `decl`
+    function,   // a fn, or a method without the word `fn` (domain, at, blocks, …): `decl`
     pipeline,   // a pipeline: `decl`
 };
 

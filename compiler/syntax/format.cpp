@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t widest = 120, level = 4, widest_alignment = 60;
 
-/// Breaks pieces into lines. A statement ends with `;` or with a block; it stays on one line if its blocks were on one
-/// line, no comment is inside and it fits.
+/// Breaks pieces into lines. A statement ends with `;` or with a block; it stays on one line if each of its blocks was
+/// on one line in the source, no comment is inside and it fits.
 class Formatter {
 public:
     explicit Formatter(const std::vector<Piece>& pieces) : pieces_(pieces) {}
@@ -28,7 +28,8 @@ public:
 private:
     // ---- ends of constructs
 
-    /// The index of the piece after the statement that begins at `from`; its trailing comments are not part of it.
+    /// The index of the piece after the statement that begins at `from`. Comments that trail the statement are not part
+    /// of it.
     std::uint32_t end_of_statement(std::uint32_t from, std::uint32_t limit) const {
         for (std::uint32_t i = from; i < limit; ++i) {
             const Piece& piece = pieces_[i];
@@ -124,7 +125,7 @@ private:
         }
     }
 
-    /// Aligns the trailing comments of consecutive lines of one indentation.
+    /// Aligns the trailing comments of consecutive lines that have the same indentation.
     void align_trailing_comments() {
         auto indent = [&](const Trailing& t) { return out_.find_first_not_of(' ', t.line) - t.line; };
         auto follows = [&](const Trailing& a, const Trailing& b) {

@@ -12,7 +12,7 @@ namespace gliftc {
 
 /// The file in canonical format: indentation of 4, 120 columns, one statement per line, comments kept, no two empty
 /// lines in a row. A block written on one line stays on it if it fits. Formatting is idempotent. Absent, with errors
-/// reported, if the file does not parse; also absent if `diagnostics` has reached its limit of errors before.
+/// reported, if the file does not parse; also absent if `diagnostics` had reached its limit of errors before the call.
 std::optional<std::string> format(std::uint32_t file, const Sources& sources, Names& names, Diagnostics& diagnostics);
 
 }  // namespace gliftc

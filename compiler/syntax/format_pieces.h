@@ -18,7 +18,7 @@ struct Piece {
     bool first_on_line = false;  ///< in the source
     bool blank_before = false;   ///< an empty line precedes it in the source
     bool space_before = false;   ///< white space precedes it in the source
-    std::uint32_t partner = 0;   ///< opening brackets: index of the closing one
+    std::uint32_t partner = 0;   ///< of an opening bracket: the index of the piece that closes it
 
     bool is(TokenKind wanted) const { return kind == PieceKind::token && token == wanted; }
     bool is_comment() const { return kind == PieceKind::line_comment || kind == PieceKind::block_comment; }
@@ -33,14 +33,15 @@ struct Piece {
     }
 };
 
-/// The pieces of a file that parsed without errors; the last is `end`. `written` are the lexer's tokens; `read` the
-/// same after parsing, which set roles and shortened tokens like `>>` that it took in parts.
+/// The pieces of a file that parsed without errors; the last is `end`. `written` are the tokens as the lexer made them.
+/// `read` are the same tokens as the parser left them: it sets roles, and shortens a token like `>>` that it consumes
+/// in parts to the last part.
 std::vector<Piece> make_pieces(std::string_view text, const TokenList& written, const TokenList& read);
 
-/// Whether there is a space between two neighbours on one line.
+/// Whether there is a space between two neighbouring pieces on one line.
 bool space_between(const Piece& before, const Piece& after);
 
-/// Whether a line that is too long may break before `after`.
+/// Whether a line that is too long may break between these two neighbouring pieces.
 bool may_break_between(const Piece& before, const Piece& after);
 
 }  // namespace gliftc

@@ -163,8 +163,8 @@ const Token& Parser::head() const {
     return tokens_[at];
 }
 
-/// A hint for syntax of another language: how Glift writes it. Recognised by the tokens around the error and by
-/// `wanted`, what the parser expects there; empty if nothing fits.
+/// A hint for syntax of another language: how Glift writes it. The syntax is recognised by the tokens around the error
+/// and by `wanted`, what the parser expects at the current token. Empty if none is recognised.
 std::string Parser::habit(std::string_view wanted) const {
     using enum TokenKind;
     const auto before = [&](std::uint32_t back) { return cursor_ >= back ? tokens_[cursor_ - back] : Token{}; };

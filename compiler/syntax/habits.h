@@ -1,5 +1,5 @@
 // Hints in error messages for users of C, C++, CUDA, GLSL, HLSL, Rust and Python: what Glift has in place of names and
-// syntax of these.
+// syntax of those languages.
 #pragma once
 
 #include <string>

@@ -132,7 +132,8 @@ private:
         push(TokenKind::bad_character, begin);
     }
 
-    /// Whether a value ends right here: distinguishes `x.0`, an error in the member, from `= .5`, one in the number.
+    /// Whether the token that ends right here can end a value: in `x.0` a digit is an error in the member's name, in
+    /// `= .5` the point is an error in the number.
     bool after_value() const {
         if (list_.tokens.empty() || list_.tokens.back().end != at_) return false;
         TokenKind before = list_.tokens.back().kind;
@@ -244,7 +245,7 @@ private:
         push(kind, begin);
     }
 
-    /// Takes the longest of `c`, `c=`, `cc`, `cc=` that is a token; TokenKind::end stands for one that is none.
+    /// Takes the longest of `c`, `c=`, `cc`, `cc=` that is a token. A kind of TokenKind::end: there is no such token.
     void family(char c, TokenKind one, TokenKind with_equal, TokenKind two, TokenKind two_with_equal) {
         bool doubled = two != TokenKind::end && look(1) == c;
         if (doubled && two_with_equal != TokenKind::end && look(2) == '=') return take(two_with_equal, 3);

@@ -85,7 +85,7 @@ ast::Field Parser::parse_field() {
 }
 
 /// enum = "enum" name "{" [ enumerator { "," enumerator } [ "," ] ] "}" ;    enumerator = name [ "=" expression ] ;
-/// Keywords may be enumerators: `none` often is.
+/// Keywords may be enumerators, since `none` is a common one.
 ast::Enum Parser::parse_enum() {
     ast::Enum enumeration;
     std::uint32_t open = cursor_;

@@ -20,7 +20,7 @@ struct Operator {
     int precedence = 0;
 };
 
-/// Precedences are those of C; `??` binds less than `||`. Precedence 0: not a binary operator.
+/// Precedences are those of C; `??` binds less tightly than `||`. Precedence 0: not a binary operator.
 constexpr int least_precedence = 1, additive_precedence = 10;
 
 constexpr auto binary_operators = [] {
@@ -61,8 +61,8 @@ std::optional<UnaryOp> prefix_of(TokenKind kind) {
     return std::nullopt;
 }
 
-/// The largest height of an expression's tree, over which later stages recurse: a chain `a + a + …` is as high as it is
-/// long.
+/// The largest height of an expression's tree, over which later stages recurse: the tree of `a + a + …` is as high as
+/// the expression has operators.
 constexpr std::uint16_t highest = 1000;
 
 }  // namespace
@@ -172,7 +172,7 @@ ast::ExprId Parser::parse_unary() {
     return add(std::move(expr));
 }
 
-/// generic-argument = additive { "?" } ;      operators that bind less than `+` need parentheses there
+/// generic-argument = additive { "?" } ;      operators that bind less tightly than `+` need parentheses here
 ast::ExprId Parser::parse_generic_argument() {
     Nesting nesting(*this);
     if (!nesting.ok) return error_expr();

@@ -25,8 +25,8 @@ std::vector<ast::Param> Parser::parse_params() {
 }
 
 /// parameter = name [ ":" [ direction ] ( pattern | type ) ] ;
-/// Types may be left out in methods whose types the component's header or the language gives (translate, invert, at,
-/// block); sema reports parameters of other functions that have none.
+/// Types may be left out in methods whose types the language gives, or the header of the translator, structure or view
+/// (translate, invert, at, block); sema reports parameters of other functions that have none.
 ast::Param Parser::parse_param() {
     ast::Param param;
     param.name = parse_name("a parameter");

@@ -175,7 +175,7 @@ ast::ExprId Parser::parse_string_literal(Expr expr) {
     return add(std::move(expr));
 }
 
-/// Escapes: \n \t \\ \" ; the lexer has reported a string that is not closed.
+/// Decodes the escapes \n \t \\ \" and reports others. The lexer has reported a string that is not closed.
 std::string Parser::decode_string(const Token& token) {
     std::string_view text = text_of(token).substr(1);
     std::string decoded;
@@ -300,13 +300,14 @@ ast::ExprId Parser::parse_generic_arguments(ExprId base, std::uint32_t first) {
     return add(std::move(expr));
 }
 
-/// Whether the token is `>>`, `>=` or `>>=` and can close generic arguments around the ones being looked at.
+/// Whether the token is `>>`, `>=` or `>>=` and generic arguments are open around those that
+/// generic_arguments_follow() looks at, so that its first `>` can close them.
 bool Parser::closes_outer(TokenKind kind) const {
     return open_angles_ > 0 && (kind == greater_greater || kind == greater_greater_equal || kind == greater_equal);
 }
 
-/// Whether the `<` here opens generic arguments: all tokens up to its `>` can be part of one, and the token after it
-/// can follow them. As in C#, `f(a < b, c > (d))` is parsed as a call of the generic `a<b, c>`.
+/// Whether the `<` here opens generic arguments: all tokens up to its `>` may occur in generic arguments, and the token
+/// after the `>` may follow them. As in C#, `f(a < b, c > (d))` is parsed as a call of the generic `a<b, c>`.
 bool Parser::generic_arguments_follow() const {
     constexpr std::uint32_t farthest = 512;
     int angles = 0, brackets = 0;

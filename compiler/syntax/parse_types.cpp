@@ -35,7 +35,7 @@ ast::ExprId Parser::parse_type() {
 
 bool Parser::at_optional_mark() const { return at(TokenKind::question) || at(TokenKind::question_question); }
 
-/// Consumes one `?`, also the first half of a `??`, which is an optional of an optional in types.
+/// Consumes one `?`, which may be the first half of a `??`: in types that is an optional of an optional.
 ast::ExprId Parser::parse_optional(ExprId type, std::uint32_t first) {
     set_role(Role::optional);
     Expr expr;

@@ -11,8 +11,8 @@ namespace gliftc {
 /// Never fails: a syntax error is reported, and the construct that has it becomes an error node, or is left out.
 ast::Module parse(std::uint32_t file, const Sources& sources, Names& names, ast::Tree& tree, Diagnostics& diagnostics);
 
-/// The same for a file that has been lexed. Sets the roles of the tokens, and shortens those that it takes in parts,
-/// such as `>>` as two closing `>`, to the last part.
+/// The same for a file that has been lexed. Sets the roles of the tokens. A token that it consumes in parts, such as
+/// `>>` as two closing `>`, is shortened to the last part.
 ast::Module parse(TokenList& tokens, std::uint32_t file, const Sources& sources, Names& names, ast::Tree& tree,
                   Diagnostics& diagnostics);
 

@@ -26,7 +26,7 @@ private:
     using StmtId = ast::StmtId;
     using DeclId = ast::DeclId;
 
-    // ---- tokens (parser_state.cpp; those of `?`: parse_types.cpp)
+    // ---- tokens (parser_state.cpp; at_optional_mark and parse_optional: parse_types.cpp)
     const Token& peek(std::uint32_t ahead = 0) const;
     bool at(TokenKind kind) const { return tokens_[cursor_].kind == kind; }
     bool at_word(Word word) const { return tokens_[cursor_].word == word; }
@@ -80,8 +80,8 @@ private:
         bool ok;
     };
 
-    /// While inside parentheses, brackets or braces: a `>` there is a comparison, also within generic arguments. The
-    /// braces are those of a tuple.
+    /// Exists while the parser is inside parentheses, brackets or the braces of a tuple: a `>` there is a comparison,
+    /// even if the brackets are part of a generic argument.
     struct Brackets {
         explicit Brackets(Parser& outer) : parser(outer), angles(std::exchange(outer.open_angles_, 0)) {}
         ~Brackets() { parser.open_angles_ = angles; }
@@ -173,7 +173,7 @@ private:
     void parse_pattern(ast::Param& param);
     void parse_pipeline_result(ast::Pipeline& pipeline);
 
-    // ---- components (parse_components.cpp, parse_items.cpp)
+    // ---- translators, structures, views and adaptors (parse_components.cpp, parse_items.cpp)
     void parse_translator(ast::Decl& decl);
     void parse_structure(ast::Decl& decl);
     ast::View parse_view();
@@ -205,8 +205,8 @@ private:
     std::uint32_t first_expr_;            // index in the tree of this file's first expression
     std::vector<std::uint16_t> heights_;  // height of the tree of each expression from first_expr_ on; limited by add()
     std::uint32_t unclosed_at_ =
-        0xffffffffu;  // where a missing `}` was reported, so that enclosing braces do not report it again
-    std::uint32_t badly_indented_ = 0xffffffffu;  // first `{` whose `}` is indented differently: may lack its own
+        0xffffffffu;  // the token where a missing `}` was reported, so that enclosing braces do not report it again
+    std::uint32_t badly_indented_ = 0xffffffffu;  // first `{` whose `}` is indented differently: its own may be missing
 };
 
 }  // namespace gliftc

@@ -132,7 +132,7 @@ bool Parser::at_statement_keyword() const {
     return statement_keywords.has(peek().kind) || (item_words.has(peek().word) && peek(1).kind == identifier);
 }
 
-/// Whether the token is a contextual keyword that begins declarations, other than `test`: callers check that one.
+/// Whether the token is a contextual keyword that begins declarations. False for `test`, which the caller checks.
 bool Parser::at_declaration_word() const { return declaration_words.has(peek().word); }
 
 bool Parser::at_declaration() const {

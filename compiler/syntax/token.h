@@ -73,7 +73,7 @@ struct TokenList {
     bool has_open_string = false;  ///< there is an unterminated string, which may contain brackets meant as tokens
 };
 
-/// "'{'", "'struct'", "a name": for messages.
+/// The kind as messages name it: "'{'", "'struct'", "a name".
 std::string_view describe(TokenKind kind);
 
 }  // namespace gliftc

@@ -32,7 +32,7 @@ Mesh read(const std::string& path);
 /// The bounding box of the triangles; points that no triangle has do not count. Of an empty mesh it is from 0 to 0.
 Box bounds_of(const Mesh& mesh);
 
-/// Moves and uniformly scales the triangles into the unit cube, so that its longest side has length 1.
+/// Moves and uniformly scales the mesh so that its bounding box begins at 0, and its longest side, if not 0, is 1.
 void normalise(Mesh& mesh);
 
 /// Adds the triangles of another mesh.

@@ -8,8 +8,8 @@
 
 /// A file that is written beside `path` under a name that no other file has; take_name() gives it the name `path`.
 /// Whatever happens before that, `path` is what it was. The destructor deletes a file that has not taken its name;
-/// where the program is killed, it is left behind. All members throw std::runtime_error, which names `path` and what is
-/// wrong.
+/// where the program is killed, it is left behind. The constructor and the other members throw std::runtime_error,
+/// which names `path` and what is wrong.
 class NewFile {
 public:
     /// If `path` is a link, the file that it leads to is replaced; what is no ordinary file (a folder, a device) is

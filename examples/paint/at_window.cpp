@@ -131,7 +131,7 @@ private:
         if (count_ > strokes::most_dabs / 2) begin_stroke(event);
     }
 
-    /// What goes wrong is shown, and nothing is lost: the file can be saved again.
+    /// Shows an error in the panel instead of throwing it: painting goes on, and saving can be tried again.
     void save() {
         try {
             end_stroke();
@@ -198,7 +198,7 @@ private:
     }
 
     void brush_panel() {
-        // Numbers can also be typed.
+        // Numbers can also be typed into sliders: AlwaysClamp clamps those, too.
         constexpr ImGuiSliderFlags clamped = ImGuiSliderFlags_AlwaysClamp,
                                    even = clamped | ImGuiSliderFlags_Logarithmic;
         ImGui::ColorEdit3("colour", &brush_.colour.x);

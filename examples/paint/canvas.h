@@ -52,7 +52,7 @@ public:
     Canvas(glift::Device device, const mesh::Mesh& mesh, const OctreeSize& size);
 
     /// Paints a stroke, and adds it to the history. One submission finds what the stroke's camera sees, one clears the
-    /// journal, one paints each dab, one computes the coarser levels of the octree; the history submits further ones.
+    /// journal, one for each dab paints it, one computes the coarser levels of the octree; the history submits more.
     /// Returns how many requests for pages failed because the pool was full: these pages are not painted.
     glift::uint paint(const strokes::Stroke& stroke);
     /// The same in parts, for a stroke whose path still grows: `begin` uses its camera, the size of what the camera

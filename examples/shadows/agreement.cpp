@@ -17,7 +17,7 @@ struct Found {
     std::array<std::vector<double>, 3> shares;  ///< of frames in which there are pixels to compare
     std::size_t frames = 0;
     std::array<std::uint32_t, 2>
-        coarsened{};                     ///< RMSM, ASM: pages with coarser ones in their place, the most of a frame
+        coarsened{};                     ///< RMSM, ASM: pages with coarser ones in their place, maximum over frames
     std::array<std::size_t, 3> worst{};  ///< the frame with the lowest share
     std::array<picture::Picture, 3> pictures;
     std::size_t in_band = 0, pixels = 0;
@@ -38,7 +38,7 @@ struct Found {
     }
 };
 
-/// null where it is absent.
+/// The value as JSON; null if there is none.
 nlohmann::ordered_json number_of(const std::optional<double>& value) {
     return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
 }
@@ -75,7 +75,7 @@ nlohmann::ordered_json scene_line(const std::string& scene, const Walk& walk, co
     return line;
 }
 
-/// A scene's row of the table.
+/// Prints a scene's row of the table.
 void print_row(const nlohmann::ordered_json& line) {
     std::printf("| %s | %d |", line["scene"].get<std::string>().c_str(), line["frames"].get<int>());
     for (const char* key : keys) {

@@ -7,7 +7,7 @@ using picture::Picture;
 
 namespace {
 
-/// Whether a pixel's share of light decides otherwise than the rays; false where they say nothing.
+/// Whether a pixel is lit (is_lit) where rays say shadowed, or the reverse; false where rays say nothing.
 bool differs(float lit, rays::Light light) {
     return light != rays::Light::unknown && is_lit(lit) != (light == rays::Light::reached);
 }

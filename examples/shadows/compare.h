@@ -47,8 +47,8 @@ struct Compared {
 /// (Frame::status).
 Compared compare(Frame& frame, float bias);
 
-/// Pictures of one size in rows of three.
+/// One picture of several that have the same size, in rows of three.
 picture::Picture together(const std::vector<picture::Picture>& parts);
 
-/// RMSM, standard, rays; below them differences of RMSM, ASM, standard to rays.
+/// The pictures by RMSM, by standard and by rays; below them differences() of RMSM, ASM and standard.
 picture::Picture side_by_side(const Compared& compared);

@@ -29,7 +29,7 @@ View view_of(const std::string& name);
 Filter filter_of(const std::string& name);
 LightKind light_of(const std::string& name);
 
-/// Of a quadtree: with pages of 32 cells a side, the finest level then has 131,072 cells a side.
+/// The most levels of a quadtree. With pages of 32 cells a side, the finest of so many has 131,072 cells a side.
 constexpr std::uint32_t most_levels = 13;
 
 /// The program's options (add_knobs of main.cpp) say what each setting is.
@@ -73,7 +73,7 @@ public:
     void set_knobs(const Settings& settings);
     /// Moves the camera; all else stays.
     void set_view(const camera::Camera& view) { scene_.view = view; }
-    /// Writes the view to the device and, if there is no recording of such a frame by this method, makes it.
+    /// Writes view and light to the device and, if there is no recording of such a frame by this method, makes one.
     void prepare(Method method);
     /// Submits the recording of a frame that is prepared: one submission. Does not wait.
     void submit(Method method);
@@ -95,11 +95,11 @@ public:
     /// The matrices from the world to clip coordinates of the light's faces: six of a point light, else one.
     std::vector<glift::float4x4> lights() const;
     eye::Viewpoint viewpoint() const;
-    /// A picture of the last frame: on the device; below, read from it.
+    /// A picture of the last frame: image() gives it on the device, picture() reads it from there.
     eye::Picture image(View view) const;
     picture::Picture picture(View view = View::picture) const;
     Lighting lighting() const;
-    /// Counts of the last frame; below, how to read them without waiting: the bytes of a shadows::Status.
+    /// Counts of the last frame. download_counts() does not wait: it downloads the bytes of a shadows::Status.
     shadows::Status counts() const;
     glift::Download download_counts() const;
     /// How often the last frame of ASM or RMSM has filled pages.

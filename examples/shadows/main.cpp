@@ -22,7 +22,7 @@ struct Arguments {
     std::string scene = "hairball", method = "rmsm", show = "picture", out = "shadows.png", path, write_path;
     std::string agreement, popping, pictures;
     float time = 0.4f;
-    unsigned frames = 0;  // 0: one; of recorded paths all
+    unsigned frames = 0;  // 0: one frame; along recorded paths all
     std::vector<std::uint32_t> size = {512, 512};
     float from_right = 0, from_above = 0, closer = 1, light_from_right = 0, light_closer = 1;
     bool is_sized = false, compare = false, window = false;

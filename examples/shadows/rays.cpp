@@ -30,7 +30,7 @@ Vector unit(const Vector& a) { return a * (1 / std::sqrt(dot(a, a))); }
 struct Axes {
     Vector eye, forward, right, down;
     double scale_x,
-        scale_y;  ///< half the picture's width and height: at distance 1; of a parallel projection, anywhere
+        scale_y;  ///< half the picture's width and height at distance 1; of a parallel projection at any
     bool is_parallel;
 
     static Axes of(const camera::Camera& c, double aspect, double half_size) {
@@ -160,7 +160,7 @@ private:
         return light_at(from + along * (dot(a - from, normal) / dot(along, normal)));
     }
 
-    /// The face whose part of the map has a place.
+    /// The face in whose square of the map the place {s, t} lies.
     std::size_t face_at(double s, double t) const {
         return faces_.size() == 1 ? 0 : static_cast<std::size_t>(std::floor(4 * t) * 4 + std::floor(4 * s));
     }

@@ -29,7 +29,7 @@ void check_owner(const DeviceObject* device, const Memory& memory, const char* c
     if (memory.object()->is_replaced()) throw_given_up(*memory.object(), call);
 }
 
-// Apart from check_memories, so that the dispatch path stays small.
+// A function of its own, not a part of check_memories, so that the code that runs at each dispatch stays small.
 [[noreturn]] void wrong_memory(const DeviceObject* device, const Kernel& kernel, const Binding& binding,
                                const Memory& memory) {
     const std::string where = kernel_text(kernel) + ", binding " + binding.name;
@@ -92,7 +92,8 @@ void check_description(const MemoryDescription& d) {
 
 namespace {
 
-/// Whether a memory may be bound where a kernel takes this kind: a cube also as an array of layers, its faces.
+/// Whether a memory may be bound where a kernel takes this kind. A cube may also be bound as an array of layers: its
+/// faces.
 bool is_bound_as(const MemoryDescription& d, MemoryKind kind) {
     return d.kind == kind || (d.kind == MemoryKind::imagecube && kind == MemoryKind::image2darray);
 }

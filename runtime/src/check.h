@@ -1,5 +1,5 @@
-// Checks of arguments, the same for every device. Each throws wrong_argument; check_call throws aliased_memory and
-// too_large, too.
+// Checks of arguments, the same for every device. They throw wrong_argument; check_call also throws aliased_memory and
+// too_large.
 #pragma once
 
 #include <glift/commands.h>

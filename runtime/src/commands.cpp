@@ -103,8 +103,8 @@ bool poisons() {
     return on;
 }
 
-/// The words of the call's parameters: of those parameters that have one of these names, or of all if there are no
-/// names.
+/// The words of the parameter block that belong to parameters with one of these names or, if there are no names, to any
+/// parameter.
 std::vector<FixedWord> fixed_words(const Kernel& kernel, const Call& call, const std::vector<std::string>& names) {
     std::vector<FixedWord> words;
     for (const Parameter& parameter : kernel.parameters) {

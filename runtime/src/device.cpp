@@ -26,7 +26,7 @@ const MemoryDescription& Memory::description() const { return object_.in("Memory
 
 namespace {
 
-/// Vulkan on the CPU was chosen by default; the host device would be faster.
+/// Logs, once in a process, that Vulkan on the CPU was chosen by default, though the host device would be faster.
 void log_cpu_default(const DeviceProperties& properties) {
     static std::atomic<bool> logged{false};
     if (logged.exchange(true)) return;

@@ -77,7 +77,7 @@ std::span<const Patch> DrawIteration::patches(std::initializer_list<std::size_t>
     return patches_;
 }
 
-/// A patch for each axis and count.
+/// Adds a patch for each axis and count.
 void DrawIteration::add_patches(const std::vector<detail::DeviceCount>& counts, std::size_t offset,
                                 const Extent& limits, unsigned axes) {
     for (unsigned axis = 0; axis < axes; ++axis)

@@ -10,7 +10,7 @@ namespace glift::detail {
 bool environment_flag(const char* name);
 
 /// Parses a number of bytes: digits, then nothing or K, M, G or T for powers of 1024 (`2G`, also `2GiB`, `2GB`).
-/// Throws wrong_argument that names the variable.
+/// Throws wrong_argument, naming the variable, for other texts.
 std::uint64_t bytes_of_text(const char* name, std::string_view text);
 
 /// The bytes that GLIFT_MEMORY_LIMIT says, or `unlimited`.

@@ -15,7 +15,8 @@ namespace glift::detail {
 
 namespace {
 
-/// Boxes with more contiguous rows than this are only compared by their first and last byte.
+/// Boxes with more contiguous rows than this count as disjoint only if the byte ranges from their first to their last
+/// byte are disjoint.
 constexpr std::uint64_t most_rows = 1 << 16;
 
 bool writes(const Binding& binding) { return binding.access != Access::read; }
@@ -55,7 +56,7 @@ struct Places {
 
     bool is_empty() const { return std::ranges::find(count, 0u) != std::end(count); }
     std::uint64_t rows() const { return count[0] * count[1] * count[2] * count[3]; }
-    /// The first byte of all elements, and the end of the last one.
+    /// The offset of the lowest byte of the elements, and that after their highest byte.
     std::pair<std::uint64_t, std::uint64_t> hull() const {
         std::uint64_t low = first, high = first;
         for (unsigned axis = 0; axis < 4; ++axis) {
@@ -132,7 +133,7 @@ bool is_one_structure(const Footprint& one, const Footprint& other) {
     return one.table == other.table && one.table->same_state(one.structure, other.structure);
 }
 
-/// The parameter of a binding, as in the source.
+/// The name of a binding's parameter, as in the source.
 std::string parameter_of(const Binding& binding) {
     const std::string_view name = binding.name;
     return std::string(name.substr(0, name.find('.')));

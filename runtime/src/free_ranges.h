@@ -12,7 +12,8 @@ class FreeRanges {
 public:
     explicit FreeRanges(std::uint64_t bytes) : free_{{0, bytes}} {}
 
-    /// Takes bytes from the first free range that has room for them; returns their aligned offset, if there is one.
+    /// Takes bytes from the first free range that has room for them, and returns their aligned offset; nullopt if no
+    /// range has room.
     std::optional<std::uint64_t> take(std::uint64_t bytes, std::uint64_t alignment) {
         for (auto it = free_.begin(); it != free_.end(); ++it) {
             const auto [begin, size] = *it;
@@ -26,7 +27,7 @@ public:
         return std::nullopt;
     }
 
-    /// Frees what was taken, and merges it with free neighbours.
+    /// Frees a range that was taken, and merges it with free neighbours.
     void give_back(std::uint64_t offset, std::uint64_t bytes) {
         const auto it = free_.emplace(offset, bytes).first;
         const auto next = std::next(it);

@@ -15,8 +15,8 @@ namespace {
 /// Bytes of the machine's memory that this process's host device and Vulkan devices that are CPUs hold.
 std::atomic<std::uint64_t> held{0};
 
-/// Bytes that the machine can commit at this moment. Pages that were allocated but never touched are not subtracted, so
-/// the bytes that Glift holds are checked as well.
+/// MemAvailable of /proc/meminfo, in bytes; `unlimited` where it cannot be read. Pages that were allocated but never
+/// touched still count as available, so the bytes that Glift holds are checked as well.
 std::uint64_t available_bytes() {
     std::ifstream info("/proc/meminfo");
     std::string word;

@@ -15,8 +15,8 @@ Reporter::Reporter(const Kernel& reporting)
     for (const Binding& binding : reporting.bindings) bindings.emplace_back(binding.name);
 }
 
-/// A coordinate of an address outside: one that a subtraction wrapped around is shown as the negative number it stands
-/// for.
+/// A coordinate of an address outside a structure, as text. A value above 2^32 - 2^16 is shown as a negative number,
+/// since it is most likely the result of a subtraction that wrapped around.
 static std::string shown_coordinate(std::uint32_t at) {
     constexpr std::uint32_t farthest_below_zero = 1u << 16;
     return at > 0u - farthest_below_zero ? std::to_string(static_cast<std::int32_t>(at)) : std::to_string(at);

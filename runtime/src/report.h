@@ -29,13 +29,13 @@ struct Reporter {
 /// Throws loop_limit or out_of_range if the record says so.
 void throw_report(const Reporter& reporter, const StatusRecord& record);
 
-/// The error for commands given after their recording, or the user's command buffer, was finished.
+/// Throws the error for commands given after their recording, or the user's command buffer, was finished.
 [[noreturn]] void throw_closed(std::string where);
-/// The error for a container's member that gets other memory within a recording.
+/// Throws the error for a container's member that gets other memory within a recording.
 [[noreturn]] void throw_replaced_in_recording();
 /// Throws if a recording uses memory that its container has given up.
 void require_current(std::span<const Memory> memories);
-/// The error for a call that is given memory which a container has given up.
+/// Throws the error for a call that is given memory which a container has given up.
 [[noreturn]] void throw_given_up(const MemoryObject& memory, std::string where);
 [[noreturn]] void throw_missing_form(const Kernel& kernel, const char* form, const char* device);
 

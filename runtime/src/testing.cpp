@@ -83,7 +83,7 @@ Test run_on(const Device& device, const TestCase& test) {
     } catch (const std::exception& error) {
         run.failures.push_back(std::string(test.place) + ": " + error.what());
     }
-    // The validation layer's messages list every stage and access there is: their beginning says enough.
+    // A message of the validation layer may list every stage and access that there is: its beginning says enough.
     std::size_t messages = 0;
     for (const std::string& message : device.validation_messages()) {
         if (++messages <= 2) run.failures.push_back("validation: " + message.substr(0, 400));

@@ -5,7 +5,8 @@
 
 namespace glift::detail {
 
-/// Whether one of these buffers has 2^32 elements or more. Tests set another number: GLIFT_WIDE_ELEMENTS.
+/// Whether one of these buffers has 2^32 elements or more. Tests set another number by the environment variable
+/// GLIFT_WIDE_ELEMENTS.
 bool counts_in_64_bits(const Kernel& kernel, std::span<const Memory> memories);
 
 }  // namespace glift::detail

@@ -9,7 +9,7 @@ namespace glift::detail {
 
 namespace {
 
-constexpr std::uint64_t granularity = 256;  // no two temporaries share a cache line, and gaps are more often reusable
+constexpr std::uint64_t granularity = 256;  // keeps temporaries in separate cache lines, and makes gaps easier to reuse
 
 }  // namespace
 

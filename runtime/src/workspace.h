@@ -20,9 +20,9 @@ struct StorageNeeds {
     bool shares = true;  ///< false: it has storage of its own
 };
 
-/// Hands out places; the storage itself is allocated elsewhere, one allocation for each block. Temporaries cannot move
-/// once they are placed: each takes the first gap that is large enough, else a new block of its size. Thread-safe,
-/// since handles may be released on any thread.
+/// Hands out places in blocks of storage, which are allocated elsewhere, one allocation for each block. Temporaries
+/// cannot move once they are placed: each takes the first gap that is large enough, else a new block of its size.
+/// Thread-safe, since handles may be released on any thread.
 class Workspace {
 public:
     struct Place {
@@ -41,7 +41,7 @@ public:
     /// Counts the bytes of a memory with storage of its own.
     void add(std::uint64_t bytes);
 
-    std::uint64_t bytes() const;  ///< in total
+    std::uint64_t bytes() const;  ///< of all blocks and of what `add` counted
 
 private:
     mutable std::mutex mutex_;

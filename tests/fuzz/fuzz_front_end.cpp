@@ -1,5 +1,5 @@
-// Compiles arbitrary text, which can import the standard library, but prints no outputs: there must be no crash, hang
-// or sanitizer report.
+// Compiles arbitrary text, without writing outputs. The text can import the standard library. There must be no crash,
+// hang or sanitizer report.
 
 #include "diag/render.h"
 #include "driver/compile.h"

@@ -234,7 +234,7 @@ class Kernels:
             return Node(f"{name}.{function}(", self.expressions.of(UINT, scope, 3), ");")
 
         def counted(scope):
-            # Which sum it gets depends on the order of the invocations; whether it gets one does not.
+            # The sum that `enter` returns depends on the order of the invocations; whether it returns one does not.
             node = Node(f"let {result} = ({name}.enter(", self.expressions.of(UINT, scope, 3), ") ?? 4294967295u) != 4294967295u;")
             scope.variables.append((result, BOOL, False))
             return node

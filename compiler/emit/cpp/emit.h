@@ -24,8 +24,8 @@ struct Options {
     std::uint32_t shards = 1;
     bool spirv_files = false;  ///< SPIR-V in files beside the sources, else within
     bool tests = false;        ///< also a function for each test of the module, and a table of them
-    /// Prints `static void <name>(const glift::HostCall& call)` for a pass (emit/host); null: no code for the host
-    /// device.
+    /// Prints `static void <name>(const glift::HostCall& call)` for a pass: kernel_of of emit/host, or null if no code
+    /// for the host device is wanted.
     std::string (*host_kernel)(Globals& globals, const ir::Pass& pass, const std::string& name) = nullptr;
 };
 
@@ -42,14 +42,14 @@ struct File {
 /// C++ for one module (module.cpp lists the files).
 struct Module {
     std::vector<File> files;
-    std::vector<TestName> tests;  ///< in a test program: the tests and checks that it runs; else empty
+    std::vector<TestName> tests;  ///< in a test program: the tests and checks in its table; else empty
 };
 
 /// What the code of modules that were printed earlier in the same run defines, as indices in ir::Program: later modules
 /// do not define it again.
 struct Defined {
     std::set<std::uint32_t> kernels, pipelines, structures;
-    std::set<std::uint32_t> moved;  ///< structures whose functions that copy boxes to the host and back are defined
+    std::set<std::uint32_t> moved;  ///< structures whose functions for copying boxes to the host and back are defined
 };
 
 /// The kernels, as indices, whose Vulkan code the module's C++ contains: the others need no SPIR-V.

@@ -53,7 +53,7 @@ Text function_call(Printer& p, const std::string& name, const ir::Operands& oper
 
 bool is_scalar_integer(const Printer& p, TypeId type) { return p.program.types.is_integer(type); }
 
-/// Whether it is a constant by which C++ may divide any integer: neither 0 nor -1.
+/// Whether the expression is a constant by which C++ may divide any integer: neither 0 nor -1.
 bool is_safe_divisor(const Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
     if (expr.op != Op::constant || expr.bits == 0) return false;
@@ -61,7 +61,7 @@ bool is_safe_divisor(const Printer& p, ExprId id) {
            !(p.program.types.kind(expr.type) == TypeKind::int_ && static_cast<std::int32_t>(expr.bits) == -1);
 }
 
-/// Whether it is the constant 0, and not -0.
+/// Whether the expression is the constant 0, and not -0.
 bool is_zero(const Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
     return expr.op == Op::constant && expr.bits == 0 && expr.number == 0 && !std::signbit(expr.number);
@@ -223,7 +223,7 @@ Text print_index(Printer& p, const Expr& expr) {
     return {is_of_array ? as_value(p, expr, std::move(text)) : std::move(text)};
 }
 
-/// An element or a part of one, as an lvalue in memory.
+/// An element of memory, or a part of one, as an lvalue.
 std::string print_place(Printer& p, ir::ExprId id) {
     const Expr& expr = p.program.exprs[id];
     if (expr.op == Op::load || expr.op == Op::row_load || expr.op == Op::image_load) return p.outer_place(expr);
@@ -252,7 +252,7 @@ std::string name_of_function(Printer& p, ir::FunctionId function) {
     return visible(p, p.globals.function_names.at(function));
 }
 
-/// Structures are passed before the values.
+/// Prints the call of a function: structures are passed before values.
 Text print_call(Printer& p, const Expr& expr) {
     const std::string name = name_of_function(p, expr.function);
     std::string arguments;

@@ -269,7 +269,7 @@ bool function_adds_functions(const Unit& unit, std::uint32_t kernel) {
     return adds;
 }
 
-/// The structs into which the parameters of a kernel's forms are packed.
+/// Prints the structs into which the parameters of a kernel's forms are packed.
 static void print_blocks(Writer& out, const Globals& globals, const ir::Lowered::Forms& forms,
                          const std::string& name) {
     std::string blocks;
@@ -282,8 +282,8 @@ static void print_blocks(Writer& out, const Globals& globals, const ir::Lowered:
     out.gap();
 }
 
-/// The statements that give the arguments of a call to its glift::Iteration: visited ranges first, since those of
-/// `near` parameters are compared with them.
+/// Prints the statements that pass the arguments of a call to its glift::Iteration: visited ranges first, since the
+/// ranges of `near` parameters are compared with them.
 static void print_iteration(const Unit& unit, Writer& out, const Kernel& kernel) {
     for (bool near : {false, true}) {
         for (std::size_t i = 0; i < kernel.params.size(); ++i) {

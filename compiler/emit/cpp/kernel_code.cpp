@@ -162,8 +162,8 @@ void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, co
     out.line("};");
 }
 
-/// Kernel::digest, the key under which Vulkan devices cache pipelines: FNV-1a of the kernel's SPIR-V and of all that is
-/// printed about it. Empty where there is no code for Vulkan devices.
+/// glift::Kernel::digest, by which the runtime finds the Vulkan pipelines of a kernel again: the FNV-1a hash of the
+/// kernel's SPIR-V and of all else that is printed about it. Empty where there is no code for Vulkan devices.
 std::string digest_text(const Unit& unit, std::uint32_t kernel, const std::string& printed) {
     if (kernel >= unit.code.size() || !unit.reach.vulkan_kernels.contains(kernel)) return "";
     std::uint64_t hash = 14695981039346656037u;
@@ -177,7 +177,7 @@ std::string digest_text(const Unit& unit, std::uint32_t kernel, const std::strin
     for (const std::vector<std::uint32_t>* form : {&code.direct_fragment, &code.general_fragment, &code.wide_fragment})
         if (!form->empty()) add_words(*form);
     for (char c : printed) add(static_cast<unsigned char>(c));
-    return std::to_string(hash | 1) + "u";  // 0 would say that there is none
+    return std::to_string(hash | 1) + "u";  // 0 means: no digest
 }
 
 /// The table of parameters that Commands::specialised can name.
@@ -223,7 +223,7 @@ static std::map<const Pass*, std::string> print_host_forms(Unit& unit, Writer& o
     return host;
 }
 
-/// The bytes of workgroup memory of the form that needs most: arrays that share memory in one form may not in another.
+/// The bytes of workgroup memory of the form that needs most: arrays may share memory in one form and not in another.
 static std::uint32_t shared_bytes_of(const ir::Lowered::Forms& forms) {
     return std::max({forms.direct.shared_bytes, forms.general.shared_bytes, forms.wide.shared_bytes});
 }

@@ -1,5 +1,5 @@
-// The sources of kernels' code. An edit of a kernel's body changes one of them, and they include little: neither the
-// classes nor what calls kernels.
+// The sources of kernels' code. An edit of a kernel's body changes one of them. They include neither the classes nor
+// the functions that call kernels, and so compile fast.
 #include "emit/cpp/spirv_file.h"
 #include "emit/cpp/unit.h"
 

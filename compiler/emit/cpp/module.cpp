@@ -5,7 +5,7 @@
 //   <name>.glift.types.hpp            the structs and enums that the .hpp needs
 //   <name>.glift.internal.hpp         what .glift.cpp and .glift.library.cpp see: hidden classes and functions
 //   <name>.glift.cpp                  the module's own pipelines, members of classes, and functions that call kernels
-//   <name>.glift.library.cpp          the same for other modules, unless another source defines it
+//   <name>.glift.library.cpp          the same for other modules, except what another source defines
 //   <name>.glift.kernels.cpp          the code of the module's own kernels (kernel_sources.cpp)
 //   <name>.glift.library.kernels.cpp  the code of kernels of other modules
 //
@@ -194,7 +194,8 @@ void ModulePrinter::print_types(Writer& out, Spaces& spaces) {
     }
 }
 
-/// The aliases by which the module knows a structure. Those of other modules that have a header are declared there.
+/// Declares the aliases of a structure that the module may use. Those of other modules for which this run makes a
+/// header are left out: that header declares them.
 void ModulePrinter::print_aliases(Writer& out, Spaces& spaces, std::uint32_t index) {
     const ir::Structure& structure = program_.structures[index];
     for (std::size_t i = 0; i < structure.aliases.size(); ++i) {

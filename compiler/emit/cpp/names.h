@@ -13,20 +13,20 @@ namespace gliftc::cpp {
 
 /// `text` as a C++ name: every run of '_' and of characters that a name can't have becomes one '_', which is left out
 /// at the end unless `text` ends with '_'; an 'n' is put before names that would begin with a digit or '_', and a '_'
-/// is appended to keywords and macros.
+/// is appended to the names of is_word and is_macro (reserved.h).
 std::string identifier(std::string_view text);
 
-/// Variables that the C++ of every kernel for the host device (the kernel on the CPU) declares itself. A variable of
-/// the source with such a name gets a number.
+/// Variables that the C++ code of a kernel for the host device (the CPU) may declare itself. A variable of the source
+/// with such a name gets a number.
 inline constexpr const char* locals_of_kernels[] = {
     "address", "block", "call",       "count", "first", "i",       "inside",    "interior",
     "lane",    "part",  "parameters", "row",   "rows",  "stretch", "unclamped", "x",
 };
-/// Further ones, which only that code of draws declares.
+/// Further variables, which only the code of draws declares.
 inline constexpr const char* locals_of_draws[] = {
     "corner", "corners", "drawn", "fragments", "instance", "left", "parts", "pixel", "pointer", "running", "targets",
 };
-/// Further ones, which only that code of kernels with a workgroup declares.
+/// Further variables, which only the code of kernels with a `group` declares.
 inline constexpr const char* locals_of_groups[] = {
     "global_id",   "group_count", "group_id",    "group_index", "group_size",
     "group_total", "local_id",    "local_index", "number",      "returned",
@@ -54,15 +54,15 @@ public:
     /// The same for a set, which must outlive the scopes.
     void avoid(const NameSet& names) { avoided_.push_back(&names); }
 
-    /// Declares identifier(wanted) in the innermost scope, with a '_' appended if it is reserved or avoided; or the
-    /// first of wanted_2, wanted_3, … that is free.
+    /// Declares identifier(wanted) in the innermost scope, with a '_' at its end if it is reserved or avoided; or the
+    /// first of wanted_2, wanted_3, … that is free. Returns the name.
     std::string declare(std::string_view wanted);
-    /// Declares a stem, from which names are formed with each of the suffixes; it is not a name itself. Returns
-    /// `wanted`, or the first of wanted_2, wanted_3, … for which none of these names is taken.
+    /// Returns a stem: identifier(wanted), or the first of wanted_2, wanted_3, … such that no name made of the stem and
+    /// a suffix is taken. Declares these names, but not the stem itself.
     std::string declare_stem(std::string_view wanted, std::span<const char* const> suffixes);
 
     const NameSet& used() const { return used_; }
-    /// Whether the name is declared or reserved; avoided ones are left out.
+    /// Whether the name is declared or reserved. Names that are only avoided do not count.
     bool holds(const std::string& name) const { return used_.contains(name) || reserved_.contains(name); }
 
 private:

@@ -24,7 +24,7 @@ struct PipelinePrinter {
     const Pipeline& pipeline;
     Printer p;
     std::string commands = "commands";  ///< the variable whose methods record passes
-    bool tracks = false;                ///< a test: its structures live to its end, to be compared
+    bool tracks = false;                ///< in tests: structures live to the end, to be compared
 
     PipelinePrinter(Unit& unit, const Pipeline& pipeline) : unit(unit), pipeline(pipeline), p(unit.globals) {
         p.names.reserve({"commands", "test"});
@@ -61,7 +61,8 @@ struct PipelinePrinter {
     void check_as_made(const std::string& object, std::uint32_t structure);
 };
 
-/// The structure that the place begins at: `f.`, `part->`, or empty for the adaptor itself.
+/// The structure at which the expression's place begins, with what stands before a member: `f.`, `part->` for a slice,
+/// or empty for the adaptor that owns the pipeline.
 std::string PipelinePrinter::object(const Expr& expr) {
     if (!expr.local) return "";
     return p.local_names.at(expr.local) + (is_slice(expr) ? "->" : ".");
@@ -206,7 +207,7 @@ void PipelinePrinter::expect_same(const Stmt& stmt) {
                (stmt.arguments.size() > 2 ? ", " + print_any(p, stmt.arguments[2]) : "") + ");");
 }
 
-/// The memories that a structure has made itself, and those of the members that it has made, as arguments.
+/// The memories that a structure declares, and those of the members that it has made, as arguments.
 std::string memories_of(const Unit& unit, const std::string& object, std::uint32_t index) {
     const ir::Structure& structure = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];
@@ -230,8 +231,9 @@ void PipelinePrinter::replace(const Stmt& stmt) {
                memories_of(unit, member, index) + "});");
 }
 
-/// The line that keeps one structure for the comparison, under the name `shown`. If the structure may be sparse, its
-/// domain may be too large to read: then also the lines that keep its memories and stored members in that case.
+/// Prints the statement that keeps a structure's elements, to be compared between devices (glift::Test::keep), under
+/// the name `shown`. The domain of a structure that may be sparse (ir::may_be_sparse) may be too large to read. For
+/// such a structure also prints the statements that keep its memories and stored members in that case.
 void PipelinePrinter::keep(const std::string& shown, const std::string& object, std::uint32_t index) {
     const ir::Structure& made = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];
@@ -253,8 +255,9 @@ void PipelinePrinter::keep(const std::string& shown, const std::string& object, 
     p.out.close();
 }
 
-/// Keeps the structures that the outermost statements of a test make, if they are stored and the host can read them, to
-/// be compared between devices. Also checks translators that can be checked only with the state of such structures.
+/// Prints, for the structures that the outermost statements of a test make, if they are stored and the host can read
+/// them, the statements that keep them to be compared between devices. Also prints the checks of translators that need
+/// the state of such structures.
 void PipelinePrinter::keep_all() {
     std::vector<std::pair<std::string, std::uint32_t>> made;
     for (ir::StmtId id : pipeline.body) {
@@ -296,7 +299,7 @@ void PipelinePrinter::statement(const Stmt& stmt) {
     switch (stmt.op) {
     case StmtOp::temp: return temporary(stmt);
     case StmtOp::release:
-        // Nothing is released: a test looks at its structures when it is over.
+        // In tests nothing is released: the structures are compared at the end.
         if (tracks) return;
         for (ir::LocalId local : stmt.locals) p.out.line(p.local_names.at(local) + " = {};");
         return;
@@ -318,9 +321,10 @@ void PipelinePrinter::statement(const Stmt& stmt) {
     ir::misplaced(stmt.op, "emit/cpp: a pipeline");
 }
 
-/// Whether a pass of the pipeline calls functions. If not, a pipeline that computes a value on the device
-/// (Pipeline::is_value) runs whatever its caller's conditions say, since several passes with conditions take longer.
-/// With calls it does not: functions may loop long on values that an arm which did not run has not computed.
+/// Whether a kernel that the pipeline dispatches calls functions. A pipeline that computes a value on the device
+/// (Pipeline::is_value) without such calls runs whatever the conditions of its caller are (Commands::always), since
+/// passes under conditions take longer. With calls it runs under these conditions: a function may loop for long on
+/// values that are missing because the arm that computes them did not run.
 bool calls_functions(const Unit& unit, const Pipeline& pipeline) {
     bool found = false;
     for (ir::StmtId id : pipeline.body) {

@@ -50,11 +50,11 @@ struct ClassNames {
 };
 
 /// The names of all that a program declares, each in the namespace of its module. Each list is indexed as the table of
-/// ir::Program that its comment names. A name depends on little but what it names, so that all files and all runs of
-/// gliftc agree.
+/// ir::Program that its comment names. A name is made of the source's name and the generic arguments of what it names;
+/// other declarations matter only where names would be equal. So all files and all runs of gliftc agree.
 struct ProgramNames {
     std::vector<std::string> spaces;                ///< of Program::modules: laplacian, std.array → std_array
-    std::vector<NameSet> types;                     ///< of Program::modules: type_names of their Globals
+    std::vector<NameSet> types;                     ///< of Program::modules: names of structs, structures, aliases
     std::vector<std::string> structs;               ///< of Program::structs
     std::vector<std::vector<std::string>> fields;   ///< of Program::structs
     std::vector<std::string> enums;                 ///< of Program::enums
@@ -83,14 +83,14 @@ struct Globals {
     std::string space;                                  ///< the namespace
     Scopes names;                                       ///< of the namespace
     NameSet type_names;                                 ///< of structs, structures, aliases: no other name hides them
-    NameSet kernel_symbols;                             ///< of data and code made for kernels beside their functions
+    NameSet kernel_symbols;                             ///< names of the code and data made for kernels
     std::vector<std::string> struct_names;              ///< of Program::structs
     std::vector<std::vector<std::string>> field_names;  ///< of Program::structs
     std::vector<std::string> structure_names;           ///< of Program::structures
     std::vector<ClassNames> class_names;                ///< of Program::structures
     std::vector<std::string> kernel_names;              ///< of Program::kernels: the functions that call them
     std::vector<std::string> pipeline_names;            ///< of Program::pipelines
-    /// By kernel: what the names of all that is made for it begin with.
+    /// By kernel: the beginning of the names of the code and data made for it.
     std::unordered_map<std::uint32_t, std::string> kernel_stems;
     std::unordered_map<const ir::KernelParam*, std::string> param_names;
     std::unordered_map<ir::FunctionId, std::string> function_names;
@@ -127,7 +127,7 @@ struct Printer {
     /// Spells a local that is not simply a name (an element of an array over the workgroup); gives "" for others. May
     /// be empty.
     std::function<std::string(ir::LocalId)> outer_local;
-    bool use_namespaces = false;                               ///< headers: glift::uint4, else uint4
+    bool use_namespaces = false;                               ///< true: glift::uint4; false: uint4
     std::uint32_t marked_file = 0xffffffffu, marked_line = 0;  ///< of the latest mark_line
 
     explicit Printer(Globals& globals) : globals(globals), program(globals.program) { names.avoid(globals.type_names); }
@@ -165,10 +165,12 @@ std::string visible(const Printer& p, const std::string& name);
 void print_statements(Printer& p, const std::vector<ir::StmtId>& body);
 void print_statement(Printer& p, ir::StmtId stmt);
 std::string declare_local(Printer& p, ir::LocalId local);
-void mark_line(Printer& p, Span span);  ///< prints a comment with the source line, if it is another one than before
+void mark_line(Printer& p, Span span);  ///< prints a comment with the source line, unless the latest one is the same
 std::string file_name(const Sources& sources, std::uint32_t file);
-std::string place_text(const Sources& sources, Span span);         ///< laplacian.glift:8
-void require_function(Globals& globals, ir::FunctionId function);  ///< prints it to globals.functions if it isn't there
+std::string place_text(const Sources& sources, Span span);  ///< laplacian.glift:8
+/// Prints the function to globals.functions if it is not there yet, and enters its name in globals.function_names. Of
+/// an extern function (of the user's C++) only the name is entered.
+void require_function(Globals& globals, ir::FunctionId function);
 /// Whether the function, with those it calls, uses only its arguments and own locals: no memory, no parameters of the
 /// pass, no workgroup memory, nothing that depends on the invocation; and reports nothing.
 bool is_pure(const ir::Program& program, ir::FunctionId function);

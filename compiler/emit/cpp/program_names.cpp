@@ -37,7 +37,7 @@ NameSet members_of_class(ir::StructureKind kind) {
     return names;
 }
 
-/// Names that no type may have: members and variables of generated code that have these names would hide the type.
+/// Names that no type may have: members and variables of generated code have them, and would hide the type.
 const NameSet& not_for_types() {
     static const NameSet names = [] {
         NameSet all = members_of_class(ir::StructureKind::stored);
@@ -52,8 +52,8 @@ const NameSet& not_for_types() {
     return names;
 }
 
-/// Whether the structure's memory is a structure that has another name as a member: then the class has an accessor for
-/// each of the two names.
+/// Whether the structure's memory is a structure that has another name as a member (`memory frames = pool;`): then the
+/// class has an accessor for each of the two names.
 bool has_named_base(const ir::Structure& structure) {
     if (structure.base.empty()) return false;
     return structure.base.size() > 1 || structure.members[structure.base[0]].name != structure.base_name;
@@ -66,7 +66,8 @@ std::uint32_t hash_of(const std::string& text) {
     return hash;
 }
 
-/// Whether arguments are told apart by their letters and digits: `<2, grid.Cell>`, but not `<-1>`, `<A<2>>`, `<a_b>`.
+/// Whether generic arguments stay distinct when all but letters and digits becomes '_': `<2, grid.Cell>` do, but not
+/// `<-1>`, `<A<2>>`, `<a_b>`.
 bool is_plain(std::string_view arguments) {
     return std::ranges::all_of(arguments.substr(1, arguments.size() - 2), [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ',' || c == ' ' ||
@@ -151,7 +152,7 @@ std::vector<std::string> field_names(const ir::Program& program, const NameSet& 
 struct Naming {
     const ir::Program& program;
     ProgramNames names;
-    std::map<std::string, std::string> kernels, pipelines;  ///< by key: overloads share a name
+    std::map<std::string, std::string> kernels, pipelines;  ///< by key, which overloads of a pipeline share
 
     const std::string& text(Name name) const { return (*program.names)[name]; }
 

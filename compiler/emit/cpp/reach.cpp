@@ -80,7 +80,8 @@ std::optional<std::uint64_t> binary_on(bool host, const ir::Program& program, co
     return ir::apply(program.types, expr.binary, type, {*a, 0}, {*b, 0}).bits;
 }
 
-/// The value of an expression of a pipeline on a kind of device, if it is computed from constants and such properties.
+/// The value of a pipeline's expression on a kind of device (`host`: the host device, else Vulkan devices), if it is
+/// computed from constants and properties whose value property_on() knows; else none.
 std::optional<std::uint64_t> value_on(bool host, const ir::Program& program, ir::ExprId id) {
     const ir::Expr& expr = program.exprs[id];
     const ir::TypeKind kind = program.types.kind(expr.type);
@@ -319,7 +320,7 @@ Reach reach_of_alone(const ir::Program& program, std::uint32_t module, const Opt
     for (std::uint32_t i = 0; i < program.kernels.size(); ++i) {
         if (program.kernels[i].module == module && program.kernels[i].is_pub) collector.kernel(i, true);
     }
-    if (options.tests) {  // nobody else calls a test program's pipelines
+    if (options.tests) {  // in a test program only tests call pipelines
         for (const ir::Test& test : program.tests) {
             if (test.module == module) collector.pipeline(test.pipeline, false);
         }
@@ -334,14 +335,14 @@ Reach reach_of_alone(const ir::Program& program, std::uint32_t module, const Opt
 
 }  // namespace
 
-/// Adds those of `theirs` that are among `known`.
+/// Adds to `to` those of `theirs` that are among `known`.
 static void add_known(std::set<std::uint32_t>& to, const std::set<std::uint32_t>& known,
                       const std::set<std::uint32_t>& theirs) {
     std::ranges::set_intersection(known, theirs, std::inserter(to, to.end()));
 }
 
-/// What several modules of the run use is defined once, by one of them, with code for all devices on which any of them
-/// uses it.
+/// What several modules of the run use is defined once, by one of them, with code for all kinds of devices on which any
+/// of them uses it.
 Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& options) {
     Reach reach = reach_of_alone(program, module, options);
     if (options.tests) return reach;

@@ -79,7 +79,8 @@ void print_assign(Printer& p, const Stmt& stmt) {
     p.out.line(concat(left, " = ", print_any(p, stmt.value), ";"));
 }
 
-/// Whether the local is an array with an element for each invocation, which later loops over the invocations read.
+/// Whether the local is an element of an array (Printer::outer_local): the array has an element for each invocation of
+/// a workgroup, or for each pixel of a block.
 bool is_outer(const Printer& p, ir::LocalId local) { return p.outer_local && !p.outer_local(local).empty(); }
 
 void print_let(Printer& p, const Stmt& stmt) {

@@ -1,4 +1,4 @@
-// Structs as structs, enums as enums.
+// Structs as structs; enums as structs with an unscoped enum in them, whose underlying type is uint.
 #include "emit/cpp/unit.h"
 #include "ir/empty.h"
 #include "layout/layout.h"

@@ -51,7 +51,7 @@ std::string base_of(const Unit& unit, std::uint32_t index) {
 }
 
 /// Whether boxes of the structure can be copied to the host, and back if ir::is_written_in_boxes. Every definition of
-/// the class declares the functions for that; modules whose code may copy boxes define them (Reach::moved).
+/// the class declares the functions that copy; only modules whose code may copy boxes define them (Reach::moved).
 bool has_transfers(const Structure& structure) {
     return structure.kind == StructureKind::stored || (structure.kind == StructureKind::view && structure.domain);
 }
@@ -80,8 +80,8 @@ std::string extent_value(Unit& unit, Printer& p, const std::string& owner, const
     return fitted(p, memory.extent, owner + "." + unit.name(memory.name));
 }
 
-/// Whether a member has an accessor that is not const, too: it is the structure's memory, or contains it, or other
-/// structures share it.
+/// Whether a member has a non-const accessor beside the const one: the member is the structure's memory, or contains
+/// it, or was given to the structure, so that others may use it, too. (In adaptors all members have both.)
 bool is_written_as(const Structure& structure, std::size_t member) {
     return structure.members[member].by_reference || (!structure.base.empty() && structure.base[0] == member);
 }

@@ -104,7 +104,7 @@ ir::Place placed(const ir::Stage& stage, const ir::Place& place) {
     return result;
 }
 
-/// Why a function cannot be printed by itself; empty: it can.
+/// Why a translator's function cannot be printed as a lambda (print_method); empty: it can.
 std::string why_not_printed(const ir::Program& program, ir::FunctionId id) {
     if (!id) return "";
     const std::string name = (*program.names)[program.functions[id].name];
@@ -189,7 +189,8 @@ private:
         const bool is_moved = std::ranges::any_of(unit_.program.transfers, [&](const ir::Program::Transfer& transfer) {
             return transfer.structure == index_ && transfer.write_kernel < unit_.program.kernels.size();
         });
-        // A structure in the chain that maps some addresses nowhere does not give back what was written there.
+        // If the memory (or that one's memory, and so on) is a structure with a partial translator, writes to addresses
+        // that it does not map are lost.
         const bool keeps_all = structure_.copyable && !ir::leads_through_partial(unit_.program, structure_);
         if (!is_moved || !keeps_all || value.empty()) return out_.line("(void)" + last + ";");
         out_.open("if (glift::fill_memory(" + last + ", " + extent() + "))");

@@ -38,7 +38,6 @@ std::vector<std::string> print_state(Unit& unit, Writer& out, std::uint32_t stru
     return states;
 }
 
-/// `const auto translate = [&](uint4 va) -> std::optional<uint> { … };`
 void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, const std::string& result,
                   const std::vector<std::string>& states,
                   const std::function<Text(Printer&, const ir::Expr&)>& surroundings) {

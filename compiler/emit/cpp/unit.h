@@ -19,7 +19,7 @@ struct Reach {
     std::vector<std::uint32_t> structs;     ///< types of fields come first
     std::vector<std::uint32_t> structures;  ///< members, and what the signatures of its pipelines name, come first
     std::set<std::uint32_t> in_header;      ///< structures whose classes the public header has
-    std::set<std::uint32_t> moved;          ///< structures of which boxes are copied to the host and back
+    std::set<std::uint32_t> moved;          ///< structures of which boxes may be copied to the host and back
     std::set<std::uint32_t> pub_kernels;    ///< kernels that the public header declares
 };
 
@@ -31,15 +31,16 @@ void add_inner_structs(Reach& reach, const ir::Program& program, const ir::Lower
 struct TranslationCheck {
     std::uint32_t structure = 0;
     std::string title;
-    std::string of_one;  ///< the function that checks a structure already made; empty: none can
-    /// The function that makes structures of several extents and checks them; empty: those that tests make are checked.
+    std::string of_one;  ///< the function that checks a structure already made; empty: this structure is not checked
+    /// The function that makes structures of several extents and checks each by `of_one`; empty: only structures that
+    /// tests make are checked.
     std::string of_extents;
     std::string why_not_alone;  ///< if `of_extents` is empty: the reason, for the user
 };
 
 class SpirvFile;
 
-/// What all code for one module is made of.
+/// What the printers of a module's code get.
 struct ModuleParts {
     const ir::Program& program;
     const ir::Lowered& lowered;
@@ -51,9 +52,9 @@ struct ModuleParts {
     const ProgramNames& names;
 };
 
-/// The code of one namespace that is made for a module. The namespace is the module's own, or another module's. The
-/// latter has what the module uses of the other one and no other header or source defines: instances of generics, and
-/// everything of modules that this run makes no files for.
+/// The code in one namespace that is made for a module. The namespace is the module's own, or that of another module
+/// that it uses. Another module's namespace gets only what the module uses and no other header or source defines:
+/// instances of generics, and everything of modules that this run makes no files for.
 struct Unit {
     const ir::Program& program;
     const ir::Lowered& lowered;
@@ -63,7 +64,7 @@ struct Unit {
     const std::vector<KernelCode>& code;
     const Options& options;
     const Reach& reach;
-    const ProgramNames& own;  ///< names as they are within their own namespaces
+    const ProgramNames& own;  ///< names without their namespaces
     Globals globals;
     std::string tests;                                   ///< name of the table of tests; empty: there is none
     std::vector<TranslationCheck> translation_checks{};  ///< in a test program
@@ -73,7 +74,7 @@ struct Unit {
     std::string name(Name n) const { return (*program.names)[n]; }
     std::string type(ir::TypeId id, bool qualified = false) const { return type_text(globals, id, qualified); }
     const std::string& class_name(std::uint32_t structure) const { return globals.structure_names[structure]; }
-    /// The class's name within the class and where its members are defined.
+    /// The class's name without its namespace: as the class itself and the definitions of its members spell it.
     const std::string& own_name(std::uint32_t structure) const { return own.structures[structure]; }
     /// What stands before a definition: GLIFT_SHARED (a weak symbol) if another module's code may have it, too, so that
     /// the linker takes one; else nothing.
@@ -129,7 +130,8 @@ void print_drawing(const Unit& unit, Writer& out, const ir::Kernel& kernel, cons
 void print_draw_arguments(const Unit& unit, Writer& out, const ir::Kernel& kernel);
 
 // kernel_sources.cpp
-/// Sources of the kernels' code, `<stem>.glift.<part>.cpp` and so on, and files of SPIR-V beside them.
+/// Sources of the kernels' code, `<stem>.glift.<part>.cpp` and so on, and with Options::spirv_files a file of SPIR-V
+/// for each.
 std::vector<File> kernel_sources(const ModuleParts& parts, const std::string& stem,
                                  const std::vector<std::uint32_t>& kernels, const std::string& part);
 
@@ -139,26 +141,27 @@ std::string kernel_signature(Unit& unit, std::uint32_t kernel, bool qualified, s
 std::string kernel_function(Unit& unit, std::uint32_t kernel);
 /// Whether kernel_function will add functions to those that the file shares (Globals::functions).
 bool function_adds_functions(const Unit& unit, std::uint32_t kernel);
-/// A kernel whose first parameter is `at` may be called without it: the first `each` of the same structure gives the
-/// range.
+/// A kernel whose first parameter is `at` may be called without it. Returns the number of the parameter whose range it
+/// then takes (ir::range_giver); none: the first parameter is not `at`, or no parameter has such a range.
 std::optional<std::size_t> range_of_first_at(const ir::Kernel& kernel);
-std::string short_kernel_function(Unit& unit, std::uint32_t kernel);  ///< that function; empty: there is none
+/// The function that calls a kernel without its first parameter, which is `at`; empty: range_of_first_at() gives none.
+std::string short_kernel_function(Unit& unit, std::uint32_t kernel);
 
 // pipelines.cpp
 std::string pipeline_signature(Unit& unit, std::uint32_t pipeline, bool qualified);
 void print_pipeline(Unit& unit, Writer& out, std::uint32_t pipeline);
 
 // translation_checks.cpp
-/// Prints the functions that check translations. The result has an entry for each stored structure with translators
-/// that the module's C++ contains. For a structure with translators that the module declares, but its C++ does not
-/// contain, it has an entry that only says why the structure is not checked.
+/// Prints the functions that check translators. The result has an entry for each stored structure with translators that
+/// the module's C++ contains. For each structure with translators that the module declares but its C++ does not
+/// contain, the result has an entry that only says why the structure is not checked.
 std::vector<TranslationCheck> print_translation_checks(Unit& unit, Writer& out);
 
 // tests.cpp
 /// One letter for each scalar of a type, and a '.' for each byte of padding, as glift::KeptStructure has them.
 std::string scalars_of(const ir::Program& program, ir::TypeId type);
-/// The same for a structure's elements, with `n` for floats of eight-bit formats that some kernel draws to: devices
-/// round them differently.
+/// The same for a structure's elements, but with `n` for floats in eight-bit formats if some kernel draws to the
+/// structure: devices round colours differently.
 std::string kept_scalars(const ir::Program& program, std::uint32_t structure);
 /// The table `tests` of the module's tests and checks; nothing if it has none.
 void print_tests(Unit& unit, Writer& out);

@@ -44,7 +44,8 @@ std::string float_atomic(Printer& p, std::uint32_t binding, Combine combine) {
     return function_name(p, use);
 }
 
-/// The function that adds by compare-and-swap, repeated until no other invocation has changed the element in between.
+/// The function that adds to a float in a buffer: it repeats a compare-and-swap until no other invocation has changed
+/// the element in between.
 std::string addition(Printer& p, const AtomicUse& use) {
     const std::string test = round_test(p, 0, p.pass.files.size() > 1 ? "line, file" : "line");
     const std::string element = element_text(p, use.binding, "index");
@@ -84,8 +85,8 @@ BitsPlace bits_place(const Printer& p, std::uint32_t slot) {
 /// The function for minima and maxima. The bits of floats that are not negative have the order of ints, those of
 /// negative ones the reverse order. So one signed operation is enough for a value that is not negative. A negative
 /// value may overwrite a better one, which is put back at once; since nothing in this pass reads the element, only the
-/// final value counts. A NaN is not written, and gives way to any number. The value read first need not be the newest:
-/// values only get better.
+/// final value counts. A NaN is not written; a NaN in memory is replaced by the first value. If the value read first
+/// (`there`) makes a write needless, it need not be the newest value: the final value is at least as good.
 std::string extremum(const Printer& p, const AtomicUse& use) {
     const BitsPlace place = bits_place(p, use.binding);
     const auto call = [&](const std::string& operation, const std::string& value) {

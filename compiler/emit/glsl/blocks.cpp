@@ -15,8 +15,8 @@ namespace {
 
 using PartOf = std::function<void(const std::string& selector, TypeId type)>;
 
-/// Visits the parts of a struct, an array or an optional, each with the text that selects it when appended to the whole
-/// (`.field`, `[2]`).
+/// Visits the parts of a struct, an array or an optional that have a non-empty type (ir/empty.h), each with the text
+/// that selects it when appended to the whole (`.field`, `[2]`).
 void for_each_part(const Printer& p, TypeId id, const PartOf& visit) {
     const ir::Type type = p.program.types[id];
     if (type.kind == TypeKind::struct_) {

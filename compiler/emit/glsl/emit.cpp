@@ -31,7 +31,8 @@ void name_shared(Printer& p) {
     }
 }
 
-/// Names everything outside functions. This comes first, so that no local hides it.
+/// Names everything that the shader declares outside functions, except helpers and the functions themselves. This comes
+/// first, so that no local gets one of these names.
 void name_globals(Printer& p) {
     for (const ir::PassParameter& parameter : p.pass.parameters)
         p.parameter_names.push_back(parameter.source == ir::ParameterSource::address ? ""

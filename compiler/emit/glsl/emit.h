@@ -14,22 +14,22 @@ enum class LineMarks : std::uint8_t {
     directives,  ///< `#line 9 "laplacian.glift"` before each statement: for glslang's errors and debug information
 };
 
-/// How `/` and `sqrt` of floats are rounded.
+/// How `/` and `sqrt` of floats and halves are rounded.
 enum class Rounding : std::uint8_t {
-    device,   ///< as the device does it: on some, quotients are up to 2.5 units in the last place off
-    correct,  ///< corrected unless specialisation constant 100 (default true) says that the device's own is correct
+    device,   ///< as the device rounds them: on some devices quotients are up to 2.5 units in the last place off
+    correct,  ///< correctly: by added code, or by the device where specialisation constant 100 is true (the default)
 };
 
 struct Options {
     LineMarks lines = LineMarks::comments;
     Rounding rounding = Rounding::device;
-    ir::Part part = ir::Part::vertex;  ///< of a draw: whose shader is printed
+    ir::Part part = ir::Part::vertex;  ///< of a draw: the part whose shader is printed
 };
 
-/// The shader of `pass`, or for a draw the shader of the part options.part. Descriptor set 0: memory k at binding k + 1
-/// (in the wide form buffers are reached by address instead), the status record at the binding after the last memory's;
-/// parameters are push constants or, where !pass.push_constants, a uniform or storage buffer at binding 0. Offsets are
-/// those of GL_EXT_scalar_block_layout.
+/// The shader of `pass`, or for a draw the shader of the part options.part. Its descriptor set 0 has pass.bindings[k]
+/// at binding k + 1 (in the wide form buffers are reached by address instead), and the status record, if the pass has
+/// one, at binding pass.bindings.size() + 1. Parameters are push constants or, where !pass.push_constants, a uniform or
+/// storage buffer at binding 0. Offsets are those of GL_EXT_scalar_block_layout.
 std::string glsl_of(const ir::Program& program, const Sources& sources, const ir::Pass& pass,
                     const Options& options = {});
 

@@ -1,4 +1,4 @@
-// Expressions, with no more parentheses than a reader wants.
+// Expressions, with parentheses only where GLSL or a careful reader needs them.
 #include "base/concat.h"
 #include "emit/glsl/printer.h"
 #include "ir/levels.h"
@@ -59,7 +59,7 @@ std::string operand_text(Printer& p, ExprId id, Level outer, bool is_right) {
     return fits ? std::move(text.text) : concat("(", text.text, ")");
 }
 
-/// A uint constant from 10 on in hexadecimal, as masks are easier to read: 0x00ff00ffu. Empty: it is something else.
+/// A uint constant from 10 on in hexadecimal, as masks are easier to read: 0x00ff00ffu. Empty for other expressions.
 std::string mask_text(const Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
     if (expr.op != Op::constant || expr.type != p.program.types.uint || expr.bits < 10) return "";
@@ -197,9 +197,9 @@ bool is_read_by_address(const Printer& p, ExprId id) {
     return expr->op == Op::load && p.pass.form == ir::Form::wide;
 }
 
-/// A vector of which one component is taken. If NIR's copy propagation knows a vector from a read of it as a whole, it
-/// mistakes each single component that is read through an address for component 0. So a vector that lies behind an
-/// address is first passed whole to a function, and the component is taken from the result.
+/// A vector of which one component is taken. If copy propagation in NIR (Mesa's compiler) knows a vector from a read of
+/// it as a whole, it mistakes each single component that is read through an address for component 0. So a vector that
+/// lies behind an address is first passed whole to a function, and the component is taken from the result.
 std::string print_vector(Printer& p, ExprId id, std::string text) {
     return is_read_by_address(p, id) ? need(p, Helper::whole_vector, p.program.exprs[id].type) + "(" + text + ")"
                                      : text;

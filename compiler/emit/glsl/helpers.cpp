@@ -1,6 +1,6 @@
-// Helpers: operations that GLSL lacks or does not define for all operands, as functions printed before those of the
-// source, if they are used. Those of arithmetic give the same bits as the host device and the constant evaluator if
-// division is correctly rounded (Rounding::correct), except `angle` (atan2) away from (0, 0).
+// Helpers: operations that GLSL lacks or does not define for all operands, or that drivers get wrong, as functions
+// printed before those of the source, if they are used. Arithmetic helpers give the same bits as the host device and
+// the constant evaluator if division is correctly rounded (Rounding::correct), except `angle` (atan2) away from (0, 0).
 #include "emit/glsl/printer.h"
 
 #include <algorithm>
@@ -69,6 +69,7 @@ std::string vector_text(Printer& p, TypeId scalar, std::uint32_t count) {
     return prefix + std::string("vec") + std::to_string(count);
 }
 
+/// The function for vectors that applies the one for scalars to each component, with two parameters if `two`:
 /// `T f(T a, T b) { return T(f(a.x, b.x), f(a.y, b.y)); }`
 std::string by_component(const std::string& result, const std::string& name, const std::string& type,
                          std::uint32_t count, bool two) {
@@ -180,14 +181,14 @@ std::string saturating_conversion(Printer& p, const HelperUse& use) {
     std::uint32_t count = p.program.types.components(use.a);
     if (count > 1) return by_component(c.prefix + std::string("vec") + std::to_string(count), name, type, count, false);
     if (is_wide && type != "float16_t") return saturating_conversion_64(use, type);
-    // The bounds, 0 and powers of two up to 2^64, are exact as floats and doubles. A half is compared as a float, since
-    // they are beyond its largest number.
+    // The bounds are 0 and powers of two up to 2^64, or the negatives of these: exact as floats and doubles. A half is
+    // compared as a float, since most bounds are beyond the largest half.
     const std::string x = type == "float16_t" ? "float(x)" : "x";
     return conversion_begin(use, type, x) + conversion_end(use, type, x, std::string(c.result) + "(safe)");
 }
 
-/// Rounds once on all drivers. For a plain conversion Mesa's convert the double to a float and that to a half, which
-/// rounds twice, and NVIDIA's does not.
+/// The conversion of a double to a half, which rounds once on all drivers. Mesa's drivers do a plain conversion in two
+/// steps, by way of a float, and so round twice; NVIDIA's driver rounds once.
 std::string half_of_double() {
     return "// Rounds once: x is rounded to odd as a float, which then rounds to the half nearest to x.\n"
            "float16_t to_half(double x) {\n    float f = float(x);\n    double rest = x - double(f);\n"
@@ -272,8 +273,8 @@ std::string arithmetic(Printer& p, const HelperUse& use) {
         const std::uint32_t count = types.components(use.a);
         if (count > 1) return by_component(t, "angle", t, count, true);
         const std::string pi = t + "(3.14159265)";
-        // Floats whose reciprocals may be infinite are scaled by 2^64, which is exact. Halves are converted to floats,
-        // in which their reciprocals are finite.
+        // Floats so small that their reciprocals may be infinite are scaled by 2^64, which is exact. Halves are
+        // converted to floats: as floats, the reciprocals of all halves but zero are finite.
         const std::string scaled = use.a == types.half
                                        ? "to_half(atan(float(y), float(x)))"
                                        : "max(abs(x), abs(y)) < 1e-30 ? atan(y * 18446744073709551616.0, "
@@ -297,8 +298,8 @@ std::string arithmetic(Printer& p, const HelperUse& use) {
         if (types.is_floating(use.a))
             return one_line(t + " sign_of(" + t + " x)", "x > " + zero_text + " ? " + one + " : x < " + zero_text +
                                                              " ? -" + one + " : " + zero_text);
-        // By its upper and lower 32 bits: where lavapipe unrolls a loop over k from 0u on, it evaluates int64_t(k) > 0
-        // to true even for k = 0u.
+        // The sign is found from the upper and the lower 32 bits, not by `x > 0`: where lavapipe unrolls a loop over k
+        // from 0u on, it evaluates int64_t(k) > 0 to true even for k = 0u.
         return "int64_t sign_of(int64_t x) {\n    int high = int(x >> 32l);\n"
                "    return high < 0 ? -1l : (high | int(x)) != 0 ? 1l : 0l;\n}\n";
     }
@@ -381,7 +382,7 @@ std::string definition(Printer& p, const HelperUse& use) {
     throw std::logic_error("emit/glsl: unknown helper");
 }
 
-/// Notes that the helpers that `use` itself calls are needed.
+/// Notes as needed the helpers that the definition of `use` calls.
 // long: a case for each helper
 void need_inner(Printer& p, const HelperUse& use) {
     const ir::Types& types = p.program.types;
@@ -464,7 +465,8 @@ std::vector<std::string> helper_list(Printer& p) {
     std::vector<std::string> texts;
     for (const HelperUse& use : p.helpers) {
         std::string made = definition(p, use);
-        if (std::ranges::find(texts, made) == texts.end()) texts.push_back(std::move(made));  // enums print as uint
+        // Two uses may have the same text, since enums print as uint.
+        if (std::ranges::find(texts, made) == texts.end()) texts.push_back(std::move(made));
     }
     return texts;
 }

@@ -1,5 +1,5 @@
-// Intrinsics: a function or operator of GLSL, or a helper where GLSL has none, leaves the result open, or drivers get
-// it wrong.
+// Intrinsics: printed as a function or operator of GLSL, or as a helper where GLSL has none, leaves the result open, or
+// drivers get it wrong.
 #include "emit/glsl/printer.h"
 #include "ir/walk.h"
 
@@ -30,7 +30,7 @@ Text shaped(Printer& p, Helper helper, const Expr& expr) {
     return {text + ")"};
 }
 
-/// lessThan and its kin are operators on scalars.
+/// GLSL has lessThan and its kin for vectors only; scalars are compared by operators.
 Text compare(Printer& p, const char* name, const char* sign, Level level, const Expr& expr) {
     if (p.program.types.is_vector(expr.type)) {
         TypeId a = type_of(p, expr, 0), b = type_of(p, expr, 1);
@@ -80,15 +80,15 @@ Text atomic(Printer& p, const char* name, const Expr& expr) {
     if (kind == ir::TypeKind::int64 || kind == ir::TypeKind::uint64) p.extensions.insert("GL_EXT_shader_atomic_int64");
     const ir::Op place = ir::place_of(p.program, expr.operands[0]).op;
     if (place == ir::Op::load || place == ir::Op::image_load) return {ordered_atomic(p, name, expr)};
-    // Workgroup memory is ordered by barriers: plain loads and stores do.
+    // Workgroup memory is ordered by barriers, so plain accesses suffice in place of atomic loads and stores.
     if (expr.intrinsic == Intrinsic::atomicLoad) return print(p, expr.operands[0]);
     if (expr.intrinsic == Intrinsic::atomicStore)
         return {print_any(p, expr.operands[0]) + " = " + print_any(p, expr.operands[1])};
     return call(p, name, expr);
 }
 
-/// Never GLSL's sign: NVIDIA's driver (580) fails to compile that of 64-bit integers beside other arithmetic, and
-/// sign(~x) ^ y of integers of 32 bits.
+/// Does not use GLSL's sign: NVIDIA's driver (580) fails to compile sign(x) of 64-bit integers beside other arithmetic,
+/// and sign(~x) ^ y of 32-bit integers.
 Text sign(Printer& p, const Expr& expr) {
     const ir::Types& types = p.program.types;
     const TypeId scalar = types.scalar_of(expr.type);
@@ -178,7 +178,7 @@ Text print_intrinsic(Printer& p, const Expr& expr) {
     case Intrinsic::reflect: return shaped(p, Helper::reflection, expr);
     case Intrinsic::determinant: return call(p, "determinant", expr);
     case Intrinsic::inverse: return call(p, "inverse", expr);
-    case Intrinsic::dFdx: return call(p, "dFdxFine", expr);  // the same on all devices
+    case Intrinsic::dFdx: return call(p, "dFdxFine", expr);  // dFdx may be coarse
     case Intrinsic::dFdy: return call(p, "dFdyFine", expr);
     case Intrinsic::fwidth: return call(p, "fwidthFine", expr);
     case Intrinsic::subgroupAdd:

@@ -13,7 +13,8 @@ using namespace ir;
 
 namespace {
 
-/// The parameters that the function's body uses; the others belong to the dispatch that it does not have.
+/// For each parameter of the pass whether the function, or one that it calls, uses it. The others, such as the size of
+/// the visited range, belong to a dispatch, which a library function does not have.
 std::vector<bool> used_parameters(const Program& program, const Pass& pass) {
     std::vector<bool> used(pass.parameters.size());
     auto visit = [&](ExprId id) {
@@ -24,7 +25,8 @@ std::vector<bool> used_parameters(const Program& program, const Pass& pass) {
     return used;
 }
 
-/// What all functions share: the union of their memories, by place, and of their state, by name.
+/// What all functions of the library share: the union of their memories (the same place and index: the same memory),
+/// and of the parameters that are their state (the same name: the same parameter).
 struct Interface {
     Pass all{.kernel = no_kernel};
     Scopes names;
@@ -58,8 +60,8 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
         text.replace(at, what.size(), by);
 }
 
-/// Copies the names that a function's printer has declared, and the types, helpers and extensions that it has found to
-/// be needed.
+/// Copies from one printer to another the names that it has declared, and the types, helpers and extensions that it has
+/// found to be needed.
 void carry_over(const Printer& from, Printer& to) {
     to.names = from.names;
     to.struct_names = from.struct_names;
@@ -128,15 +130,15 @@ std::string macros_text(const std::string& macro, bool has_bindings) {
            "_ACCESS\n#endif\n\n";
 }
 
-/// FNV-1a, as a number that the preprocessor of GLSL takes.
+/// The FNV-1a hash of the text, cut to 31 bits so that it is a number for GLSL's preprocessor.
 std::string number_of(const std::string& text) {
     std::uint32_t hash = 2166136261u;
     for (char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
     return std::to_string(hash & 0x7fffffffu);
 }
 
-/// Text that several included files may contain, guarded so that a shader has it once. Another text under the same
-/// macro is an error.
+/// Text that several included files may contain, guarded so that a shader has it once. A shader that includes another
+/// text under the same macro gets `error`.
 std::string once(const std::string& macro, const std::string& text, const std::string& error) {
     const std::string number = number_of(text);
     return "#ifndef " + macro + "\n#define " + macro + " " + number + "\n" + text + "#elif " + macro + " != " + number +
@@ -210,7 +212,7 @@ std::string library_of(const Program& program, const Sources& sources, const Lib
         p.function_prefix = all.function_prefix;
         p.binding_names = bindings[i];
         p.parameter_names = parameters[i];
-        std::string text = callees_text(p);  // names what the function calls
+        std::string text = callees_text(p);  // before print_function: it names the callees
         text += print_function(p, function, names[i]);
         bool writes = program.types.kind(function.result) == TypeKind::void_;
         functions += writes ? "#ifndef " + macro + "_READONLY\n" + text + "#endif\n" : text + "\n";
@@ -218,7 +220,7 @@ std::string library_of(const Program& program, const Sources& sources, const Lib
     }
     std::string memories = memories_text(all, macro);
     replace_all(memories, ") buffer ", ") " + macro + "_ACCESS buffer ");
-    for (const std::string kind : {"image", "iimage", "uimage"})  // GLSL's samplers take no access
+    for (const std::string kind : {"image", "iimage", "uimage"})  // samplers have no access qualifier
         replace_all(memories, ") uniform " + kind, ") uniform " + macro + "_ACCESS " + kind);
     const std::string state = state_text(all, name, macro), helpers = helpers_text(all), structs = structs_text(all);
     const std::string macros = state.empty() && memories.empty() ? "" : macros_text(macro, !memories.empty());

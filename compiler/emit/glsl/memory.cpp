@@ -119,8 +119,8 @@ std::string buffer_text(Printer& p, std::size_t index) {
            " { " + row + "; };   // the same memory, as vectors of four\n";
 }
 
-/// An element by its address, which is computed in 64 bits: the index of an array would have 32 bits, of which SPIR-V
-/// takes one for a sign.
+/// An element by its device address, which is computed in 64 bits: an array's index would have 32 bits, and SPIR-V
+/// takes it as signed.
 std::string at_address(const std::string& block, const std::string& address, const std::string& index,
                        std::uint32_t bytes) {
     return block + "(" + address + " + " + index + " * " + std::to_string(bytes) + "ul).at";
@@ -144,7 +144,7 @@ std::string element_text(const Printer& p, std::uint32_t slot, const std::string
 
 namespace {
 
-/// The index of an element, or of a row of them.
+/// The index of an element, or of a vector of four consecutive scalars (is_row).
 std::string index_text(Printer& p, ir::ExprId id) {
     const ir::Expr& index = p.program.exprs[id];
     const bool is_far = index.op == ir::Op::constant && index.bits > 0x7fffffffu;
@@ -190,7 +190,7 @@ std::string texel_text(Printer& p, ir::ExprId id) {
 
 namespace {
 
-/// Images give four components; the element takes the first ones.
+/// A swizzle: image reads give four components, of which the element takes the first ones.
 std::string first_components(Printer& p, TypeId element) {
     std::uint32_t count = p.program.types.components(element);
     return count == 4 ? "" : count == 1 ? ".x" : count == 2 ? ".xy" : ".xyz";
@@ -293,7 +293,7 @@ std::string compare_text(Printer& p, const ir::Expr& expr) {
                            print_any(p, expr.operands[1]) + ")";
     if (p.pass.bindings[expr.slot].shape == MemoryShape::image2d) return "textureLod(" + name + ", " + at + ", 0.0)";
     const std::string flat = p.pass.bindings[expr.slot].shape == MemoryShape::imagecube ? "vec3(0.0)" : "vec2(0.0)";
-    return "textureGrad(" + name + ", " + at + ", " + flat + ", " + flat + ")";  // GLSL has no textureLod for it
+    return "textureGrad(" + name + ", " + at + ", " + flat + ", " + flat + ")";  // textureLod lacks these samplers
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 const std::unordered_set<std::string_view>& reserved_words() {
     static const std::unordered_set<std::string_view> words = {
 #include "emit/glsl/words.inc"
-        // this printer's own
+        // names that this printer uses itself
         "main",
         "Parameters",
         "copies_parameters",
@@ -126,7 +126,7 @@ void Scopes::leave() {
 
 std::string Scopes::declare(std::string_view wanted) {
     std::string base = identifier(wanted), name = base;
-    if (has_reserved_beginning(base + "_")) base = name = "the_" + base;  // gl, too: gl_1 is reserved
+    if (has_reserved_beginning(base + "_")) base = name = "the_" + base;  // `gl`, too: `gl_1` is reserved
     while (base.size() > 1 && base.back() == '_') base.pop_back();
     for (int n = 1; !is_free(name); ++n) name = base + "_" + std::to_string(n);
     used_.insert(name);

@@ -1,4 +1,4 @@
-// Names in GLSL: as in the source where possible, different from all that are visible, never reserved in GLSL.
+// Names in GLSL: those of the source where possible, different from all other names in scope, never reserved in GLSL.
 #pragma once
 
 #include <string>
@@ -8,12 +8,14 @@
 
 namespace gliftc::glsl {
 
-/// Whether it is a keyword, a built-in function, a reserved word, or a name that the printer itself uses; or begins
-/// like one of these (gl_, atomic, …), contains "__", or is empty.
+/// Whether generated code must not declare the name: it is a keyword, a built-in function or a reserved word of GLSL,
+/// or a name that the printer itself uses; or it begins like names of these kinds (gl_, atomic, …), contains "__", or
+/// is empty.
 bool is_reserved(std::string_view name);
 
-/// `text` with every run of characters that a GLSL name can't have replaced by one '_', or left out at the beginning
-/// and the end; an 'n' is put before a digit. "value" if nothing is left.
+/// `text` as a GLSL name: every run of characters other than ASCII letters and digits becomes one '_', which is left
+/// out at the beginning, and at the end unless `text` ends with '_'; an 'n' is put before a digit at the beginning.
+/// "value" if nothing is left.
 std::string identifier(std::string_view text);
 
 /// Nested scopes. A name declared inside never hides one declared outside.
@@ -24,8 +26,8 @@ public:
     void enter() { scopes_.emplace_back(); }
     void leave();
 
-    /// Declares identifier(wanted), or the first of wanted_1, wanted_2, … that is free, in the innermost scope; with
-    /// "the_" before it if the beginning is reserved.
+    /// Declares identifier(wanted), or the first of wanted_1, wanted_2, … that is free, in the innermost scope, and
+    /// returns the name. It begins with "the_" if the beginning of the wanted name is reserved (gl_, atomic, …).
     std::string declare(std::string_view wanted);
     bool is_free(const std::string& name) const { return !is_reserved(name) && !used_.contains(name); }
 

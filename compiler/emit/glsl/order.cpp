@@ -1,10 +1,10 @@
 // Operations that order the reads and writes around them without a barrier of the workgroup: atomic operations on
 // coherent memory, which workgroups share, and barriers of a subgroup.
 //
-// On lavapipe (Mesa 22.3) the fence that these bring is a barrier: where only some subgroups of a workgroup reach it,
-// the others are ended silently. There no fences are needed: read-modify-write operations order everything by
-// themselves, since they are sequentially consistent, and the lanes of a subgroup run in lockstep. The runtime says so
-// by specialisation constant 102.
+// On lavapipe (Mesa 22.3) the memory fence of such an operation is a barrier of the workgroup: where only some
+// subgroups reach it, the others are ended silently. There no fences are needed: read-modify-write operations are
+// sequentially consistent and so order everything by themselves, and the lanes of a subgroup run in lockstep. The
+// runtime sets specialisation constant 102 on such devices.
 #include "emit/glsl/printer.h"
 #include "ir/walk.h"
 

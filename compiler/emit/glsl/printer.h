@@ -34,8 +34,8 @@ struct Text {
     Level level = Level::postfix;
 };
 
-/// Functions (`skips_branches`: a constant) that are printed before those of the source, if they are used; helpers.cpp,
-/// division.cpp and subgroups.cpp have their definitions.
+/// Functions, and the constant `skips_branches`, that are printed before the functions of the source if they are used.
+/// Their definitions are in helpers.cpp, division.cpp and subgroups.cpp.
 enum class Helper : std::uint8_t {
     quotient,
     remainder,
@@ -125,15 +125,15 @@ struct Printer {
     Options options;
 
     Scopes names;
-    std::vector<std::string> binding_names;  ///< as expressions: f_data; in the wide form its address
-    std::vector<std::string> block_names;    ///< of buffer bindings
-    std::vector<std::string> row_names;      ///< the same memory as vectors of four, as expressions; empty: not needed
+    std::vector<std::string> binding_names;  ///< as expressions: f_data; of buffers in the wide form their addresses
+    std::vector<std::string> block_names;    ///< by binding: the name of a buffer's GLSL block
+    std::vector<std::string> row_names;  ///< by binding: the buffer as vectors of four; empty: it is not accessed so
     std::vector<std::string> row_block_names;
     std::vector<std::string> parameter_names;
     std::vector<std::string> member_names;  ///< names in the block of parameters; empty: those of parameter_names
     StatusNames status;                     ///< named only where the pass has a status record
     OrderNames order, image_order;          ///< named only where atomic operations order coherent memory
-    std::string fences;                     ///< constant 102: fences are barriers (order.cpp); empty: not needed
+    std::string fences;                     ///< name of specialisation constant 102 (order.cpp); empty: not needed
     std::vector<std::string> struct_names;  ///< of Program::structs
     std::vector<std::vector<std::string>> field_names;
     std::unordered_map<ir::FunctionId, std::string> function_names;
@@ -146,7 +146,7 @@ struct Printer {
     std::vector<ir::TypeId> struct_types;  ///< structs and optionals used, each after those in it
     std::vector<HelperUse> helpers;        ///< each after those it calls
     std::vector<AtomicUse> atomics;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> enumerators;  ///< used: (enum, which) → name
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> enumerators;  ///< used: (enum, index) → name
 
     std::string out;  ///< statements being printed
     int indent = 0;
@@ -158,7 +158,7 @@ struct Printer {
 std::string type_text(Printer& p, ir::TypeId type);
 std::string declaration(Printer& p, ir::TypeId type, const std::string& name);  ///< float a[8]
 std::string zero(Printer& p, ir::TypeId type);
-std::string padding_values(const Printer& p, ir::TypeId type);  ///< ", 0u" for the padding behind a struct's fields
+std::string padding_values(const Printer& p, ir::TypeId type);  ///< ", 0u": arguments for padding after the fields
 std::string struct_definition(Printer& p, ir::TypeId type);
 std::string struct_definitions(Printer& p);
 std::string literal(Printer& p, ir::TypeId type, std::uint64_t bits, double number);
@@ -169,12 +169,12 @@ Text print(Printer& p, ir::ExprId expr);
 std::string print(Printer& p, ir::ExprId expr, Level least);          ///< in parentheses if looser than `least`
 std::string print_any(Printer& p, ir::ExprId expr);                   ///< where any expression can stand: an argument
 std::string print_as(Printer& p, ir::ExprId expr, ir::TypeId shape);  ///< a scalar made a vector where `shape` is one
-std::string print_place(Printer& p, ir::ExprId expr);         ///< for an atomic operation: memory that it changes
+std::string print_place(Printer& p, ir::ExprId expr);                 ///< the lvalue that an atomic operation changes
 std::string print_negated(Printer& p, ir::ExprId condition);  ///< `!condition`, or a < b for !(a >= b) and the like
 std::string join_arguments(Printer& p, const ir::Operands& arguments);
-bool is_constant(const Printer& p, ir::ExprId expr);  ///< a constant, or made of constants only
+bool is_constant(const Printer& p, ir::ExprId expr);  ///< a literal, or constructed from literals only
 
-// guards.cpp: operations whose result the language defines for all operands, and devices only for some
+// guards.cpp: operations whose result the language defines for all operands, but GLSL only for some
 bool divisor_is_safe(const Printer& p, ir::ExprId divisor);
 bool shift_is_safe(const Printer& p, ir::ExprId amount, std::uint32_t width);
 std::string guarded_index(Printer& p, ir::ExprId index, std::uint32_t count);
@@ -191,15 +191,17 @@ inline bool may_hold_bool_array(const ir::Program& program, ir::TypeId id) {
     const ir::TypeKind kind = program.types.kind(id);
     return (kind == ir::TypeKind::array || kind == ir::TypeKind::struct_) && holds_bool_array(program, id);
 }
-/// The value at `place`, composed of its parts.
+/// The value of the lvalue `place`, rebuilt by constructors from its members and elements, since its type in a block
+/// differs from that of variables.
 std::string remade(Printer& p, const std::string& place, ir::TypeId id);
-/// `place = value`, as many lines as it takes.
+/// Prints `place = value;`, or an assignment for each part if the type contains an array of bools.
 void print_store(Printer& p, const std::string& place, const std::string& value, ir::TypeId type);
 
 // memory.cpp
 Text print_load(Printer& p, const ir::Expr& expr);
 void print_store(Printer& p, const ir::Stmt& stmt);
-/// An element of a buffer, by an index that may have an operator in it only in parentheses.
+/// An element of a buffer, as an lvalue. In the wide form the text `index` becomes the left operand of `*`: looser
+/// operators in it must be in parentheses.
 std::string element_text(const Printer& p, std::uint32_t slot, const std::string& index);
 std::string element_text(Printer& p, std::uint32_t slot, ir::ExprId index);
 /// The coordinates of a texel, which are signed.
@@ -207,14 +209,15 @@ std::string texel_text(Printer& p, ir::ExprId id);
 std::string bindings_text(Printer& p);
 std::string parameter_members(Printer& p);
 std::string parameters_text(Printer& p);
-/// Replaces the names in p.parameter_names by the expressions that read the parameters, which lie in a buffer. If
-/// specialisation constant 103 says so, the shader copies scalars and vectors to variables when it begins
-/// (print_parameter_copies): llvmpipe, which does not know that nobody writes them, would read them again for each lane
-/// wherever they are used. On GPUs they are read in place, since copies would take registers.
+/// For parameters in a buffer: replaces the names in p.parameter_names by the expressions that read them. If
+/// specialisation constant 103 is true, the shader copies scalars and vectors to variables when it begins
+/// (print_parameter_copies). The runtime sets it on CPUs: lavapipe, which does not know that nobody writes the buffer,
+/// would read a parameter again for each lane wherever it is used. On GPUs parameters are read in place, since copies
+/// would take registers.
 void name_parameter_reads(Printer& p);
 void print_parameter_copies(Printer& p);
-/// Whether the binding's elements are floats that are combined by atomic operations on integers: it is declared as ints
-/// or uints.
+/// Whether the binding's elements are floats that are combined by atomic operations on integers: the shader declares
+/// them as ints or uints.
 bool stored_as_bits(const Printer& p, const ir::PassBinding& binding);
 
 // atomics.cpp
@@ -225,7 +228,7 @@ std::string atomic_definitions(Printer& p);
 Text print_intrinsic(Printer& p, const ir::Expr& expr);
 
 // helpers.cpp
-std::string need(Printer& p, Helper helper, ir::TypeId a, ir::TypeId b = {});  ///< the name to call
+std::string need(Printer& p, Helper helper, ir::TypeId a, ir::TypeId b = {});  ///< notes the use; gives the name
 std::vector<std::string> helper_list(Printer& p);                              ///< definitions, each once
 std::string helper_definitions(Printer& p);
 
@@ -237,7 +240,9 @@ std::string order_definitions(const Printer& p);
 
 // division.cpp
 std::string division_definition(const Printer& p, const HelperUse& use);
-bool is_power_of_two(const Printer& p, ir::ExprId expr);  ///< dividing by it is exact however the device does it
+/// Whether the expression is a constant power of two (or, of floats, the negative of one) whose reciprocal is exact, so
+/// that quotients by it need no correction.
+bool is_power_of_two(const Printer& p, ir::ExprId expr);
 bool corrects_division(const Printer& p, ir::TypeId type);
 std::string quotient_of(Printer& p, ir::TypeId type, const std::string& a, const std::string& b);
 
@@ -256,10 +261,10 @@ bool is_used(const Printer& p, std::size_t binding);
 // status.cpp: how a shader reports errors
 void name_status(Printer& p);
 std::string status_definitions(Printer& p);
-std::string place_parameters(const Printer& p);  ///< source line and file, of functions that report
+std::string place_parameters(const Printer& p);  ///< `uint line, uint file` for functions that report errors
 std::string place_arguments(const Printer& p, Span span);
-/// `another_round(0u, 9u)`, tested before each round of a loop; empty: rounds are not counted. `place` are the
-/// arguments for place_parameters.
+/// `another_round(0u, 9u)`, the condition that a loop tests before each round; empty: rounds are not counted. `place`:
+/// the arguments for place_parameters.
 std::string round_test(const Printer& p, std::uint32_t idle_rounds, const std::string& place);
 std::string round_test(const Printer& p, const ir::Stmt& loop);
 void print_round_start(Printer& p);

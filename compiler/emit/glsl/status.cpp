@@ -3,9 +3,9 @@
 //
 // Some devices (lavapipe) end the loops of an invocation after a number of rounds, silently. They run the lanes of a
 // subgroup in lockstep, so a round of one lane is a round of all: the count is the subgroup's (in draws the
-// invocation's). Each test of a loop's condition adds one to it, and the rounds of inner loops that run with no lane
-// active (idle_rounds). Specialisation constant 101 is the device's limit; where it is 0 nothing is counted and the
-// driver's compiler removes all of this.
+// invocation's). Each test of a loop's condition adds one to the count, plus the number of rounds that loops inside
+// that loop may run with no lane active (idle_rounds). Specialisation constant 101 is the device's limit; where it is 0
+// nothing is counted and the driver's compiler removes all of this.
 #include "emit/glsl/printer.h"
 #include "ir/walk.h"
 
@@ -41,7 +41,7 @@ std::string record_text(const Printer& p) {
            ") buffer Status {\n    uint code, line, rank, memory, address[4], file;\n} " + p.status.block + ";\n\n";
 }
 
-/// The shaders of a draw have no memory in common: each invocation counts for itself.
+/// The variable that counts rounds. The shaders of a draw have no workgroup memory: each invocation counts for itself.
 std::string rounds_place(const Printer& p) {
     return p.raster() ? p.status.rounds : p.status.rounds + "[gl_SubgroupID]";
 }
@@ -113,7 +113,7 @@ std::uint32_t loops_in_callee(const Printer& p, ir::ExprId id) {
 std::uint32_t loops_in(const Printer& p, const std::vector<ir::StmtId>& body) {
     std::uint32_t loops = 0;
     for_each_statement(p.program, body, [&](const ir::Stmt& stmt) {
-        // Sums of floats in buffers are loops, too: compare-and-swap, again and again.
+        // Sums of floats in buffers are loops, too: they repeat a compare-and-swap (atomics.cpp).
         const bool is_retried = stmt.op == ir::StmtOp::atomic && stmt.combine == ir::Combine::add &&
                                 stored_as_bits(p, p.pass.bindings[stmt.slot]);
         loops += stmt.op == ir::StmtOp::for_ || stmt.op == ir::StmtOp::while_ || is_retried;

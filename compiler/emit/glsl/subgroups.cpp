@@ -19,7 +19,7 @@ struct Exchange {
     const char* extension;
     const char* argument;   ///< name of the second parameter; empty: there is none
     const char* inside;     ///< condition: the lane that is asked is in the subgroup; empty: it always is
-    const char* lane = "";  ///< the second argument where it is no parameter
+    const char* lane = "";  ///< without a parameter: a comma and the second argument of `function`, or empty
 };
 
 Exchange exchange_of(Printer& p, const HelperUse& use) {
@@ -72,8 +72,8 @@ Text exchange(Printer& p, Helper helper, const Expr& expr) {
     return {need(p, helper, expr.type) + "(" + join_arguments(p, expr.operands) + ")"};
 }
 
-/// GLSL's broadcast wants the same lane number in all invocations, which is known of constants only. With another
-/// number it is a shuffle.
+/// GLSL's subgroupBroadcast requires the same lane number in all lanes, which is known only of constants. With any
+/// other number a shuffle is printed.
 Text broadcast(Printer& p, const Expr& expr) {
     return exchange(p, is_constant(p, expr.operands[1]) ? Helper::broadcast : Helper::shuffled, expr);
 }

@@ -33,7 +33,7 @@ std::string image_call(Body& body, const char* name, std::uint32_t binding) {
            cpp::type_text(body.p.globals, b.element) + ">(" + body.binding_names[binding];
 }
 
-/// A texel as an lvalue, for accesses from several threads.
+/// A texel as an lvalue, for atomic and coherent accesses.
 std::string texel_text(Body& body, std::uint32_t binding, ir::ExprId at) {
     return image_call(body, "texel", binding) + ", " + cpp::print_any(body.p, at) + ")";
 }
@@ -132,7 +132,7 @@ std::string report_text(Body& body, const Stmt& stmt) {
     return "glift::host::report_outside(call, {" + record + "}, " + cpp::print_any(body.p, stmt.target) + ");";
 }
 
-/// Copies consecutive elements of memory to an array.
+/// Prints a copy_row: the copy of consecutive elements of a buffer to a local array.
 void print_copy(Body& body, const Stmt& stmt) {
     cpp::Printer& p = body.p;
     body.used_bindings.insert(stmt.slot);

@@ -1,4 +1,5 @@
-// What the printers of rows, workgroups and draws share: names of bindings and parameters, memory operations.
+// What the printers of the three kinds of kernels for the host device share (see emit.h: those for rows, for
+// workgroups, and draws): names of bindings and parameters, memory operations.
 #pragma once
 
 #include "emit/cpp/printer.h"
@@ -15,9 +16,10 @@ struct Body {
     std::vector<std::string> binding_names;
     std::vector<std::string> parameter_names;
     std::set<std::uint32_t> used_bindings, used_parameters;
-    /// Names of the pointers to rows through which accesses go, by the access's binding and index operand.
+    /// Names of the pointers through which row_load and row_store access buffers, by the access's binding and index
+    /// operand.
     std::map<std::pair<std::uint32_t, ir::ExprId>, std::string> row_pointers;
-    /// The same for arrays that are filled once per block, by the local and the index operand.
+    /// The same for row_item, which accesses local arrays, by the array and the index operand.
     std::map<std::pair<ir::LocalId, ir::ExprId>, std::string> item_pointers;
     bool first_only = false;  ///< in workgroups: the printed code runs once, with the values of the first invocation
     std::string group_text;   ///< in workgroups: their size, as a uint3

@@ -1,8 +1,9 @@
 // Lowered kernels as C++ for the host device.
 //
-// A kernel without a group becomes a function for rows of elements along x, which the host device calls for parts of
-// all rows in parallel. Memory whose index advances by one along a row is reached by a pointer to the row's first
-// element. Where a kernel looks at neighbours, the part of a row away from the sides of the domain runs without checks.
+// A kernel without a group becomes a function for rows of elements along x, which the host device calls on several
+// threads, each for some of the rows or for parts of rows. Memory whose index advances by one along a row is reached by
+// a pointer to the row's first element. Where a kernel reads neighbours, the part of a row that is far enough from the
+// sides of the domain may have a loop of its own, which does not check whether they are inside (ir::Interior).
 //
 // A kernel with a group becomes a function for one workgroup: the code between two barriers is a loop over the
 // invocations, values that live on across a barrier are arrays with an element for each invocation.

@@ -18,7 +18,8 @@ using ir::Stmt;
 using ir::StmtId;
 using ir::StmtOp;
 
-/// Which varyings are read: flat ones are the triangle's, interpolated ones the pixel's.
+/// Which varyings are read: flat ones, which have one value for the triangle, or interpolated ones, which have one for
+/// each pixel.
 enum class Reads : std::uint8_t { of_triangle, of_pixel };
 
 bool leaves(const Stmt& stmt) { return stmt.op == StmtOp::return_ || stmt.op == StmtOp::discard; }
@@ -94,7 +95,8 @@ void Part::print_varyings(const std::vector<StmtId>& list, Reads reads) {
     }
 }
 
-/// Ends a fragment.
+/// Prints the end of a fragment. `in_loop`: the code for a fragment is a lambda, which returns; else the loop over
+/// pixels continues.
 void Part::print_leave(bool in_loop) {
     if (is_split) p.out.line("running &= ~(std::uint64_t{1} << pixel);");
     p.out.line(in_loop ? "return;" : "continue;");

@@ -1,7 +1,7 @@
 // Prints kernels with a workgroup size (`group`) as C++ for the host device. They are split at their barriers
 // (lower/split_at_barriers.h). Each CPU thread runs whole workgroups, one after another. The statement `invocations` is
-// a loop over the invocations of a workgroup. A local that several such loops use, or one of them and the code outside
-// (`keep`), is an array with an element for each invocation.
+// a loop over the invocations of a workgroup. A local that must live beyond one such loop (`keep`) is an array with an
+// element for each invocation.
 #include "emit/host/body.h"
 #include "ir/walk.h"
 
@@ -23,7 +23,7 @@ struct Groups {
     const ir::Pass& pass;
     cpp::Printer& p;
     std::map<LocalId, std::string> arrays;  ///< names of the arrays for locals that are kept
-    std::string invocation = "0";           ///< its index in them: `local_index` within `invocations`, else `0`
+    std::string invocation = "0";           ///< the index into them: `local_index` within `invocations`, else `0`
     bool may_return = false;
 
     Groups(cpp::Globals& globals, const ir::Pass& pass);

@@ -39,11 +39,11 @@ std::vector<RowAccess> row_accesses(const ir::Program& program, const std::vecto
     return found;
 }
 
-/// Whether it is a `let` of a value, which can be left out if nothing reads it.
+/// Whether the statement is a `let` with a value, which can be left out if nothing reads its local.
 bool is_let(const Stmt& stmt) { return stmt.op == StmtOp::let && stmt.value; }
 
-/// The expression of a part of a row, fitted to the variant: a variant that runs in blocks of
-/// glift::host::block_elements takes a part that is empty or at least a block long.
+/// The C++ expression of the part of a row that the variant runs over: `part`, or for a variant that runs in blocks of
+/// glift::host::block_elements, which needs at least one block, an empty part at `end` if `part` is shorter.
 std::string in_blocks_text(const ir::Variant& variant, const std::string& part, const std::string& end) {
     return variant.order == ir::RowOrder::in_blocks ? "glift::host::in_blocks(" + part + ", " + end + ")" : part;
 }
@@ -120,9 +120,9 @@ std::string Rows::type_of(const RowAccess& access) {
     return (binding.access == ir::Access::read ? "const " : "") + cpp::storage_text(p.globals, binding.element);
 }
 
-/// Accesses of the row differ in what they access, a memory or an array, and in the index, which advances along the
-/// row. For each distinct pair of the two, prints a pointer to the first element accessed; before these pointers,
-/// prints the values that the indices need.
+/// Each access goes to a buffer or a local array, at an index that advances along the row. For each distinct pair of
+/// these two, prints a pointer to the first element accessed; before these pointers, prints the values that the indices
+/// need.
 void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::vector<RowAccess>& accesses,
                               const std::string& begin) {
     std::vector<ExprId> wanted;
@@ -223,8 +223,8 @@ void Rows::print_plain_loop(const ir::Variant& variant, const std::string& begin
     p.names.leave();
 }
 
-/// A loop over the elements with x in [begin, end), none or at least a block, in blocks of glift::host::block_elements,
-/// which may overlap.
+/// A loop over the elements with x in [begin, end), in blocks of glift::host::block_elements, which may overlap. There
+/// are no elements, or at least a block of them.
 void Rows::print_blocks(const ir::Variant& variant, const std::string& begin, const std::string& end) {
     const std::vector<StmtId>& statements = variant.body;
     const std::vector<RowAccess> accesses = row_accesses(program, statements);
@@ -256,7 +256,8 @@ void Rows::print_part(const ir::Variant& variant, const std::string& begin, cons
     else print_plain_loop(variant, begin, end);
 }
 
-/// Declares `inside`: the part of the row where the bounds hold, so that no clamp has an effect.
+/// Prints the declaration of `inside`: the part of the row where the bounds of `bounded` hold, so that the clamps that
+/// `bounded` leaves out would have no effect.
 void Rows::print_inside(const ir::Variant& variant, const ir::Variant& bounded, const std::string& begin,
                         const std::string& end) {
     p.out.line("glift::host::Unclamped unclamped;");
@@ -281,8 +282,8 @@ void Rows::print_inside(const ir::Variant& variant, const ir::Variant& bounded, 
 }
 
 /// Opens a loop over three sections of a row: before the middle, the middle, and behind it. The code for the middle
-/// comes first in the text. All are in one function: GLIFT_HOST_KERNEL, which compiles it for wide vectors, too, would
-/// not apply to lambdas.
+/// comes first in the text. The sections are not lambdas, since GLIFT_HOST_KERNEL, by which a function is also compiled
+/// for wide vectors, does not apply to lambdas in it.
 void Rows::open_sections(const std::string& name, const std::string& begin, const std::string& middle,
                          const std::string& end) {
     p.out.open("for (const glift::host::Section& " + name + " : glift::host::sections(" + begin + ", " + middle + ", " +
@@ -295,7 +296,8 @@ void Rows::close_sections() {
     p.out.close();
 }
 
-/// A loop over every `items`-th element (at<S, items>): the kernel's body takes care of those between.
+/// A loop over every `items`-th element (at<S, items>), since each run of the kernel's body processes `items` elements.
+/// `begin` and `end` count iterations, not elements.
 void Rows::print_strides(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end) {
     p.marked_line = 0;
     p.names.enter();
@@ -323,7 +325,7 @@ void Rows::print_loop(const ir::Variant& variant, const std::string& begin, cons
     close_sections();
 }
 
-/// Declares an array that is filled once per block. It is not initialised.
+/// Prints the declaration of an uninitialised array, which is filled once per block.
 void print_array(Rows& rows, const Stmt& let) {
     cpp::Printer& p = rows.p;
     const ir::Type& type = rows.program.types[rows.program.locals[let.local].type];
@@ -331,8 +333,8 @@ void print_array(Rows& rows, const Stmt& let) {
                       std::to_string(type.count), "> ", cpp::declare_local(p, let.local), ";"));
 }
 
-/// In kernels over blocks, the loop for blocks all of whose elements are visited: one, or one for each row of the
-/// block.
+/// In kernels over blocks: prints the code for a block all of whose elements are visited, which is one loop over all of
+/// them, or a loop for each row of the block.
 void print_rows_of_block(Rows& rows, const ir::Variant& whole) {
     if (whole.assumes.row == 0) return rows.print_loop(whole, "row.begin", "row.end");
     const std::string width = std::to_string(whole.assumes.row) + "u";
@@ -344,8 +346,8 @@ void print_rows_of_block(Rows& rows, const ir::Variant& whole) {
     rows.p.names.leave();
 }
 
-/// Kernels over blocks: computes the values that depend on the block alone; then runs the loop for blocks all of whose
-/// elements are visited (`whole`), or the one for any block.
+/// For kernels over blocks: prints the code that computes the values that depend on the block alone; then the loop for
+/// blocks all of whose elements are visited (`whole`), and the loop for other blocks (`any`).
 void print_block(Rows& rows, const ir::Variant& whole, const ir::Variant& any) {
     cpp::Printer& p = rows.p;
     p.out.line("bool is_whole = false;");

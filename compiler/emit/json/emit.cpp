@@ -33,7 +33,7 @@ struct Writer {
     void document(const std::string& doc) {
         if (!doc.empty()) out.field("doc", doc);
     }
-    /// An array with the values that write(item) writes, for each item.
+    /// Writes the entry `key`: an array with the values that write(item) writes for each item.
     template <class Items, class Write> void list(std::string_view key, const Items& items, Write&& write) {
         out.key(key);
         out.array([&] {
@@ -305,7 +305,7 @@ void Writer::kernel_param(const ir::KernelParam& p) {
     });
 }
 
-/// The entries that a kernel that draws has in addition to those of every kernel. The group in its forms has no
+/// The value of the entry "draw", which only kernels that draw have. The workgroup size ("group") in their forms has no
 /// meaning.
 void Writer::draw(const ir::Kernel& k) {
     const ir::Raster& raster = *k.raster;
@@ -397,7 +397,7 @@ void Writer::pipeline(const ir::Pipeline& p) {
 
 std::string file_name(std::string_view path) { return std::string(path.substr(path.find_last_of('/') + 1)); }
 
-/// Tests have pipelines of their own, which are not for callers.
+/// The pipelines that tests consist of, which programs do not call.
 std::set<std::uint32_t> pipelines_of_tests(const ir::Program& program) {
     std::set<std::uint32_t> found;
     for (const ir::Test& test : program.tests) found.insert(test.pipeline);

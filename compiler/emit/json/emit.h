@@ -8,7 +8,7 @@
 
 namespace gliftc::json {
 
-/// Incremented when a reader of the older form could misread the newer.
+/// The value of the entry "schema". It is incremented when a reader of the older form could misread the newer form.
 inline constexpr unsigned schema_version = 1;
 
 /// The reflection of one module: its kernels, pipelines (but not those of tests) and tests; and the structures (with

@@ -12,8 +12,8 @@ struct Reached {
     std::set<std::uint32_t> structures, structs, enums;
 };
 
-/// Those that the kernels and pipelines of `module` take or give, those that are public in it, and all that these
-/// consist of.
+/// The structures, structs and enums that the kernels and pipelines of `module` take or give, those that are public in
+/// it, and all that these consist of.
 Reached reach(const ir::Program& program, std::uint32_t module);
 
 }  // namespace gliftc::json

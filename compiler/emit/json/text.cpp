@@ -48,7 +48,8 @@ void Text::quote(std::string_view string) {
         text_ += '"';
         return;
     }
-    // The library handles what is rare: characters to be escaped, and bytes that are not UTF-8.
+    // The library handles what is rare: characters to be escaped, and bytes beyond ASCII, of which it replaces those
+    // that are not UTF-8.
     text_ += nlohmann::json(string).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

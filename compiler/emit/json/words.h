@@ -29,7 +29,7 @@ struct Root {
 /// An expression over structures' state as the language writes it: div_ceil(extent, 8u), f.data.extent.x.
 std::string expression_text(const ir::Program& program, ir::ExprId expr, const std::vector<Root>& roots);
 
-/// The structure at a place, and the place as written: f.table.
+/// The index of the structure at a place, and the place as the source spells it: f.table.
 std::uint32_t structure_at(const ir::Program& program, const std::vector<Root>& roots, const ir::Place& place);
 std::string place_text(const ir::Program& program, const std::vector<Root>& roots, const ir::Place& place);
 

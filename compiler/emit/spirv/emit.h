@@ -13,12 +13,12 @@ enum class Stage : std::uint8_t { compute, vertex, fragment };
 
 struct Spirv {
     std::vector<std::uint32_t> words;  ///< empty if there is an error
-    std::string error;                 ///< what glslang or the validator said: a fault of this compiler
+    std::string error;                 ///< what glslang or the validator said; it is a fault of this compiler
 };
 
 /// A shader for Vulkan 1.3. The code that is left after optimisation keeps its names and source lines (`#line`). Float
-/// arithmetic is never contracted, and min, max and clamp give the other operand where one is not a number. Safe to
-/// call from several threads.
+/// arithmetic is never contracted, and min, max and clamp give the other operand where one is NaN. Safe to call from
+/// several threads.
 Spirv spirv_of(const std::string& glsl, Optimise optimise = Optimise::no, Stage stage = Stage::compute);
 
 }  // namespace gliftc::spirv

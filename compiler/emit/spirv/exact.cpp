@@ -39,7 +39,7 @@ bool is_after_annotations(spv::Op op) {
            op == spv::OpLine || op == spv::OpNoLine;
 }
 
-/// For FMin, FMax and FClamp, the instruction that is also defined for not-a-number; any other instruction as it is.
+/// For FMin, FMax and FClamp the instruction that is also defined for NaN; for any other instruction itself.
 std::uint32_t defined_form(std::uint32_t instruction) {
     switch (instruction) {
     case GLSLstd450FMin: return GLSLstd450NMin;

@@ -1,5 +1,5 @@
-// Takes from devices the liberty to fuse float arithmetic of a SPIR-V module, and to choose what minima and maxima with
-// not-a-number are.
+// Changes a SPIR-V module so that devices may not fuse its float arithmetic, nor choose the results of minima and
+// maxima of NaN.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ namespace gliftc::spirv {
 
 /// Decorates the results of all arithmetic instructions on floats (not those of GLSL.std.450) NoContraction, so that no
 /// device fuses a multiplication with an addition, and replaces FMin, FMax and FClamp by NMin, NMax and NClamp, which
-/// are defined for not-a-number.
+/// are defined for NaN.
 std::vector<std::uint32_t> made_exact(const std::vector<std::uint32_t>& words);
 
 }  // namespace gliftc::spirv

@@ -1,4 +1,5 @@
-// Integer arithmetic and conversions of the language, defined for operands where C++ leaves them undefined.
+// Arithmetic and conversions of the language. Results are also defined where C++ leaves them undefined: for example for
+// a divisor of 0, shifts beyond the width, and floating values that do not fit an integer type.
 #pragma once
 
 #include <glift/half.h>
@@ -19,8 +20,8 @@ template <class T> constexpr T divisor(T a, T b) {
     else return b > 0 ? b : T{1};
 }
 
-/// a - b for a constant zero a. Written as a call: GCC 12 and 13 turn an expression 0.0f - float(i) into -float(i),
-/// which is -0 for i = 0.
+/// a - b. Generated code calls this where a is a constant floating zero: GCC 12 and 13 turn the expression
+/// 0.0f - float(i) into -float(i), which is -0 for i = 0.
 template <class T> constexpr T subtract(T a, T b) { return static_cast<T>(a - b); }
 
 /// a / b. For integers, the result is a where b is 0 or the quotient would overflow.
@@ -41,8 +42,9 @@ template <class T, class U> constexpr T shift_right(T a, U amount) {
     return static_cast<T>(a >> (static_cast<std::make_unsigned_t<T>>(amount) & (sizeof(T) * 8 - 1)));
 }
 
-/// A value as another scalar type. A floating value becomes an integer by truncation: one that does not fit becomes the
-/// nearest integer that does, NaN becomes zero. An integer becomes a narrower one by dropping its high bits.
+/// Converts a value to another scalar type. A floating value becomes an integer by truncation: a value that does not
+/// fit becomes the nearest integer that does, NaN becomes zero. An integer becomes a narrower one by dropping its high
+/// bits.
 template <class T, class U> constexpr T convert(U value) {
     if constexpr (std::is_same_v<U, half> && !std::is_same_v<T, half>) {
         return convert<T>(static_cast<float>(value));

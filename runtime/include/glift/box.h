@@ -1,4 +1,4 @@
-// Virtual addresses and sizes of any rank, padded to four numbers, and boxes of addresses.
+// Virtual addresses and sizes of one to four axes, padded to four numbers, and boxes of addresses.
 #pragma once
 
 #include <glift/api.h>
@@ -67,7 +67,7 @@ struct Box {
     }
 };
 
-// Errors. Not inline, since generated code has many calls of them.
+// Functions that throw an Error. They are not inline, since generated code has many calls of them.
 
 [[noreturn]] GLIFT_API void throw_outside(const std::string& where, const Box& box);
 /// Error::where is `type::operation`.
@@ -76,9 +76,9 @@ struct Box {
 [[noreturn]] GLIFT_API void throw_outside_mapped(const Box& box);
 [[noreturn]] GLIFT_API void throw_slice(const char* place, unsigned rank, const Extent& first, const Extent& last,
                                         const Extent& whole);
-/// The error where the number of values given is not the number of elements of the box.
+/// Throws the error for a number of values that is not the number of elements of the box.
 [[noreturn]] GLIFT_API void throw_count(const char* type, std::size_t given, const Extent& size, unsigned rank);
-/// The error for structures that were default-constructed or moved from.
+/// Throws the error for a structure that was default-constructed or moved from.
 [[noreturn]] GLIFT_API void throw_empty_structure(const char* type, const char* operation);
 
 }  // namespace detail

@@ -2,10 +2,11 @@
 //
 // What is put into a stream happens as if one after the other, in that order. The runtime knows what each pass and copy
 // reads and writes, so it places the barriers; independent passes get none and may overlap. Only wait(),
-// Download::get() and Timestamp::seconds() wait for results; other calls wait where the host is far ahead of the
-// device, or where memory that was freed is needed again. Work is submitted when it is waited for, by flush(), before a
-// recording is submitted, by record_into() and finish() of vulkan.h, before the first other command after a download,
-// and whenever much has been put into the stream or no memory is left.
+// Download::get() and Timestamp::seconds() wait for results. Other calls wait where the host is far ahead of the
+// device, where memory that was freed is needed again, and where a buffer needs several allocations (sparse binding).
+// Work is submitted when it is waited for; by flush(); before a recording is submitted; by record_into(), finish() and
+// the first objects() of vulkan.h; when a download is followed by another kind of command; and whenever much has been
+// put into the stream or no memory is left.
 #pragma once
 
 #include <glift/device.h>
@@ -29,7 +30,7 @@ class Stream;
 class DownloadObject;
 class TimestampObject;
 
-/// The error for calls that wait for the device or submit, in a recording.
+/// Throws the error for a call that waits for the device or submits, in a recording.
 [[noreturn]] GLIFT_API void throw_not_in_recording(const char* call);
 }  // namespace detail
 
@@ -38,24 +39,25 @@ struct CopyRegion {
     std::uint64_t from = 0, to = 0, bytes = 0;
 };
 
-/// A box of texels of an image and its place in a buffer or in host bytes, where it is packed and row-major from byte
-/// `offset` on, a multiple of 4 and of a texel's bytes. `origin` and `extent` count texels of level `mip`; of cubes and
-/// arrays, whose face or layer is `face`, the third extent is 1.
+/// A box of texels of an image, and where these texels lie in a buffer or in host bytes: packed, in row-major order,
+/// from byte `offset` on. `offset` is a multiple of 4 and of a texel's bytes. `origin` and `extent` count texels of
+/// level `mip`. For a cube or an image2darray the box lies in one face or layer, `face`, and its third extent is 1.
 struct ImageRegion {
     std::uint64_t offset = 0;
     std::array<std::uint32_t, 3> origin = {0, 0, 0};
     std::array<std::uint32_t, 3> extent = {1, 1, 1};
     std::uint32_t mip = 0;
-    std::uint32_t face = 0;  ///< of a cube; of an image2darray: its layer
+    std::uint32_t face = 0;  ///< the face of a cube, the layer of an image2darray; other images: 0
 };
 
-/// A box of texels from one image to another one of the same format. The fields mean what they do in ImageRegion.
+/// A box of texels that is copied from one image to another image of the same format. `mip` and `face` are as in
+/// ImageRegion.
 struct ImageCopyRegion {
     std::array<std::uint32_t, 3> from = {0, 0, 0}, to = {0, 0, 0}, extent = {1, 1, 1};
     std::uint32_t from_mip = 0, to_mip = 0, from_face = 0, to_face = 0;
 };
 
-/// Bytes on their way from the device.
+/// Bytes that are being copied from the device to the host.
 class GLIFT_API Download {
 public:
     Download() = default;
@@ -78,7 +80,7 @@ public:
     explicit Timestamp(std::shared_ptr<detail::TimestampObject> object) : object_(std::move(object)) {}
     explicit operator bool() const { return bool(object_); }
 
-    double seconds() const;  ///< waits until it is reached; the origin of time is arbitrary
+    double seconds() const;  ///< waits until the moment is reached; the origin of time is arbitrary
 
 private:
     detail::Held<detail::TimestampObject> object_;
@@ -159,7 +161,7 @@ public:
     void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value = 0) const;
 
     /// Copies between buffers. Source and target may be one memory if no region's source overlaps any region's target;
-    /// else that throws aliased_memory.
+    /// otherwise the call throws aliased_memory.
     void copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) const;
     void copy(const Memory& from, std::uint64_t from_offset, const Memory& to, std::uint64_t to_offset,
               std::uint64_t bytes) const;
@@ -181,17 +183,17 @@ public:
     Download download(const Memory& from, std::span<const CopyRegion> regions, std::uint64_t bytes) const;
     Download download_image(const Memory& image, std::span<const ImageRegion> regions, std::uint64_t bytes) const;
 
-    /// Not in a recording. Throws missing_feature where the device's queue has no timestamps.
+    /// Throws wrong_argument in a recording, missing_feature where the device's queue has no timestamps.
     Timestamp timestamp() const;
 
-    void flush() const;  ///< submits what was put into the stream; not in a recording
-    void wait() const;   ///< like flush, then waits until it is done; throws what kernels reported (StatusRecord)
+    void flush() const;  ///< submits what was put into the stream; throws wrong_argument in a recording
+    void wait() const;   ///< like flush, then waits until all is done; throws what kernels reported (StatusRecord)
 
     const std::shared_ptr<detail::Stream>& share() const { return stream_.share(); }
 
 private:
     void note_replaced(std::initializer_list<Memory> memories) const;
-    /// Throws for an empty handle, and where recording has ended.
+    /// Throws wrong_argument for an empty handle, and where recording has ended.
     detail::Stream& stream(const char* call) const;
     detail::Stream& stream(const Kernel& kernel) const;
     /// Like `stream`, and throws where these commands have conditions.
@@ -199,9 +201,9 @@ private:
     Commands with(Condition condition) const;
 
     detail::Held<detail::Stream> stream_;
-    std::shared_ptr<const std::vector<std::string>> specialised_;  ///< null: no parameter is; empty: all are
+    std::shared_ptr<const std::vector<std::string>> specialised_;  ///< null: none; empty: all parameters
     std::shared_ptr<const std::vector<Condition>> conditions_;     ///< null: none
-    bool zeroes_ = true;                                           ///< whether what it allocates is zeroed
+    bool zeroes_ = true;                                           ///< whether memories that it allocates are zeroed
 };
 
 }  // namespace glift

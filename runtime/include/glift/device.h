@@ -40,7 +40,8 @@ struct DeviceProperties {
     std::uint32_t max_workgroup_invocations = 1024;
     /// Iterations, summed over all loops of an invocation, after which the device leaves the invocation's loops.
     std::uint64_t loop_round_limit = unlimited;
-    /// If only some subgroups of a workgroup reach an acquire or release fence, the other subgroups end there.
+    /// Acquire and release fences act as barriers of the workgroup: if only some of its subgroups reach one, the device
+    /// ends the others without an error.
     bool fences_are_barriers = false;
     /// Helper invocations (pixels beside a triangle, which take part in derivatives) load the elements of buffers;
     /// false: they load zeros.

@@ -14,8 +14,9 @@
 
 namespace glift {
 
-/// Corners (vertices), instances and targets of one call. Arguments are added one by one, in the kernel's order; each
-/// is checked as it is added, and throws wrong_argument where it does not fit those before it.
+/// Corners (vertices), instances and targets of one call. Arguments are added one by one, in the kernel's order. Each
+/// is checked as it is added: wrong_argument is thrown where it does not fit those before it, or its box lies outside
+/// the domain.
 class DrawIteration {
 public:
     explicit DrawIteration(const Kernel& kernel) : kernel_(kernel) {}
@@ -44,7 +45,8 @@ public:
         add_origin(detail::box_of(name, range));
         targets_.depth = {memory};
     }
-    /// The range of an `at` parameter: the fragment shader takes its addresses. It must have the targets' size.
+    /// The range of an `at` parameter: the fragment shader gets the address of its pixel in this range. The range must
+    /// have the targets' size.
     template <class S> void pixels(const char* name, const Range<S>& range) {
         add_pixels(detail::box_of(name, range), range.is_whole(), range.device_counts());
     }

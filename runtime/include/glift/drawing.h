@@ -39,8 +39,8 @@ struct Drawing {
     const char* depth = nullptr;  ///< name of the depth target; null: none
     DepthTest depth_test = DepthTest::less;
     bool writes_depth = true;
-    /// The fragment shader takes derivatives of values loaded from buffers, so that helper invocations must load, too.
-    /// A device without DeviceProperties::helpers_load refuses the kernel.
+    /// Whether the fragment shader takes derivatives of values loaded from buffers: helper invocations must then load,
+    /// too. A device without DeviceProperties::helpers_load refuses the kernel.
     bool derives_loads = false;
 };
 
@@ -50,8 +50,8 @@ struct Attachment {
     std::uint32_t mip = 0, face = 0;
 };
 
-/// The targets of one call, and the viewport, in pixels of the targets. It must lie inside each of them; they may be
-/// larger.
+/// The targets of one call, and the viewport, in pixels of the targets. The viewport must lie inside each target;
+/// targets may be larger.
 struct DrawTargets {
     std::span<const Attachment> colours = {};  ///< in the order of Drawing::colours
     Attachment depth = {};                     ///< empty where Drawing::depth is null

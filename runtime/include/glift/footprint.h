@@ -1,5 +1,5 @@
-// The elements of one structure that a call may access, with the structure's type erased. They are compared where one
-// memory is passed for several parameters.
+// Footprints: the elements of one structure that a call may access, with the structure's type erased. Footprints are
+// compared where one memory is passed for several parameters.
 #pragma once
 
 #include <glift/api.h>
@@ -71,9 +71,9 @@ struct Footprint {
 GLIFT_API bool is_shared(const Kernel& kernel, std::span<const Memory> memories);
 
 /// How the parameters overlap in the memories that they share. `footprints` are those of the parameters that are
-/// structures or values on the device, in the kernel's order; `visited` is the box of the first range that it visits
-/// element by element (in a draw: vertex by vertex). Throws aliased_memory where it cannot rule out that invocations
-/// race.
+/// structures or values on the device, in the kernel's order; `visited` is the box of the first range that the kernel
+/// visits element by element (in a draw: vertex by vertex). Throws aliased_memory where it cannot be ruled out that
+/// invocations race.
 GLIFT_API Sharing compare_footprints(const Kernel& kernel, std::span<const Memory> memories, const Box& visited,
                                      std::span<const Footprint> footprints);
 

@@ -1,5 +1,5 @@
-// The 16-bit float: arithmetic is computed in float, and its result rounded to the nearest half, ties to even. And
-// bools as memory stores them.
+// The 16-bit float: arithmetic is computed in float, and its result rounded to the nearest half, ties to even. Also the
+// type of bools in memory.
 #pragma once
 
 #include <bit>
@@ -30,8 +30,9 @@ constexpr std::uint16_t half_bits(float value) {
     return static_cast<std::uint16_t>(sign | result);
 }
 
-/// `value` rounded to odd: the equal float, or else the one of the two floats around it whose last mantissa bit is 1.
-/// Rounded to a half, it gives the same half as `value` does.
+/// `value` rounded to odd: the float that equals it or, if there is none, that one of the two floats around it whose
+/// last mantissa bit is 1. Rounded to a half, the result gives the same half as `value` does. Values within 1e-9 of 0,
+/// which become zero as halves, are rounded to the nearest float instead.
 constexpr float float_rounded_to_odd(double value) {
     const auto nearest = static_cast<float>(value);
     const double rest = value - static_cast<double>(nearest);

@@ -3,9 +3,9 @@
 //
 //     glift::inspect(grid, "grid").save("grid.inspection");
 //
-// Not part of <glift/glift.h>. For structures of any size. It waits for the device. It reads the elements in some
-// planes; if the structure may have elements that are not resident, it also reads all resident elements, unless they
-// are more than InspectionOptions::most_elements.
+// This header is not part of <glift/glift.h>. Structures may have any size. inspect() waits for the device. It reads
+// the elements in some planes; if the structure may have elements that are not resident, it also reads all resident
+// elements, unless they are more than InspectionOptions::most_elements.
 #pragma once
 
 #include <glift/inspected_values.h>
@@ -22,7 +22,8 @@
 namespace glift {
 
 struct InspectionOptions {
-    /// Along each axis of a picture of a plane. The picture of a structure of one axis has up to the square of this.
+    /// The most pixels along each axis of a picture of a plane. The picture of a structure of one axis has up to the
+    /// square of this number.
     std::uint32_t most_pixels = 512;
     std::uint64_t most_elements = std::uint64_t{1} << 25;  ///< where more are resident, only planes are read
 };
@@ -79,8 +80,8 @@ struct Cells {
     }
 };
 
-/// How many of these addresses lie in each cell of the domain; also for places in a memory, whose extent is then
-/// `domain`.
+/// How many of these addresses lie in each cell of the domain. Also called for physical addresses (Resident::places):
+/// `domain` is then the extent of the memory.
 template <class A> std::string json_counts(const std::vector<A>& addresses, const Extent& domain, std::uint32_t most) {
     constexpr unsigned rank = Axes<A>::count;
     const Cells cells({}, domain, rank > 2 ? Extent{most / 4, most / 4, 64, 8} : Extent{most, most, 1, 1});
@@ -93,9 +94,10 @@ template <class A> std::string json_counts(const std::vector<A>& addresses, cons
     return object.text();
 }
 
-/// Stands for the number of an element's place where no element is resident, or where that number is no less than this.
+/// What number_in returns for a number that is no less than this. Also stands for an element that is not resident.
 inline constexpr std::uint32_t no_place = UINT32_MAX;
-/// The place of an element in a memory of this extent as one number, counted in row-major order; `no_place` at most.
+/// The physical address of an element (Resident::places) as one number, counted in row-major order in a memory of this
+/// extent; `no_place` at most.
 inline std::uint32_t number_in(const Extent& place, const Extent& extent) {
     std::uint64_t number = 0;
     for (unsigned i = 4; i-- > 0;) number = saturated_sum(saturated_product(number, extent[i]), place[i]);
@@ -137,8 +139,8 @@ public:
         : structure_(structure), bounds_(bounds), places_(places), most_(most) {}
 
     /// The planes through the middle along each pair of the first three axes; for a structure of one axis, a line.
-    /// Where the last of three or four axes is short, as an axis of levels is, instead one plane along the first two
-    /// axes for each of its values.
+    /// Where the last of three or four axes is short, as an axis of levels is, there is instead one plane along the
+    /// first two axes for each address along the last one.
     std::string json() {
         constexpr unsigned last = rank - 1;
         if (rank >= 3 && bounds_.high[last] < 16) {
@@ -156,8 +158,8 @@ private:
     /// The most addresses that are read along an axis of a plane; along a line the square of this.
     static constexpr std::uint32_t most_read = 4096;
 
-    /// Adds the plane along axes x and y, with the value and place of one element of each cell: NaN and no_place where
-    /// none is resident.
+    /// Adds the plane along axes x and y, with the value and the physical address (number_in) of one resident element
+    /// of each cell; NaN and no_place where none is resident.
     void add(const Extent& through, unsigned x, unsigned y) {
         Extent first = through, size{1, 1, 1, 1}, cells_along{1, 1, 1, 1};
         for (unsigned axis : {x, y}) {
@@ -227,7 +229,7 @@ struct Memories : SeesNothing {
     }
 };
 
-/// The extent of the memory in which the elements' places (Resident::places) lie.
+/// The extent of the memory that the elements' physical addresses (Resident::places) refer to.
 template <class S> struct PlaceExtent : SeesNothing {
     Extent extent{1, 1, 1, 1};
     bool is_known = false;

@@ -78,7 +78,7 @@ requires std::is_arithmetic_v<T>
 inline constexpr unsigned components_of<T> = 1;
 template <class T, unsigned N> inline constexpr unsigned components_of<vec<T, N>> = N;
 
-/// A visitor for `describe` of generated classes that ignores all parts: the base of those that look at some.
+/// A visitor for `describe` of generated classes that ignores all parts: the base of visitors that look at some parts.
 struct SeesNothing {
     template <class... Parts> void value(const Parts&...) {}
     template <class... Parts> void memory(const Parts&...) {}
@@ -141,8 +141,8 @@ struct FirstNumber : SeesNothing {
     bool is_found = false;
 };
 
-/// The number that a picture shows of a value: a scalar itself, of a vector the number of its first component, of a
-/// struct that of its first field; 0 for all else.
+/// The number that a picture shows for a value: a scalar itself, the number of a vector's first component or of a
+/// struct's first field; 0 for other types.
 template <class T> double number_of(const T& value) {
     if constexpr (components_of < T >> 1) {
         return number_of(value[0]);

@@ -14,9 +14,9 @@
 
 namespace glift {
 
-/// The elements that one call of a kernel visits. Arguments are added one by one; each is checked as it is added, and
-/// throws wrong_argument where it does not fit those before it. What does not depend on a structure's type is not
-/// inline, since programs have many calls.
+/// The elements that one call of a kernel visits. Arguments are added one by one, and each is checked as it is added:
+/// wrong_argument is thrown where it does not fit those before it, or its box lies outside the domain. What does not
+/// depend on a structure's type is not inline, since programs have many calls.
 class Iteration {
 public:
     explicit Iteration(const Kernel& kernel) : kernel_(kernel) {}
@@ -36,8 +36,8 @@ public:
     }
 
     /// For a kernel over the blocks of a structure (docs/language.md, Blocks): it visits {elements of a block, number
-    /// of blocks} of the first range. `count` is the number of blocks, if the device computes it; `visited.y` is then
-    /// an upper bound.
+    /// of blocks} of the first range. If the device computes the number of blocks, that is `count`, and `visited.y` is
+    /// an upper bound of it.
     void blocks(uint2 visited) {
         visited_ = visited;
         if (visited_.x == 0 || visited_.y == 0) visited_ = {0, 0};

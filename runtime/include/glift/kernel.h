@@ -1,20 +1,20 @@
 // A kernel as data, as generated code defines it. The header is kept small, since each kernel source includes it.
 //
 // A kernel has up to three compiled forms. They compute the same thing and differ in what they may assume:
-//   direct    every range is a whole structure; structures of one type that are visited together, or declared by one
-//             type name, have equal state (extents, strides), which is passed once; the host knows all sizes, except
-//             for a number of blocks; parameters are push constants where they fit;
+//   direct    every range is a whole structure; structures of one type that the kernel visits together, or declares
+//             with one type name, have equal state (extents, strides), which is passed once; the host knows all sizes,
+//             except for a number of blocks; parameters are push constants where they fit;
 //   general   ranges with origins, a state for each structure, sizes that may live on the device;
 //             parameters in a storage buffer at binding 0 (of draws a uniform buffer, where they fit);
 //   wide      like general, for larger sizes: physical addresses are computed in 64 bits, buffers are accessed by
 //             device address (without descriptors), and iterations may be split into several dispatches.
 //
-// Who chooses. Generated code asks Commands::needs_wide(kernel, memories, size, sharing) before it packs the
-// parameters, and packs the wide form's where the answer is true. On Vulkan devices it is true for a buffer larger than
-// a descriptor can cover, for more buffers than the device has descriptors, for an iteration in several axes of more
-// workgroups than one dispatch may have (not over blocks, not of draws), and for elements that are reached by two
-// bindings (Sharing::one_place), unless the kernel has images alone; on every device for a buffer of 2^32 elements or
-// more. On Vulkan devices the runtime writes the address of each buffer into the wide form's parameters, at
+// Generated code chooses the form. It asks Commands::needs_wide(kernel, memories, size, sharing) before it packs the
+// parameters, and packs those of the wide form where the answer is true. On Vulkan devices it is true for a buffer
+// larger than a descriptor can cover, for more buffers than the device has descriptors, for an iteration in several
+// axes of more workgroups than one dispatch may have (not over blocks, not of draws), and for elements that are reached
+// by two bindings (Sharing::one_place), unless the kernel has images alone; on every device for a buffer of 2^32
+// elements or more. On Vulkan devices the runtime writes the address of each buffer into the wide form's parameters, at
 // Binding::address_offset (8-byte aligned).
 #pragma once
 
@@ -28,8 +28,9 @@
 #include <span>
 
 // Embeds the SPIR-V file at `path`, a literal, as `const std::uint32_t symbol[count]`. The directive's name is split
-// because ccache does not cache sources that contain it; these it may cache, since the symbol's name contains a hash of
-// the file's contents. Weak and hidden: several sources may define the same symbol, and other libraries do not see it.
+// because ccache does not cache sources that contain it. Caching sources that use this macro is safe, since the
+// symbol's name contains a hash of the file's contents. The symbol is weak and hidden: several sources may define it,
+// and other libraries do not see it.
 #define GLIFT_SPIRV_FILE(symbol, count, path)                                                                          \
     asm(".pushsection .rodata.glift,\"a\"\n.balign 4\n.weak " #symbol "\n.hidden " #symbol "\n" #symbol ":\n.inc"      \
         "bin \"" path "\"\n.popsection\n");                                                                            \
@@ -79,7 +80,7 @@ struct Binding {
     std::uint32_t radius = 0;  ///< of Reach::window
     Combine combine = Combine::none;
     /// The parameters of which the kernel promises (@disjoint) that they access other elements than this binding's
-    /// parameter does: bit i for the one with number i (as in `parameter`), up to 31.
+    /// parameter does: bit i stands for the parameter with number i (as in `parameter`), i up to 31.
     std::uint32_t apart_from = 0;
 
     bool is_apart_from(std::uint32_t other) const { return other < 32 && (apart_from >> other & 1) != 0; }
@@ -91,7 +92,7 @@ struct SourceLine {
     std::uint32_t line = 0;  ///< 0: none
 };
 
-/// A kernel's report of an error. The first invocation to change code from 0 (atomicCompSwap) fills in the rest. The
+/// A kernel's report of an error. The first invocation to change `code` from 0 (atomicCompSwap) fills in the rest. The
 /// runtime supplies the record, and throws an Error that names the kernel, the line and, if there is one, the address:
 /// on the host device as soon as the pass has run, else when the host next waits (Commands::wait, Download::get,
 /// Timestamp::seconds).
@@ -176,9 +177,9 @@ struct Parameter {
 /// one-dimensional iteration of more groups than the device allows along x is folded: the runtime dispatches (x, y, 1)
 /// groups with x * y >= groups.x, and a group's index is gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
 /// invocations beyond the size do nothing. If of_blocks, groups along y are folded into z in the same way, and a
-/// group's index along y is gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y. In more dimensions an iteration
-/// beyond the device's limits (65535 groups along y and z on most) takes the wide form, split by the runtime into
-/// several dispatches through Form::base_offset; one whose size is patched (Call::patches) is refused
+/// group's index along y is gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y. Any other iteration in several
+/// dimensions beyond the device's limits (65535 groups along y and z on most) takes the wide form, and the runtime
+/// splits it into several dispatches through Form::base_offset; if its size is patched (Call::patches), it is refused
 /// (ErrorCode::too_large).
 struct Kernel {
     const char* name;

@@ -1,4 +1,4 @@
-// Copies on the host of boxes of a structure's elements, which are written back.
+// Boxes of a structure's elements, copied to the host and written back.
 #pragma once
 
 #include <glift/api.h>
@@ -41,8 +41,8 @@ public:
         }
     }
 
-    /// The address counts from the box's origin. Throws wrong_argument for one outside the box; this and values() also
-    /// after unmap().
+    /// The address counts from the box's origin. Throws wrong_argument for an address outside the box. This and
+    /// values() also throw it after unmap().
     Element& operator[](Address address) {
         const Extent a = detail::extent_of(address, 0), n = detail::extent_of(size_);
         const detail::Box box{S::type_name, detail::Axes<Address>::count, a, {1, 1, 1, 1}, n};

@@ -41,8 +41,8 @@ public:
     const MemoryDescription& description() const;  ///< images: bytes is filled in, all mips, faces and layers
     std::array<std::uint32_t, 3> extent() const { return description().extent; }
 
-    /// One level of an image, as an image of its own over the same texels: it may be read, written and drawn to while
-    /// other levels are. Throws wrong_argument where there is no such level.
+    /// One level of an image, as an image of its own over the same texels: a pass may use it beside other levels as if
+    /// they were different memories. Throws wrong_argument where there is no such level.
     Memory mip(std::uint32_t level) const;
     /// One layer of an image2darray or one face of a cube, of level 0, as an image2d over the same texels. Throws
     /// wrong_argument where there is no such layer or face.

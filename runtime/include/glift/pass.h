@@ -12,7 +12,7 @@
 
 namespace glift {
 
-/// The place of a 4-byte value on the device, such as a count that a kernel wrote.
+/// Where a 4-byte value lies on the device, such as a count that a kernel wrote.
 struct DeviceValue {
     Memory memory;             ///< a buffer
     std::uint64_t offset = 0;  ///< in bytes, a multiple of 4
@@ -26,7 +26,7 @@ struct Patch {
     std::uint32_t offset;  ///< byte offset in the parameters, a multiple of 4
     std::uint32_t limit = UINT32_MAX;
     std::uint32_t before = 0;
-    bool joins = false;  ///< same offset as the patch before it: the minimum of the two is written
+    bool joins = false;  ///< has the offset of the patch before it: the minimum of their values is written
 };
 
 /// A bool on the device, four bytes, and what it must be for a pass to run. If the bool differs from that, the pass

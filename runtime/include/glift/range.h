@@ -43,7 +43,7 @@ struct DeviceCount {
 
 }  // namespace detail
 
-/// A box of a structure of type S, or all of it. Shares the structure's memory and keeps it alive.
+/// A box of a structure of type S, or the whole structure. Shares the structure's memory and keeps it alive.
 template <class S> class Range {
 public:
     using Address = typename S::Address;
@@ -66,8 +66,8 @@ public:
     /// where the host knows the number.
     const std::vector<detail::DeviceCount>& device_counts() const { return counts_; }
 
-    /// A box within this one, whose `origin` counts from that of this one. Throws wrong_argument where it lies outside
-    /// this one.
+    /// A box within this range; `origin` counts from this range's origin. Throws wrong_argument where the box lies
+    /// outside this range.
     Range range(Address origin, Address size) const {
         require_inside(origin, size);
         Range part(structure_, origin_ + origin, size);

@@ -16,8 +16,8 @@ namespace glift {
 /// Resident elements, in the order of their addresses, x running fastest. Entries i of the lists belong to one element.
 template <class A, class P, class T> struct Resident {
     std::vector<A> addresses;
-    /// Where the addresses are translated to, in the structure's own memory; empty for structures whose elements are
-    /// always all resident.
+    /// The physical addresses in the structure's own memory that `addresses` are translated to; empty for structures
+    /// whose elements are always all resident.
     std::vector<P> places;
     std::vector<T> values;
 
@@ -112,7 +112,8 @@ template <class S> ResidentOf<S> resident(const Range<S>& range, const Commands&
     return {in_order(found.addresses, order), in_order(found.places, order), in_order(found.values, order)};
 }
 
-/// The same for a box of a structure whose elements are all resident; `values` are the box's, in row-major order.
+/// The resident elements of a box of a structure all of whose elements are resident; `values` are those of the box, in
+/// row-major order.
 template <class S>
 ResidentOf<S> all_of(typename S::Address origin, typename S::Address size, std::vector<typename S::Element> values) {
     using A = typename S::Address;

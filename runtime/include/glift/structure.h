@@ -1,5 +1,5 @@
-// What generated structures and views share: ranges, single elements, and (structures) boxes of elements that are moved
-// between host and device.
+// What generated structures and views share: ranges of elements. Structures also share access to single elements, and
+// to boxes of elements that are moved between host and device.
 #pragma once
 
 #include <glift/draw_iteration.h>
@@ -34,8 +34,9 @@ concept HasRows = requires(const S& s, typename S::Address a) {
 
 inline constexpr std::size_t most_rows = 1 << 16, most_regions = 1024;
 
-/// The box as copy regions from row-major host bytes; adjacent rows are merged. Nullopt where rows are not contiguous,
-/// or where there are too many rows or regions: a kernel moves such boxes.
+/// The box as copy regions from row-major host bytes; adjacent rows are merged. Nullopt where the elements of a row are
+/// not contiguous in the buffer, or where there are more than most_rows rows or most_regions regions: a kernel moves
+/// such boxes.
 template <class S> std::optional<std::vector<CopyRegion>> rows_of(const S& structure, typename S::Address origin,
                                                                   typename S::Address size) {
     using Address = typename S::Address;
@@ -80,8 +81,8 @@ template <class S> S&& part(S&& made, bool alike, const char* name) {
 
 }  // namespace detail
 
-/// The bytes of a buffer with this many elements, a multiple of 4. Of at least one element, so that an empty structure
-/// has a memory too.
+/// The bytes of a buffer with this many elements, a multiple of 4. The buffer has room for at least one element, so
+/// that an empty structure has a memory too.
 template <class T> constexpr std::uint64_t buffer_bytes(std::uint64_t count) {
     return saturated_sum(saturated_product(std::max<std::uint64_t>(1, count), sizeof(T)), 3) / 4 * 4;
 }
@@ -223,9 +224,9 @@ private:
         return static_cast<std::size_t>(detail::volume_of(detail::extent_of(size)));
     }
 
-    /// Boxes are moved in parts of about 1 GiB at most, so that staging memory stays bounded: calls f(origin, size,
-    /// elements before it) for each part. Splits along the last axis that is longer than one, then, where that is not
-    /// enough, along the one before it.
+    /// Calls f(origin, size, number of elements before the part) for each part of a box. Boxes are moved in parts of
+    /// about 1 GiB at most, so that staging memory stays bounded. The box is split along the last axis that is longer
+    /// than one and, where that is not enough, along the axis before it.
     template <class F> static void each_part(A origin, A size, F f, std::size_t before = 0) {
         constexpr std::uint64_t most = (std::uint64_t{1} << 30) / sizeof(T) + 1;
         const std::uint64_t elements = detail::volume_of(detail::extent_of(size));

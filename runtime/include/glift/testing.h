@@ -61,7 +61,7 @@ public:
     std::vector<std::string> failures;
     std::vector<std::string> notes;  ///< what was not compared or checked
     std::vector<KeptStructure> kept;
-    /// The translators that were checked with the state of structures that this test made: the failures found, by the
+    /// For each check of a translator with the state of a structure that this test made: the failures found, by the
     /// title of the check.
     std::map<std::string, std::vector<std::string>> translations;
 
@@ -84,8 +84,8 @@ public:
 
     /// Keeps all elements of a structure, to be compared with those of another device. Returns false where the domain
     /// is too large to read address by address (largest_kept): then the caller keeps the structure's memories and
-    /// tables instead. An array in a buffer that is larger than largest_compared is not kept; that is noted, and the
-    /// result is true.
+    /// tables instead. The result is true, though nothing is kept, for a default-constructed structure, and for an
+    /// array in a buffer that is larger than largest_compared, which is noted.
     template <class S> bool keep(const char* name, const S& structure, std::string_view scalars) {
         if (!structure) return true;
         const Extent domain = detail::extent_of(structure.domain());
@@ -123,11 +123,11 @@ public:
             return std::nullopt;
         }
     }
-    /// Why `make` made nothing at all; empty: it made something, or was not called.
+    /// Why no call of `make` has made anything; empty if one did, or if `make` was not called.
     std::string why_nothing_was_made() const { return made_ == 0 ? refused_ : std::string(); }
 
-    /// Runs `check`, which checks a translation with the state of a structure that this test made; only once for each
-    /// title.
+    /// Runs `check`, which checks a translation with the state of a structure that this test made, unless a check of
+    /// this title has been completed. An Error that it throws becomes a note.
     template <class Check> void check_as_made(const char* title, const Check& check) {
         check_as_made(
             title, [](const void* body) { (*static_cast<const Check*>(body))(); }, &check);
@@ -135,10 +135,10 @@ public:
 
 private:
     static constexpr std::uint64_t largest_kept = 1u << 28;                    ///< bytes, read address by address
-    static constexpr std::uint64_t largest_compared = std::uint64_t{4} << 30;  ///< bytes, of memory
+    static constexpr std::uint64_t largest_compared = std::uint64_t{4} << 30;  ///< bytes of an array in a buffer
 
     GLIFT_API void expect_numbers_near(double a, double b, double tolerance, const char* place);
-    /// Runs the check, and keeps its failures in `translations` instead of `failures`.
+    /// As above; keeps the check's failures in `translations` instead of `failures`.
     GLIFT_API void check_as_made(const char* title, void (*check)(const void* body), const void* body);
 
     template <class S> static KeptStructure record(const char* name, const S& structure, std::string_view scalars) {

@@ -8,12 +8,12 @@
 
 namespace glift {
 
-/// Addresses that a translator is tested with: all of a small domain, else samples at a regular step; or what the
-/// translators before it have made of these.
+/// Addresses that a translator is tested with: all addresses of a small domain, else samples at a regular step. For a
+/// translator after the first, they are the results of the translators before it.
 template <class A> struct Tried {
     std::vector<A> addresses;
     std::string domain;    ///< of the structure, as text
-    bool complete = true;  ///< all of the domain, mapped one-to-one by the translators so far
+    bool complete = true;  ///< the whole domain is tested, and the translators so far map it one-to-one
 };
 
 template <class A> Tried<A> tried(const A& domain) {
@@ -27,10 +27,11 @@ template <class A> Tried<A> tried(const A& domain) {
     return result;
 }
 
-/// Thrown where a translator reads a table out of bounds: what it makes of that address is then not checked.
+/// Thrown where a translator reads a table out of bounds: its result for that address is then not checked.
 struct OutsideTable {};
 
-/// A copy of a table's elements on the host, for translators that read it. A view's are computed on the device.
+/// A copy of a table's elements on the host, for translators that read the table. The elements of a view are computed
+/// on the device and then copied.
 template <class S> class Mirror {
 public:
     using Address = typename S::Address;
@@ -120,8 +121,8 @@ auto check_translator(Test& test, const std::string& name, const Tried<A>& from,
     return result;
 }
 
-/// True if the whole domain was tested, one-to-one, and all physical addresses lie inside the memory. Addresses tested
-/// have 32 bits, so a larger buffer's extent is clamped.
+/// True if the whole domain was tested and mapped one-to-one, and all physical addresses lie inside the memory, whose
+/// extent is `extent`. Addresses have 32 bits, so a larger buffer's extent is clamped.
 template <class P, class E> bool fill_memory(const Tried<P>& reached, const E& extent) {
     Extent limit{};
     if constexpr (std::is_same_v<E, std::uint64_t>)

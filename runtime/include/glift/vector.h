@@ -18,7 +18,7 @@ template <class T, unsigned N> struct vec;
 
 namespace detail {
 
-/// bool and its form in memory, Bool: vectors of them convert implicitly.
+/// Whether one type is bool and the other is Bool, its form in memory: vectors of these convert implicitly.
 template <class T, class U> inline constexpr bool both_bools = (std::is_same_v<T, bool> && std::is_same_v<U, Bool>) ||
                                                                (std::is_same_v<T, Bool> && std::is_same_v<U, bool>);
 
@@ -138,7 +138,7 @@ template <class T> using same = typename Same<T>::type;  // not deduced, so that
 
 }  // namespace detail
 
-// Componentwise operators; a scalar on either side is broadcast.
+// Componentwise operators; a scalar operand is broadcast.
 #define GLIFT_VECTOR_OPERATOR(op, function)                                                                            \
     template <class T, unsigned N> constexpr vec<T, N> operator op(const vec<T, N>& a, const vec<T, N>& b) {           \
         return detail::map([](T l, T r) -> T { return function; }, a, b);                                              \
@@ -272,7 +272,7 @@ using float3x4 = mat<float, 3, 4>;
 using float4x2 = mat<float, 4, 2>;
 using float4x3 = mat<float, 4, 3>;
 
-/// Summed in the order of the columns, so that the result is the same on every device.
+/// The terms are summed in the order of the columns, so that the result is the same on every device.
 template <class T, unsigned C, unsigned R> constexpr vec<T, R> operator*(const mat<T, C, R>& m, const vec<T, C>& v) {
     vec<T, R> sum = m.columns[0] * v.x;
     for (unsigned c = 1; c < C; ++c) sum += m.columns[c] * v[c];

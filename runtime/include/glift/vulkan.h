@@ -45,7 +45,7 @@ struct Objects {
     VkDevice device = VK_NULL_HANDLE;
     VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t queue_family = 0;
-    std::span<const char* const> extensions = {};                ///< that the device was made with; names are copied
+    std::span<const char* const> extensions = {};                ///< enabled on the device; names are copied
     PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;  ///< null: the system's loader
 };
 
@@ -61,8 +61,9 @@ struct Extensions {
 };
 
 /// Opens a device as Device::open does, on an instance and a device with these extensions. For programs that use the
-/// queue of `objects(device)` themselves. Throws missing_feature where no driver has an instance extension or the
-/// device lacks one of its own, and wrong_argument for `host`, which has no Vulkan.
+/// queue of `objects(device)` themselves. Throws what Device::open does, missing_feature also where no driver has one
+/// of the instance extensions or the device lacks one of the device extensions, and wrong_argument for `host`, which
+/// has no Vulkan.
 GLIFT_API Device open(const Extensions& extensions, std::string_view which = {});
 
 /// Records into the user's command buffer, which is in the recording state. A barrier against everything earlier on the
@@ -87,9 +88,9 @@ struct ImageHandle {
     VkImageLayout layout;  ///< always VK_IMAGE_LAYOUT_GENERAL
 };
 
-/// The Vulkan objects of a memory, for descriptors of the user's own. Call flush() before the user's commands use it.
-/// Throws wrong_argument for a memory of the host device, and for an image in place of a buffer or a buffer in place of
-/// an image.
+/// The Vulkan objects of a memory, for descriptors of the user's own. Call flush() before commands of the user's use
+/// the memory. Throws wrong_argument for a memory of the host device, and for an image in place of a buffer or a buffer
+/// in place of an image.
 GLIFT_API BufferHandle buffer(const Memory& memory);
 GLIFT_API ImageHandle image(const Memory& memory);
 
@@ -100,8 +101,8 @@ struct UserImage {
     VkFormat format = VK_FORMAT_UNDEFINED;  ///< that of one of Glift's formats (host/memory.h)
     uint2 extent;
     std::uint32_t mips = 1, layers = 1;  ///< one layer: image2d, more: image2darray
-    VkImageUsageFlags usage = 0;         ///< that it was made with: what Glift may do with it
-    VkImageCreateFlags flags = 0;        ///< that it was made with
+    VkImageUsageFlags usage = 0;         ///< that the image was made with: what Glift may do with it
+    VkImageCreateFlags flags = 0;        ///< that the image was made with
     const char* name = "image";          ///< in errors; copied
 };
 
@@ -114,7 +115,8 @@ GLIFT_API Memory adopt_image(const Device& device, const UserImage& image);
 
 /// The Vulkan objects of a device, opened or adopted; `extensions` live as long as the device. A program may use the
 /// queue between calls of Glift: what Glift submits is ordered after what the program submitted before, and what the
-/// program submits later after Glift's. The first call submits what Glift has pending, and may throw as flush does.
+/// program submits later after Glift's. The first call for a device that Glift opened submits what Glift has pending,
+/// and may throw as flush does. Throws wrong_argument for the host device.
 GLIFT_API Objects objects(const Device& device);
 
 }  // namespace glift::vulkan

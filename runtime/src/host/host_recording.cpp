@@ -28,8 +28,8 @@ public:
 private:
     std::shared_ptr<DeviceObject> device_;
     std::vector<std::function<void(HostStream&)>> steps_;
-    std::vector<Memory> held_;                             ///< that steps use
-    std::vector<std::shared_ptr<HostStorage>> workspace_;  ///< its blocks, of workspace_bytes_ in total
+    std::vector<Memory> held_;                             ///< memories that the steps use
+    std::vector<std::shared_ptr<HostStorage>> workspace_;  ///< the workspace's blocks: workspace_bytes_ in total
     std::uint64_t workspace_bytes_;
 };
 

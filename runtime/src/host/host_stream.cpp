@@ -48,7 +48,7 @@ std::byte* texel_address(const Memory& image, std::array<std::uint32_t, 3> at, s
     return host_memory(image).data() + mip_offset(d, mip) + face * face_bytes(d, mip) + texel * texel_bytes(d.format);
 }
 
-// Calls row(image bytes, offset in the packed bytes, length) for each row of each box.
+// Calls row(address in the image, offset in the packed bytes, length in bytes) for each row of each box.
 template <class Row> void each_row(const Memory& image, std::span<const ImageRegion> regions, Row row) {
     const std::uint64_t texel = texel_bytes(image.description().format);
     for (const ImageRegion& r : regions) {
@@ -63,7 +63,8 @@ template <class Row> void each_row(const Memory& image, std::span<const ImageReg
     }
 }
 
-// Applies device values to a copy of the parameters and to the size.
+// Returns a copy of the parameters with the patches of the call applied. Those of the iteration size also change
+// `size`.
 std::vector<std::byte> patched(const Kernel& kernel, const Call& call, std::array<std::uint32_t, 4>& size) {
     const std::uint32_t first = form_of(kernel, call.form).size_offset;
     std::vector<std::byte> parameters(call.parameters.begin(), call.parameters.end());

@@ -91,9 +91,9 @@ private:
     std::shared_ptr<DeviceObject> keep_;
     std::shared_ptr<Workspace> workspace_ = std::make_shared<Workspace>();
     std::vector<std::shared_ptr<HostStorage>>
-        blocks_;  ///< memory of the recording's temporaries: workspace_ says which part of which block each has
+        blocks_;  ///< storage of the recording's temporaries; workspace_ says where in which block each lies
     std::vector<std::function<void(HostStream&)>> steps_;
-    std::vector<Memory> held_;  ///< that steps use
+    std::vector<Memory> held_;  ///< memories that the steps use
     std::unordered_set<const MemoryObject*> held_objects_;
 };
 

@@ -8,7 +8,7 @@
 
 namespace glift::detail {
 
-/// Where the texels of a call's targets lie; valid while this lives.
+/// Where the texels of a call's targets lie. `targets()` is valid while this object lives.
 class HostTargetViews {
 public:
     HostTargetViews(const Kernel& kernel, const DrawTargets& targets);

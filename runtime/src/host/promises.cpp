@@ -1,5 +1,6 @@
-// How a broken promise is found: the pass is run with other values in the elements that it writes, seen only by the
-// parameter that promises not to read them. Where that changes any result, some invocation read them.
+// How a broken promise (@disjoint) is found: the pass is run again while the elements that it writes hold other values,
+// but only for reads through the parameter that promises not to read them. If that changes any result, some invocation
+// has read such an element.
 #include "promises.h"
 
 #include "../text.h"
@@ -18,8 +19,8 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-/// Bits that are flipped in a word. Both are small changes, so that loops that run as often as the word says still end;
-/// the second one changes truth values.
+/// Bits that are flipped in a word, one in each run. Both change a word by little, so that a loop that runs as often as
+/// the word says still ends; the second one also changes a bool.
 constexpr std::uint32_t changes[] = {0x40, 0x01};
 
 bool writes(const Binding& binding) { return binding.access != Access::read; }
@@ -40,7 +41,8 @@ std::string_view parameter_of(const Binding& binding) {
     return name.substr(0, name.find('.'));
 }
 
-/// One memory that is read and written in a call that promises the two to be apart.
+/// Checks one promise of a call: that what it writes to a memory through the binding `written` is not read through the
+/// binding `read` of the same memory.
 class Promise {
 public:
     Promise(const Kernel& kernel, const Form& form, std::span<const Memory> memories, const HostCall& call,
@@ -59,11 +61,11 @@ public:
     }
 
 private:
-    /// The memories that a call writes, by the address of their first byte, with their contents after it.
+    /// The contents after the call of the memories that it writes, by the address of the memory's first byte.
     using Outcome = std::map<const std::byte*, Bytes>;
 
-    /// Runs the call on copies. `seen` is what the promising parameter reads, `initial` what the same memory holds
-    /// before the call for all other parameters.
+    /// Runs the call on copies. The memory holds `seen` for reads through the promising parameter; for all other
+    /// parameters it holds `initial` before the call.
     Outcome run(const Bytes& seen, const Bytes& initial) const {
         Outcome copies;
         for (std::size_t i = 0; i < memories_.size(); ++i) {
@@ -89,7 +91,8 @@ private:
         return copies;
     }
 
-    /// The words that the call writes: those that it changes, or that do not depend on what was there before.
+    /// The words that the call writes: those that it changes, and those whose value after the call does not depend on
+    /// their value before it.
     std::vector<std::size_t> written_words(const Outcome& plain) const {
         Bytes other = before_;
         const std::size_t count = before_.size() / 4;
@@ -145,7 +148,7 @@ private:
     Bytes before_;
 };
 
-/// Calls `visit(read, written)` for each two bindings of one memory that a promise is about.
+/// Calls `visit(read, written)` with the indices of each two bindings of one memory that a promise is about.
 template <class Visit> void for_each_promise(const Kernel& kernel, std::span<const Memory> memories, Visit&& visit) {
     for (std::size_t read = 0; read < memories.size(); ++read)
         for (std::size_t written = 0; written < memories.size(); ++written)

@@ -11,9 +11,9 @@ namespace glift::detail {
 /// Whether the kernel promises that memory which the call binds twice is not read where it is written.
 bool relies_on_promise(const Kernel& kernel, std::span<const Memory> memories);
 
-/// Throws aliased_memory if some invocation is found to read an element, through a parameter that promises not to, that
-/// the call writes. Finds out by running the call several times, on copies of all that it writes; does not find reads
-/// that change no result, nor any where results depend on the order of invocations.
+/// Throws aliased_memory if some invocation is found to read an element that the call writes, through a parameter that
+/// promises not to. To find out, the call is run several times, on copies of all that it writes. A read that changes no
+/// result is not found, and no read is where results depend on the order of invocations.
 void check_promises(const Kernel& kernel, const Form& form, std::span<const Memory> memories, const HostCall& call);
 
 }  // namespace glift::detail

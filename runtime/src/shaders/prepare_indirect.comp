@@ -11,7 +11,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Words { uint
 
 struct PatchSource {
     Words value;
-    uint word;         // index in the parameter block; the other fields are those of Patch (pass.h)
+    uint word;         // index of a word in the parameter block; the other fields are those of Patch (pass.h)
     uint limit;
     uint before;
     uint joins;
@@ -32,15 +32,15 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Arg
     Words command;
     Patches patches;
     Conditions conditions;
-    uint size[4];      // upper bounds
+    uint size[4];      // iteration size before patches: upper bounds
     uint per_group[3]; // elements that a workgroup covers
-    uint limit_x;      // most workgroups along x
+    uint limit_x;      // most workgroups along x, beyond which one axis is folded
     uint rank;
     uint size_word;    // index of the size in the parameter block
     uint patch_count;
     uint condition_count;
     uint draws;        // not 0: the command is a draw of size[0] corners and size[1] instances
-    uint limit_y;      // kernels over blocks: most workgroups along y; others, which are not folded along y: all bits set
+    uint limit_y;      // kernels over blocks: most workgroups along y, beyond which y is folded; others: 2^32 - 1
 };
 
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer List {

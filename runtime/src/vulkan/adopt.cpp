@@ -5,8 +5,7 @@
 
 #include <glift/error.h>
 
-// This header includes Vulkan's own. Only the types of that one are needed: it declares no functions here
-// (VK_NO_PROTOTYPES).
+// Includes <vulkan/vulkan.h>, which declares types here but no functions (VK_NO_PROTOTYPES).
 #include <glift/vulkan.h>
 
 #include <cstdlib>

@@ -18,7 +18,7 @@ struct Block {
 
 namespace {
 
-/// Sub-allocates from the block.
+/// Sub-allocates from the block and sets `offset`; false if the block has no room.
 bool take(Block& block, VkDeviceSize bytes, VkDeviceSize alignment, VkDeviceSize& offset) {
     const auto found = block.free.take(bytes, alignment);
     if (!found) return false;
@@ -176,7 +176,7 @@ void Allocator::free(const Allocation& allocation) {
     allocation.block->used -= allocation.bytes;
     used_ -= allocation.bytes;
     if (allocation.block->used) return;
-    // Each pool keeps one empty block of ordinary size for its next memory.
+    // Each pool keeps one empty block of at most largest_block bytes for its next memory.
     Pool& pool = *pools_[allocation.block->pool];
     const auto spare = [&](const auto& block) {
         return block.get() != allocation.block && !block->used && block->bytes <= largest_block;

@@ -29,8 +29,8 @@ public:
     explicit Allocator(Context& context);
     ~Allocator();
 
-    /// False if there is no memory of a fitting type left (or GLIFT_MEMORY_LIMIT is reached). `linear`: for a buffer,
-    /// else for an image.
+    /// False if there is no memory of a fitting type left (or GLIFT_MEMORY_LIMIT is reached). `linear`: true for a
+    /// buffer, false for an image.
     bool allocate(const VkMemoryRequirements& needs, MemoryUse use, bool linear, Allocation& result);
     void free(const Allocation& allocation);
 

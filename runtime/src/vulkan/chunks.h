@@ -40,7 +40,8 @@ public:
     /// The device's lock is held. Throws out_of_memory.
     std::shared_ptr<Chunk> take(MemoryUse use, VkDeviceSize bytes);
 
-    /// The device's lock is held. trim: destroys idle chunks that are not worth keeping; clear: all of them.
+    /// The device's lock is held. `trim` destroys idle chunks that are larger than largest_kept or more than
+    /// most_kept (chunks.cpp); `clear` destroys all idle chunks.
     void trim();
     void clear();
 

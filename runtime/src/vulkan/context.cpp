@@ -120,7 +120,7 @@ void Context::read_limits(const FeatureChain& features) {
     const VkQueueFamilyProperties family = queue_families(*instance, physical)[queue_family];
     timestamp_bits = family.timestampValidBits;
     max_piece_bytes = properties.max_allocation_bytes;
-    // On an adopted device it is not known whether the feature was enabled.
+    // Of an adopted device it is not known whether the feature sparseBinding was enabled.
     const bool is_sparse =
         owned && features.core.features.sparseBinding && (family.queueFlags & VK_QUEUE_SPARSE_BINDING_BIT) != 0;
     if (is_sparse) properties.max_allocation_bytes = max_sparse_bytes(*instance, physical);

@@ -30,7 +30,7 @@ DescriptorCounts count_descriptors(const Kernel& kernel, const Form& form) {
 
 bool buffers_fit(const Context& context, const Kernel& kernel) {
     const VkPhysicalDeviceLimits& limits = context.core.limits;
-    // Most kernels have few: the parameters and the status record are two more.
+    // Most kernels have few bindings. The parameters and the status record are two more descriptors.
     if (kernel.bindings.size() + 2 <= std::min(buffer_limit(limits), limits.maxPerStageResources)) return true;
     const DescriptorCounts counts = count_descriptors(kernel, kernel.general);
     return counts.buffers == 0 ||

@@ -8,7 +8,7 @@
 namespace glift::detail {
 
 struct DescriptorCounts {
-    std::uint32_t buffers = 0;  ///< of the memories
+    std::uint32_t buffers = 0;  ///< memories that are buffers
     std::uint32_t parameter_buffers = 0, status_buffers = 0;
     std::uint32_t storage_images = 0, sampled_images = 0;
 

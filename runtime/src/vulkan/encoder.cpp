@@ -101,8 +101,8 @@ bool Encoder::needs_addresses(const Kernel& kernel, std::span<const Memory> memo
 }
 
 // Aliased elements need pointers that may be equal: buffer descriptors of a shader are declared not to alias. A kernel
-// of images alone has no wide form: lower/one_place.h says how the general one reads what was written through another
-// parameter.
+// of images alone has no wide form: compiler/lower/one_place.h says how the general form reads what was written through
+// another parameter.
 bool Encoder::needs_wide(const Kernel& kernel, std::span<const Memory> memories,
                          const std::array<std::uint32_t, 4>& size, Sharing sharing) const {
     check_memories(&device_, kernel, memories);
@@ -127,7 +127,7 @@ void Encoder::check_form(const Kernel& kernel, const Call& call) const {
                 "ask Commands::needs_wide before packing the parameters");
 }
 
-// Records a barrier before a pass if one of its memories needs it.
+// Records a barrier before a pass if one of its memories needs it, and notes the pass's accesses.
 void Encoder::order(const Kernel& kernel, const Call& call) {
     const std::size_t count = call.memories.size();
     for (std::size_t k = 0; k < count; ++k) {
@@ -235,8 +235,8 @@ void Encoder::dispatch(const Kernel& kernel, const Call& call) {
                               static_cast<std::uint32_t>(groups.count[1]), static_cast<std::uint32_t>(groups.count[2]));
 }
 
-// Dispatches parts within the device's limits, each with its own parameters that hold its base. The parts are
-// invocations of one pass, so they need no barriers between them.
+// Dispatches parts of the iteration that are within the device's limits. Each part has a parameter block of its own,
+// with its first invocation at Form::base_offset. The parts belong to one pass, so they need no barriers between them.
 void Encoder::dispatch_split(const Pipeline& pipeline, const Call& call, const Groups& groups) {
     const auto& limit = context_.properties.max_workgroups;
     std::array<std::uint64_t, 3> base = {};

@@ -42,10 +42,11 @@ public:
     Slice download_image(const VulkanMemory& image, std::span<const ImageRegion> regions, std::uint64_t bytes);
     void timestamp(VkQueryPool pool, std::uint32_t query);
 
-    /// A memory got storage that other memories of this stream used.
+    /// Notes that a memory got storage that other memories of this stream used: the next access needs a barrier.
     void note_storage_reuse() { hazards_.note_storage_reuse(); }
 
-    /// Orders everything before it on the queue against everything after it, on the queue and on the host.
+    /// A barrier that orders everything before it on the queue before everything after it, on the queue and on the
+    /// host.
     void full_barrier();
 
 private:
@@ -86,11 +87,11 @@ private:
     CommandBatch* batch_ = nullptr;
     VkPipeline bound_ = VK_NULL_HANDLE;
     Hazards hazards_;
-    /// The list of passes that the last preparing pass reads (prepare_indirect.comp). Passes are added to it as long as
-    /// it has room and nothing has written the values that they take.
+    /// The list of passes that the last preparing pass prepares (prepare_indirect.comp). Passes are added to the list
+    /// as long as it has room and no command has written the values that they take since prepared_at_.
     Slice prepared_;
     std::uint32_t prepared_count_ = 0;
-    std::uint64_t prepared_at_ = 0;  ///< Hazards::writes() when that pass was recorded
+    std::uint64_t prepared_at_ = 0;  ///< Hazards::writes() when the preparing pass was recorded
     bool reported_ = false;          ///< a draw since the last barrier may have written its status record
     bool draws_ = false;             ///< barriers order graphics stages, too: from the first draw on
 };

@@ -41,7 +41,7 @@ std::vector<VkBufferImageCopy> image_copies(const VulkanMemory& image, std::span
     return result;
 }
 
-/// The most bytes of one copy between buffers or one vkCmdFillBuffer here. Larger ones are split, since some drivers
+/// The most bytes of one copy between buffers, or of one vkCmdFillBuffer. Larger ones are split, since some drivers
 /// count bytes in 32 bits. Uploads to buffers arrive in smaller parts already (vulkan_stream.cpp).
 constexpr std::uint64_t most_at_once = std::uint64_t(1) << 30;
 
@@ -55,9 +55,9 @@ std::vector<VkBufferCopy> buffer_copies(std::span<const CopyRegion> regions, VkD
     return result;
 }
 
-/// Fills of up to this many bytes are compute dispatches (VulkanDevice::fill_pass): around vkCmdFillBuffer an H200
-/// waits for all work. Larger ones use vkCmdFillBuffer, which reaches the memory's bandwidth at that size, unless they
-/// are under conditions (Encoder::fill_where).
+/// Fills of up to this many bytes are compute dispatches (VulkanDevice::fill_pass): before and after vkCmdFillBuffer an
+/// H200 waits for all work. Larger fills use vkCmdFillBuffer, which reaches the memory's bandwidth at that size, unless
+/// they are under conditions (Encoder::fill_where).
 constexpr std::uint64_t most_filled_by_pass = 1u << 20;
 
 std::uint32_t count(const auto& list) { return static_cast<std::uint32_t>(list.size()); }

@@ -42,8 +42,8 @@ bool Encoder::patches_size(const Pipeline& pipeline, const Call& call) const {
     });
 }
 
-/// Whether no recorded command has written these values since the last preparing pass, which can then read them for
-/// another pass.
+/// Whether no command recorded since the last preparing pass has written these values: that pass can then read them for
+/// one more pass.
 bool Encoder::is_prepared_with(std::span<const Patch> patches, std::span<const Condition> conditions) const {
     const auto was_written = [&](const DeviceValue& value) {
         return hazards_.was_written_since(vulkan_memory(value.memory).id, prepared_at_);
@@ -53,8 +53,8 @@ bool Encoder::is_prepared_with(std::span<const Patch> patches, std::span<const C
                         [&](const Condition& condition) { return was_written(condition.value); });
 }
 
-/// Records a pass that prepares others. The list of passes that it prepares is filled in while these are recorded,
-/// until the commands are submitted.
+/// Records a pass that prepares other passes. The list of the passes that it prepares is empty at first; `prepare` adds
+/// them as they are recorded.
 void Encoder::open_preparation(std::span<const Patch> patches, std::span<const Condition> conditions) {
     const auto conflicts = [&](const DeviceValue& value) {
         return hazards_.conflicts(vulkan_memory(value.memory).id, Access::read);
@@ -110,7 +110,7 @@ Slice Encoder::prepare(PrepareArguments arguments, std::span<const Patch> patche
     return command;
 }
 
-/// Adds the pass of this call, or a part of the pass, which has the given size.
+/// Adds the pass of this call, or a part of that pass, to the list; `size` is the size of the pass or part.
 Slice Encoder::prepare(const Pipeline& pipeline, const Call& call, const Slice& block,
                        const std::array<std::uint32_t, 4>& size) {
     const Kernel& kernel = *pipeline.kernel;

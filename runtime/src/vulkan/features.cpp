@@ -114,7 +114,7 @@ std::string lacking_extensions(const Instance& instance, VkPhysicalDevice physic
     return names;
 }
 
-// long: a line for each property
+// long: the function has a line for each property
 DeviceProperties read_properties(const Instance& instance, VkPhysicalDevice physical, const FeatureChain& features,
                                  const std::vector<const char*>& extensions) {
     VkPhysicalDeviceMaintenance4Properties maintenance4 = {

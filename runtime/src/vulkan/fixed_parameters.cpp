@@ -18,9 +18,9 @@ struct Module {
     struct Vector {
         std::uint32_t component, count;
     };
-    std::unordered_map<std::uint32_t, Vector> vectors;  ///< vector types, and 32-bit scalar types as vectors of one
-    std::unordered_map<std::uint32_t, std::uint32_t> constants;  ///< one word each
-    std::unordered_map<std::uint32_t, std::uint32_t> pointees;   ///< of pointer types
+    std::unordered_map<std::uint32_t, Vector> vectors;  ///< by type: vectors of 32-bit scalars; a scalar has count 1
+    std::unordered_map<std::uint32_t, std::uint32_t> constants;  ///< 32-bit constants: their value
+    std::unordered_map<std::uint32_t, std::uint32_t> pointees;   ///< pointer types: the type they point to
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> members;
     std::unordered_map<std::uint64_t, std::uint32_t> offsets;  ///< of (struct, member)
     std::unordered_map<std::uint32_t, std::uint32_t> bindings;
@@ -68,7 +68,8 @@ private:
         block_type = pointees[w[1]];
     }
 
-    /// An access chain to a member or to a component of one; others are left alone.
+    /// Notes an access chain to a member of the block, or to a component of a vector member. Other chains are not
+    /// noted, so that loads through them stay.
     void read_chain(Words w) {
         if (w.size() < 5 || w.size() > 6 || !constants.contains(w[4])) return;
         const std::uint32_t member = constants[w[4]];
@@ -107,7 +108,7 @@ public:
     }
 
 private:
-    /// A constant to replace the load with, if all of its words are fixed.
+    /// The id of a new constant to replace the load with; nullopt unless all words that it loads are known to be fixed.
     std::optional<std::uint32_t> constant_for(Words load) {
         const auto chain = module_.chains.find(load[3]);
         const auto type = module_.vectors.find(load[1]);

@@ -16,7 +16,8 @@ constexpr std::uint32_t mode_of(std::uint32_t capability) { return capability - 
 /// Whether a device has a mode for floats of 16, 32 and 64 bits.
 using Widths = std::array<bool, 3>;
 
-/// Leaves out widths that the device can only set together with other ones, if it lacks the mode for one of these.
+/// Leaves out widths that the device can only set together with other widths, if it lacks the mode for one of the
+/// latter.
 Widths allowed(Widths widths, VkShaderFloatControlsIndependence independence) {
     auto& [half, single, full] = widths;
     if (independence == VK_SHADER_FLOAT_CONTROLS_INDEPENDENCE_NONE && !(half && single && full)) return {};

@@ -19,8 +19,8 @@ struct FloatControls {
     /// The modes that the device can set: keep subnormals; keep signed zeros, infinities and NaN; round to nearest
     /// even.
     std::vector<FloatMode> modes;
-    bool hides_zeros = false;  ///< the driver simplifies constant zeros even so: see hidden_zeros.h
-    bool keeps_sums = false;   ///< the driver rounds differences of constants wrong: see kept_sums.h
+    bool hides_zeros = false;  ///< the driver simplifies constant zeros in spite of the modes: see hidden_zeros.h
+    bool keeps_sums = false;   ///< the driver rounds differences of constants wrongly: see kept_sums.h
 
     static FloatControls of(const VkPhysicalDeviceVulkan12Properties& properties);
 };

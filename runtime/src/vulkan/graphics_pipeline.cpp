@@ -68,7 +68,7 @@ VkPipelineDepthStencilStateCreateInfo depth_state(const Drawing& drawing) {
 
 }  // namespace
 
-// long: the structures that Vulkan wants, all of which the last one points to
+// long: the function fills all the structures that Vulkan wants; the last one points to the others
 VkPipeline make_graphics_pipeline(Context& context, const Pipeline& pipeline, VkPipelineCache cache) {
     const Drawing& drawing = *pipeline.kernel->drawing;
     const ShaderStage vertex(context, pipeline, pipeline.form->spirv, VK_SHADER_STAGE_VERTEX_BIT);

@@ -32,14 +32,14 @@ inline Groups count_groups(const Kernel& kernel, const std::array<std::uint32_t,
              div_ceil(std::uint64_t(size[2]) * size[3], covered[2])}};
 }
 
-/// Kernels over blocks: folds workgroups along y that are too many into z.
+/// For kernels over blocks: if there are more than `limit` workgroups along y, spreads them over y and z.
 inline void fold_blocks(Groups& groups, std::uint32_t limit) {
     if (groups.count[1] <= limit) return;
     groups.count[2] = div_ceil(groups.count[1], limit);
     groups.count[1] = div_ceil(groups.count[1], groups.count[2]);
 }
 
-/// The most workgroups along x of a one-dimensional iteration, where the device allows `limit`: they have fewer than
+/// The most workgroups along x of a one-dimensional iteration, on a device that allows `limit`. They have fewer than
 /// 2^31 invocations, since the top bit of an invocation's number along x must not be set (unknown_bit.h).
 inline std::uint32_t limit_along_x(const Kernel& kernel, std::uint32_t limit) {
     return std::min(limit, 0x7fffffffu / kernel.group[0]);

@@ -1,8 +1,8 @@
 // Which memories were accessed since the last barrier, and whether another access needs a barrier.
 //
-// A barrier here is a global one: it orders everything before it against everything after it. So the question is only
-// whether any memory of the next pass was written since the last barrier, or read and is now written. Write after write
-// counts too (validation does not find it between dispatches).
+// Each barrier orders all passes and copies before it against all after it. So the question is only whether a memory of
+// the next pass was written since the last barrier, or was read and is now written. A write after a write needs a
+// barrier too (the validation layer does not report it between dispatches).
 #pragma once
 
 #include <glift/pass.h>
@@ -39,7 +39,8 @@ public:
         state.written_at = ++writes_;
     }
 
-    /// The number of writes so far, and whether a memory was written after the number was `writes`.
+    /// `writes` is the number of writes so far. `was_written_since`: whether a memory has been written since that
+    /// number was `writes`.
     std::uint64_t writes() const { return writes_; }
     bool was_written_since(MemoryId id, std::uint64_t writes) const {
         if (id.slot >= states_.size()) return false;
@@ -47,7 +48,7 @@ public:
         return state.serial == id.serial && state.written_at > writes;
     }
 
-    /// A new memory has storage that others used: the next access needs a barrier after theirs.
+    /// Notes that a new memory has storage that others used: the next access of any memory needs a barrier before it.
     void note_storage_reuse() { storage_was_reused_ = true; }
 
     /// After a barrier nothing is pending.

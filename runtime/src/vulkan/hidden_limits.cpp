@@ -12,7 +12,7 @@ namespace {
 
 using namespace spirv;
 
-constexpr std::int32_t highest_begin = -2;  // loops from -1 to 0 are right
+constexpr std::int32_t highest_begin = -2;  // loops that begin at -1 are compiled correctly
 
 class HidingLimits {
 public:
@@ -51,7 +51,7 @@ private:
         case constant:
             if (w[1] == int_) constants_.emplace(w[2], static_cast<std::int32_t>(w[3]));
             break;
-        case copy_object:  // what parameters that are fixed for a pipeline become
+        case copy_object:  // with_fixed_parameters replaces loads of fixed parameters by these
             if (const auto found = constants_.find(w[3]); found != constants_.end())
                 constants_.emplace(w[2], found->second);
             break;
@@ -64,13 +64,14 @@ private:
         return found != constants_.end() && found->second == value;
     }
 
-    /// A comparison with 1, and the index of the operand that is the 1; 0: there is none.
+    /// A comparison with 1, and the index of the operand that is the 1; index 0: there is no such comparison.
     struct Comparison {
         std::uint32_t op = 0;
         std::size_t place = 0;
     };
 
-    /// The same as a comparison with 1, if the instruction compares with a constant so that 0 and 1 differ.
+    /// An equivalent comparison with 1, if the instruction compares a value with 0 or 1 and gives different results for
+    /// the values 0 and 1.
     Comparison comparison_with_one(std::uint32_t op, SpirvWords w) const {
         switch (op) {
         case s_less_than:  // x < 1, 0 < x

@@ -24,8 +24,8 @@ using Module = std::vector<std::uint32_t>;
 /// How an instruction uses a constant.
 enum class Use : std::uint8_t {
     none,
-    computes,   // arithmetic, which the driver simplifies for zeros: constants with a zero are hidden
-    passes_on,  // forwards it or a part of it, perhaps to arithmetic that folds to zero: all constants are hidden
+    computes,   // arithmetic, which the driver simplifies for zeros: float constants with a zero are hidden
+    passes_on,  // gives it or a part of it to other instructions, which may fold to zero: float constants are hidden
 };
 
 Use use_of(std::uint32_t op) {
@@ -105,7 +105,7 @@ private:
     struct Constant {
         Words words;
         bool has_zero = false;   ///< is or contains a zero of either sign
-        std::uint32_t bits = 0;  ///< id of an integer constant of the same bits; 0: this is +0 or not of 32 bits
+        std::uint32_t bits = 0;  ///< id of a uint constant of the same bits; 0: this is +0 or not a 32-bit scalar
     };
 
     Words spirv_;
@@ -178,7 +178,7 @@ bool Hiding::is_hidden(std::uint32_t id, Use use) const {
 }
 
 /// Whether this is a variable of a function that is initialised with a constant of floats: an array or a matrix that is
-/// indexed, whose parts unrolling may turn into constants.
+/// indexed. Unrolling loops may turn its parts into constants.
 bool Hiding::is_table(Words w) const {
     return op_of(w) == variable && w.size() == initial_value + 1 && constants_.contains(w[initial_value]);
 }
@@ -222,8 +222,8 @@ std::uint32_t Hiding::hide(Module& module, std::uint32_t id) {
     return result;
 }
 
-/// The hidden zero as a value of an integer type. One of 64 bits is composed of two halves, since Mesa gets comparisons
-/// of converted 32-bit integers wrong.
+/// The hidden zero as a value of an integer type. A value of 64 bits is composed of two uints, since Mesa gets
+/// comparisons of converted 32-bit integers wrong.
 std::uint32_t Hiding::bit_as(Module& module, std::uint32_t type) {
     if (type == uint_) return bit_;
     const std::uint32_t width = integers_.at(type);
@@ -267,7 +267,8 @@ void Hiding::widen(Module& module, Words conversion) {
     append(module, bitwise_or, {conversion[1], conversion[2], widened, bits});
 }
 
-/// Combines an integer that becomes a float, which may become constant by unrolling, with the hidden zero.
+/// Combines an integer that becomes a float with the hidden zero, since unrolling loops may make a constant of it.
+/// Other operands are returned unchanged.
 std::uint32_t Hiding::with_bit(Module& module, std::uint32_t operand) {
     const auto type = types_.find(operand);
     if (type == types_.end()) return operand;
@@ -276,8 +277,8 @@ std::uint32_t Hiding::with_bit(Module& module, std::uint32_t operand) {
     return result;
 }
 
-/// The same for an integer whose parts become floats: negated, the hidden zero may change every bit, as far as the
-/// compiler knows.
+/// The same for a uint whose bit fields become floats (unpacking). The negated hidden zero is or-ed into it: for all
+/// that the compiler knows, that may change every bit.
 std::uint32_t Hiding::with_all_bits(Module& module, std::uint32_t operand) {
     const std::uint32_t bits = fresh(), result = fresh();
     append(module, s_negate, {uint_, bits, bit_});
@@ -296,7 +297,7 @@ std::uint32_t Hiding::as_integer(Module& module, Words atomic) {
 }
 
 /// Emits, at the beginning of a function, the hidden zero: the top bit of x of the invocation's or workgroup's number,
-/// which is never set. Then emits the constants `used` that are replaced in the function.
+/// which is not set (unknown_bit.h says why). Then emits the constants `used` that are replaced in the function.
 void Hiding::begin(Module& module, const std::vector<std::uint32_t>& used) {
     const std::uint32_t all = fresh(), first = fresh();
     bit_ = fresh();
@@ -376,7 +377,8 @@ void Hiding::write_function(Module& module) {
     }
 }
 
-/// Declares the constants that the hidden zeros are computed with, and the type of two halves where it is missing.
+/// Declares the constants from which the hidden zeros and the hidden constants are computed, and the type of vectors of
+/// two uints if the module lacks it.
 void Hiding::write_constants(Module& module) {
     if (uint2_ == 0) append(module, type_vector, {uint2_ = fresh(), uint_, 2});
     shift_ = fresh();

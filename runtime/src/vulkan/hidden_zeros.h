@@ -5,8 +5,8 @@
 // become values that are computed from a zero that the compiler does not know, the top bit of an invocation's or a
 // workgroup's number: the hidden zero. A constant zero is replaced where it is an operand of arithmetic; every float
 // constant where it or a part of it is passed on, for example to variables and functions, where a zero may be made of
-// it (1 - 1, fract(2)). Mesa finds results of step from the ranges of its operands, so the hidden zero is added to
-// them.
+// it (1 - 1, fract(2)). Mesa finds results of `step` from the ranges of its operands, so the hidden zero is added to
+// these results.
 //
 // The hidden zero is also or-ed into three kinds of integers:
 // - those that become floats, since unrolling a loop may make constants of them (its counter);

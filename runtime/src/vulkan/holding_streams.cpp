@@ -84,7 +84,7 @@ RecordingStream::RecordingStream(std::shared_ptr<VulkanDevice> device) : Holding
     encoder_.full_barrier();
 }
 
-// A recording that was not finished was never submitted.
+// After finish(), batch_ is null. Otherwise the recording was never submitted, and the batch can be destroyed at once.
 RecordingStream::~RecordingStream() {
     const std::lock_guard lock(device_.mutex());
     batch_.reset();
@@ -114,7 +114,7 @@ Memory RecordingStream::allocate(const MemoryDescription& description) {
     if (place.is_new_block) {
         blocks_.push_back(device_.new_memory({.name = description.name, .bytes = place.bytes, .zeroed = false}));
     } else if (place.is_just_free) {
-        // Once for all storage that is free by now: the next barrier waits for everything before it.
+        // One note is enough for all storage that is free by now: the next barrier waits for everything before it.
         encoder_.note_storage_reuse();
     }
     buffer->place(blocks_[place.block], place.offset);
@@ -151,7 +151,7 @@ void ExternalStream::finish() {
     open();
     close();
     encoder_.full_barrier();
-    // Memories allocated while this was recorded are initialised in the device's own stream.
+    // Memories that were allocated meanwhile are initialised in the device's own stream, which must run before.
     device_.stream_of_device().submit();
 }
 

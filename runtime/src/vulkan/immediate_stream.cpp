@@ -6,8 +6,8 @@ namespace glift::detail {
 
 namespace {
 
-constexpr std::uint64_t most_operations = 512;  // of a batch: the device should not idle while the host records
-constexpr std::size_t most_in_flight = 32;      // batches: bounds how far the host may run ahead
+constexpr std::uint64_t most_operations = 512;  // a batch is then submitted, so that the device need not idle
+constexpr std::size_t most_in_flight = 32;      // batches; bounds how far the host may run ahead of the device
 constexpr std::uint64_t most_staged = std::uint64_t(64) << 20;
 constexpr std::size_t most_staged_in_flight = 4;  // batches, when uploads have staged most_staged bytes
 
@@ -75,7 +75,7 @@ void ImmediateStream::open_batch() {
     batch->begin(VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT);
     batch_ = std::move(batch);
     encoder_.target(batch_->commands, *batch_);
-    // Our batches are ordered by our own barriers; this one orders them against the user's work on the queue.
+    // The barriers within batches order Glift's own work; this one orders it against the user's work on the queue.
     if (device_.context().shares_queue) encoder_.full_barrier();
     device_.set_retire_value(open_value());
 }

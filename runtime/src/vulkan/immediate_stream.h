@@ -21,7 +21,7 @@ public:
     void flush() override;
     void wait() override;
 
-    /// The device's lock is held in these.
+    /// The caller holds the device's lock in these.
     void submit();
     void clear_new(const VulkanMemory& memory);
     bool is_open() const { return batch_ != nullptr; }
@@ -38,7 +38,7 @@ private:
     std::unique_ptr<CommandBatch> batch_;
     std::deque<std::unique_ptr<CommandBatch>> in_flight_;
     bool ends_in_download_ = false;   ///< the next command other than a download opens a new batch
-    std::uint64_t staged_bytes_ = 0;  ///< bytes of staging that uploads took in the open batch
+    std::uint64_t staged_bytes_ = 0;  ///< bytes of staging that uploads took; a submission resets it
 };
 
 }  // namespace glift::detail

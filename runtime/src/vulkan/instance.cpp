@@ -14,7 +14,8 @@ namespace {
 
 constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
 
-// Checks hazards between submissions: the layer of 1.3.239 enables that only by the environment.
+// The value of the environment variable VK_LAYER_ENABLES by which the validation layer checks hazards between
+// submissions. Version 1.3.239 of the layer has no other way to enable that.
 constexpr const char* queue_submit_checks = "VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT:"
                                             "VALIDATION_CHECK_ENABLE_SYNCHRONIZATION_VALIDATION_QUEUE_SUBMIT";
 
@@ -58,7 +59,8 @@ bool has_extension(PFN_vkGetInstanceProcAddr entry, const char* name) {
     return false;
 }
 
-/// The user's extensions, each of which has to be there, and VK_EXT_debug_utils (names, messages), if it is there.
+/// The user's extensions, and VK_EXT_debug_utils (names, messages) if it is there. Throws missing_feature if one of the
+/// user's is not there.
 std::vector<const char*> usable_extensions(PFN_vkGetInstanceProcAddr entry, std::span<const std::string> wanted) {
     std::vector<const char*> names;
     for (const std::string& name : wanted) {
@@ -79,8 +81,8 @@ VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT
     return VK_FALSE;
 }
 
-// Filtered by type, too, not by severity alone: images in layout GENERAL raise a performance warning, which is
-// intended.
+// Messages are filtered by type as well as by severity, since images in the layout GENERAL, which Glift uses on
+// purpose, raise performance warnings.
 VkDebugUtilsMessengerCreateInfoEXT messenger_info(Instance* instance) {
     return {.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
             .messageSeverity =

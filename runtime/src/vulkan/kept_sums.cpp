@@ -17,11 +17,11 @@ constexpr std::uint32_t negative_zero = 0x80000000u;
 
 using Module = std::vector<std::uint32_t>;
 
-/// Which values of a module a driver may know once it has unrolled the module's loops and inlined its functions.
+/// The values of a module that a driver may know to be constant once it has unrolled loops and inlined functions.
 class Known {
 public:
     explicit Known(SpirvWords spirv) : known_(spirv[spirv_bound_word]), variable_of_(spirv[spirv_bound_word]) {
-        // In a loop, a store makes loads known that precede it in the text: read again until nothing is added.
+        // In a loop, a store may make loads known that stand before it: the module is read until nothing is added.
         do {
             has_changed_ = false;
             for_each_instruction(spirv, [&](std::uint32_t op, SpirvWords w) { read(op, w); });
@@ -83,7 +83,7 @@ private:
     }
 
     std::vector<bool> known_;                 ///< by id: values that may be known, and variables that hold such values
-    std::vector<std::uint32_t> variable_of_;  ///< pointers into this shader's own variables
+    std::vector<std::uint32_t> variable_of_;  ///< pointers into this shader's variables: the variable
     bool has_changed_ = false;
 };
 
@@ -129,7 +129,7 @@ private:
         append(module, constant, {bit_.type(), sign_, negative_zero});
     }
 
-    /// -0, or a vector of it, which the driver does not know: its bits are or-ed with an unknown bit.
+    /// A -0, or a vector of them, that the driver cannot know to be -0: its bits are or-ed with an unknown bit.
     std::uint32_t unknown_zero(Module& module, std::uint32_t type) {
         if (const auto vector = vectors_.find(type); vector != vectors_.end()) {
             const std::uint32_t part = unknown_zero(module, vector->second.component), result = fresh();

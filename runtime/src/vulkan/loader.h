@@ -157,7 +157,8 @@ std::string result_text(VkResult result);
 /// Throws out_of_memory or vulkan if the call failed. For calls that have no device yet.
 void check_result(VkResult result, const char* call);
 
-/// All values of an enumeration `query(count, values)`, which may change between the two calls.
+/// All values that `query(count, values)` enumerates. Their number may change between the two calls; if it has grown,
+/// both calls are repeated.
 template <class Value, class Query> std::vector<Value> listed(const char* call, Query query) {
     for (;;) {
         std::uint32_t count = 0;

@@ -9,7 +9,7 @@ namespace glift::detail {
 
 struct Allocation;
 
-/// The largest allocation of such a buffer.
+/// The most bytes of one allocation of such a buffer.
 inline constexpr VkDeviceSize largest_piece = VkDeviceSize(2) << 30;
 
 /// Binds the buffer to the allocations, one after the other from its start on, and waits until that is done.

@@ -167,7 +167,7 @@ std::unique_ptr<Pipeline> Pipelines::make(std::uint64_t digest, const Kernel& ke
     return pipeline;
 }
 
-// long: the structures that Vulkan wants, which point to each other
+// long: the function fills all the structures that Vulkan wants, which point to each other
 void Pipelines::make_layout(Pipeline& pipeline) {
     const Kernel& kernel = *pipeline.kernel;
     const Form& form = *pipeline.form;

@@ -1,5 +1,5 @@
-// A shader of a pipeline: its module as this device takes it, and the specialisation constants that generated shaders
-// declare.
+// A shader of a pipeline: its SPIR-V module, rewritten for this device, and the values of the specialisation constants
+// that generated shaders declare.
 #pragma once
 
 #include "pipelines.h"
@@ -12,7 +12,7 @@ public:
     ~ShaderStage();
     ShaderStage(const ShaderStage&) = delete;
 
-    /// Valid while this lives.
+    /// Valid while this object lives.
     const VkPipelineShaderStageCreateInfo& info() const { return info_; }
 
 private:

@@ -1,5 +1,5 @@
-// SPIR-V modules as words: the instructions that the runtime knows, a function that visits all of a module, and one
-// that appends a new one.
+// SPIR-V modules as words: numbers of instructions, a function that visits all instructions of a module, and a function
+// that appends an instruction.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace glift::detail {
 
-/// Numbers of the SPIR-V specification, under its names. Here is what more than one rewriting of modules needs to know.
+/// Numbers of the SPIR-V specification, under its names or similar ones (OpUndef is `undefined`).
 namespace spirv {
 
 enum Op : std::uint32_t {
@@ -114,14 +114,14 @@ template <class Visit> void for_each_instruction(SpirvWords module, Visit&& visi
         visit(module[at] & 0xffffu, module.subspan(at, module[at] >> 16));
 }
 
-/// Words of an instruction, by the first one and the one after the last.
+/// Words [first, last) of an instruction.
 struct WordRange {
     std::size_t first = 0, last = 0;
 };
 
-/// The operands of an instruction that are values of the shader (of a phi with the labels between them); the other
-/// words are types, results, labels and literals. Empty for instructions that have none, or of which no rewriting needs
-/// to know.
+/// The operands of an instruction that are values of the shader. Those of a phi include the labels between the values.
+/// The range is empty for instructions that have no such operands, and for those not listed here, whose operands no
+/// rewriting of modules needs.
 inline WordRange value_operands(SpirvWords w) {
     using namespace spirv;
     const std::uint32_t op = op_of(w);

@@ -1,7 +1,8 @@
-// A zero that a driver's compiler does not know: the top bit of x of the invocation's global number or, where a module
-// does not have that, of the workgroup's number. It is never set, since passes are folded before they have so many
-// invocations along x (limit_along_x), but for rows of 2^31 elements in two dimensions and more. (The lowest bit of
-// x * (x + 1) would not do: NVIDIA's driver knows that it is 0.)
+// A zero that a driver's compiler cannot know to be zero: the top bit of x of the invocation's global number or, where
+// a module does not have that, of the workgroup's number. One-dimensional passes are folded before they have 2^31
+// invocations along x (limit_along_x in groups.h), so the bit is not set. The exception is a pass in two or more
+// dimensions with rows of 2^31 invocations. (The lowest bit of x * (x + 1) would not do: NVIDIA's driver knows that it
+// is 0.)
 #pragma once
 
 #include "spirv_module.h"
@@ -28,12 +29,12 @@ public:
         }
     }
 
-    /// Whether the module has such a number. Those of draws have none.
+    /// Whether the module has the number of the invocation or the workgroup. Modules of draws have neither.
     bool exists() const { return input_ != 0 && uint3_ != 0; }
     /// The id of the type of unsigned integers of 32 bits.
     std::uint32_t type() const { return uint_; }
 
-    /// Declares what `emit` needs, if that was not done. Its place is among the module's constants.
+    /// Declares the constant that `emit` needs, if that was not done. To be called before the module's first function.
     void declare(std::vector<std::uint32_t>& module, std::uint32_t& next_id) {
         if (shift_ != 0) return;
         shift_ = next_id++;

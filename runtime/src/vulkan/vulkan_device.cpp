@@ -40,7 +40,7 @@ VulkanDevice::~VulkanDevice() {
     try {
         if (!context_->lost) timeline_->wait(timeline_->submitted());
     } catch (const Error&) {
-        // Lost meanwhile: nothing to wait for. Or out of host memory, which vkQueueWaitIdle does not need.
+        // If the device was lost meanwhile there is nothing to wait for. If host memory ran out, this call may succeed.
         if (!context_->lost) std::ignore = context_->vk.vkQueueWaitIdle(context_->queue);
     }
     stream_.reset();
@@ -122,7 +122,7 @@ void VulkanDevice::throw_too_large(const MemoryDescription& description) const {
 void VulkanDevice::allocate_parts(const VkMemoryRequirements& needs, bool linear, const MemoryDescription& description,
                                   Allocation& result) {
     if (allocator_->allocate(needs, MemoryUse::device, linear, result)) return;
-    // Freed memories are kept until the device is done with them: waits for that, then tries again.
+    // Freed memories are kept until the device is done with them: wait for that, then try again.
     stream_->submit();
     timeline_->wait(timeline_->submitted());
     collect();

@@ -64,19 +64,21 @@ public:
     /// out_of_memory.
     void allocate_parts(const VkMemoryRequirements& needs, bool linear, const MemoryDescription& description,
                         Allocation& result);
-    /// The same as several allocations, to which a buffer is bound in order.
+    /// Allocates storage for a buffer as several allocations, to which the buffer is bound in order. Throws as
+    /// allocate_parts.
     std::vector<Allocation> allocate_pieces(const VkMemoryRequirements& needs, const MemoryDescription& description);
     std::uint64_t max_piece_bytes() const { return context_->max_piece_bytes; }
     /// What is retired from now on is destroyed when the timeline reaches this value.
     void set_retire_value(std::uint64_t value) { retire_value_ = value; }
     [[noreturn]] void throw_too_large(const MemoryDescription& description) const;
 
-    /// The caller does not hold the lock in this: submits if need be, waits, throws what kernels reported.
+    /// Waits until the timeline reaches the value; submits first if need be; throws what kernels reported. The caller
+    /// does not hold the lock.
     void finish(std::uint64_t value);  ///< UINT64_MAX: everything recorded so far
 
     /// Batches are reused: a command buffer that was used before is cheaper to record, since drivers keep its memory.
     std::unique_ptr<CommandBatch> take_batch();
-    /// Reused once the device is done with it.
+    /// The batch is reused, or destroyed, once the device is done with it.
     void give_back(std::unique_ptr<CommandBatch> batch);
 
     /// From any thread, with or without the lock: when all commands recorded so far are done, the objects are
@@ -120,7 +122,7 @@ private:
 
     std::mutex retire_mutex_;
     std::vector<Retired> retired_;
-    std::atomic<std::uint64_t> retire_value_{0};  ///< the timeline's value when all recorded so far is done
+    std::atomic<std::uint64_t> retire_value_{0};  ///< the timeline's value once all commands recorded so far are done
 };
 
 }  // namespace glift::detail

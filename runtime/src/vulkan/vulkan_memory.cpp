@@ -65,8 +65,8 @@ VkImageView make_view(Context& context, VkImage image, const MemoryDescription& 
     return view;
 }
 
-/// The views of an image or of a part of it: all levels for sampling, the first one for stores, each if the image's
-/// usage allows it.
+/// Makes the views of an image or of a part of it: of all its levels for sampling, and of the first level as a storage
+/// image. A view that the image's usage does not allow is null.
 MemoryParts::PartViews made_views(Context& context, const MemoryParts& parts, const MemoryDescription& d,
                                   const Texels& texels) {
     const VkImage image = parts.image;
@@ -87,7 +87,7 @@ MemoryParts::PartViews made_views(Context& context, const MemoryParts& parts, co
     return views;
 }
 
-// The usages of images that the format supports on this device.
+// The usages that this device allows for an image of this description. Throws missing_feature if it cannot be sampled.
 VkImageUsageFlags image_usage(Context& context, const MemoryDescription& d) {
     VkFormatProperties format;
     context.instance->vk().vkGetPhysicalDeviceFormatProperties(context.physical, vulkan_format(d.format), &format);
@@ -109,7 +109,7 @@ VkImageUsageFlags image_usage(Context& context, const MemoryDescription& d) {
 }
 
 VkBufferCreateInfo buffer_info(const VulkanDevice& owner, const MemoryDescription& d) {
-    // Rounded up, since shaders may load vectors of four words: the last one must fit, and one of an empty buffer.
+    // Rounded up, since shaders may load vectors of four words: the last vector must fit, and one in an empty buffer.
     const VkDeviceSize size = (std::max<VkDeviceSize>(std::min(d.bytes, unlimited - 15), 1) + 15) / 16 * 16;
     if (size > owner.properties().max_allocation_bytes) owner.throw_too_large(d);
     const bool in_pieces = size > owner.max_piece_bytes();
@@ -119,8 +119,8 @@ VkBufferCreateInfo buffer_info(const VulkanDevice& owner, const MemoryDescriptio
             .usage = buffer_usage};
 }
 
-/// The formats of all views of an image of 32-bit floats. They are listed so that devices may still compress it, though
-/// it has views of another format.
+/// The formats of all views of an r32f image. They are listed so that devices may still compress the image, though it
+/// has views of another format.
 constexpr std::array view_formats = {VK_FORMAT_R32_SFLOAT, bits_format};
 constexpr VkImageFormatListCreateInfo format_list = {.sType = VK_STRUCTURE_TYPE_IMAGE_FORMAT_LIST_CREATE_INFO,
                                                      .viewFormatCount = view_formats.size(),

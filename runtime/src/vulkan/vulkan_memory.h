@@ -9,12 +9,12 @@ namespace glift::detail {
 
 class VulkanDevice;
 
-/// The Vulkan objects of a memory, destroyed when the device no longer uses them.
+/// The Vulkan objects of a memory, destroyed when the device no longer uses them (except a user's image: is_users).
 struct MemoryParts {
     VkBuffer buffer = VK_NULL_HANDLE;
     VkImage image = VK_NULL_HANDLE;
     VkImageUsageFlags usage = 0;                ///< of the image
-    bool is_users = false;                      ///< the image is destroyed by the user
+    bool is_users = false;                      ///< an adopted image, which the user destroys
     bool is_mutable = false;                    ///< a user's image, which may have views of other formats
     VkImageView sampled_view = VK_NULL_HANDLE;  ///< all mips; null where the usage lacks it
     VkImageView storage_view = VK_NULL_HANDLE;  ///< mip 0; null where the usage lacks it
@@ -24,7 +24,7 @@ struct MemoryParts {
         VkImageView view;
     };
     std::vector<AttachmentView> attachment_views;
-    /// Views of parts of the image (Memory::mip, Memory::layer).
+    /// Views of parts of the image (Memory::mip, Memory::layer), and of cubes as arrays of their faces (views_as).
     struct PartViews {
         Texels texels;
         MemoryKind kind;
@@ -58,7 +58,7 @@ public:
 
     /// Creates the buffer or the image, without storage; throws as needs_of.
     void make();
-    /// Takes the user's image, with its storage, instead.
+    /// Instead of `make`: takes the user's image, which has storage.
     void adopt(VkImage image, VkImageUsageFlags usage, VkImageCreateFlags flags);
     /// Throws missing_feature where this is a user's image, or a part of one, that was made without this usage.
     void require(VkImageUsageFlagBits usage) const;
@@ -81,7 +81,7 @@ public:
     VkImageView bits_view(MemoryKind kind);
 
     VulkanDevice& owner() const;
-    /// Whether it needs several allocations.
+    /// Whether this is a buffer that needs several allocations.
     bool is_in_pieces() const;
     bool is_buffer() const { return parts.buffer != VK_NULL_HANDLE; }
 

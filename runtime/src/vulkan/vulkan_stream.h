@@ -25,7 +25,7 @@ public:
                       std::span<const std::byte> bytes) override;
 
 protected:
-    /// The device's lock is held.
+    /// Called with the device's lock held.
     virtual void open() = 0;               ///< before something is recorded
     virtual void recorded() {}             ///< after a command
     virtual void count_pass();             ///< after a call of a kernel, however many elements it is for
@@ -36,7 +36,7 @@ protected:
     Encoder encoder_;
 };
 
-/// Records once for many submissions, or into the user's command buffer. Holds every memory that it uses.
+/// Records once for many submissions, or into the user's command buffer. Holds every memory that recorded commands use.
 class HoldingStream : public VulkanStream {
 public:
     explicit HoldingStream(std::shared_ptr<VulkanDevice> device);
@@ -67,7 +67,7 @@ public:
     std::shared_ptr<RecordingObject> finish();
 
 private:
-    void count_pass() override;  ///< counts for each submission
+    void count_pass() override;  ///< counted again at each submission
     std::shared_ptr<Workspace> workspace_ = std::make_shared<Workspace>();
     std::vector<std::shared_ptr<VulkanMemory>> blocks_;  ///< of the workspace
 };

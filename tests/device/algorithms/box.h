@@ -11,12 +11,12 @@ struct Box {
     Taken taken = Taken::whole;
     unsigned along = 0;
     std::uint32_t length = 0, systems = 0;
-    glift::uint2 extent, origin, size, capacity;  ///< extent: of the structure; capacity: the size, or an upper bound
-                                                  ///< where the device knows the size along x
+    glift::uint2 extent, origin, size, capacity;  ///< extent: of the structure; capacity: equal to size, but along x an
+                                                  ///< upper bound of it where `taken` is `counted`
 
     Box(Round& round, unsigned along) : taken(round.taken()), along(along) {
         length = round.size();
-        // Systems are few where they are long; now and then there are more systems than elements in one.
+        // Bounds the number of elements: long systems are few. One time in four length and number are exchanged.
         systems = round.size(std::min(limit() / std::max(length, 1u), round.chance(4) ? 3000u : 70u));
         if (round.chance(4)) std::swap(length, systems);
         size = along == 0 ? glift::uint2(length, systems) : glift::uint2(systems, length);

@@ -7,7 +7,8 @@
 
 namespace property {
 
-/// All elements of the structure after such an algorithm, also those that must be unchanged; and the returned number.
+/// What an algorithm that selects has left: all elements of the output, also those that it must not change, and the
+/// number that it returned.
 template <class T> struct Found {
     std::vector<T> elements;
     std::uint32_t count = 0;

@@ -139,7 +139,8 @@ template <class T> std::vector<T> arbitrary_values(Round& round, std::uint32_t c
     return values;
 }
 
-/// Values, either arbitrary or of few kinds; they change at each element, or after runs of random lengths.
+/// Values, either arbitrary or from at most 300 different ones, drawn anew for each element or after runs of random
+/// lengths.
 template <class T> std::vector<T> values_with_repeats(Round& round, std::uint32_t count) {
     const std::uint32_t kinds = round.chance(3) ? 0 : 1 + round.below(round.chance(2) ? 3 : 300);
     const std::uint32_t run = round.chance(3) ? 1 + round.below(500) : 1;

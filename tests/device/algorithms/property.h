@@ -29,11 +29,11 @@ std::uint32_t limit();
 std::uint64_t first_seed();
 
 /// The device "host", or for another `which` the one that GLIFT_DEVICE names (lavapipe). Opened once for all tests of a
-/// process. Empty where `which` is not "host" but GLIFT_DEVICE is.
+/// process. Empty if `which` is not "host" and GLIFT_DEVICE names the host: there is no other device to test then.
 std::optional<glift::Device> device_of(const std::string& which);
 
-/// How the input is stored: dense in a buffer, folded into an image, or in tiles; or what view computes it from a dense
-/// one: every step-th element, or a function of every element.
+/// How the input is stored: dense in a buffer, folded into an image, or in tiles; or by which view of forms.glift it is
+/// computed from a dense structure: Strided (every step-th element) or Mapped (a function of every element).
 enum class Form : std::uint32_t { dense, folded, tiled, strided, mapped };
 /// What an algorithm takes: a whole structure, a part, or a part whose length is a value on the device.
 enum class Taken : std::uint32_t { whole, part, counted };

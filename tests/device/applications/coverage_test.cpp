@@ -81,8 +81,7 @@ protected:
     }
 
     /// Expects equal counts of triangles in all pixels, except where clipping explains the difference, and on GPUs also
-    /// where the rounding of vertices explains it (edges.h). At most one pixel for each 10,000 fragments, and one more,
-    /// may differ.
+    /// where the rounding of vertices explains it (edges.h). At most 1 + fragments / 10,000 pixels may differ in all.
     void compare(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b,
                  const std::vector<float4>& places, uint2 size) const {
         std::uint64_t fragments = 0;
@@ -257,7 +256,7 @@ std::vector<float4> odd_triangle(unsigned kind, Numbers& number) {
         break;  // beyond the far plane
     case 11:
         for (float4& p : made) p.z = -1;
-        break;  // before the near plane
+        break;  // in front of the near plane
     case 12:
         for (float4& p : made) p = float4(p.x * 1e-30f, p.y * 1e-30f, p.z, p.w);
         break;
@@ -279,7 +278,7 @@ TEST_F(Coverage, OfDegenerateTrianglesAndNaNs) {
     }
 }
 
-/// Triangles some of whose corners are far outside of the window, before the near plane, or behind the eye.
+/// Triangles some of whose corners are far outside of the window, in front of the near plane, or behind the eye.
 TEST_F(Coverage, OfHugeAndClippedTriangles) {
     for (const float reach : {3.0f, 50.0f, 1000.0f, 1e6f, 1e20f, 3e38f}) {
         Numbers number(static_cast<unsigned>(std::log2(static_cast<double>(reach))));

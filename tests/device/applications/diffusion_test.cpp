@@ -1,5 +1,6 @@
-// Depth of field by heat diffusion: compares dof.glift with direct solutions (direct.h). Also that what is in focus
-// stays sharp, that light is kept, how wide a blur is, and that time does not depend on its width.
+// Depth of field by heat diffusion: compares dof.glift with direct solutions (direct.h). Also tests that what is in
+// focus stays sharp, that the sum of the light is kept, how wide a blur is, and that the time does not depend on its
+// width.
 #include "direct.h"
 #include "tests/device/guards/on_every_device.h"
 

@@ -59,7 +59,7 @@ bool has_clipped_edge_at(const Place (&corners)[3], uint2 size, std::uint32_t x,
     return false;
 }
 
-/// The distance of a pixel's centre to the line segment between two vertices, in pixels; both are before the eye.
+/// The distance of a pixel's centre to the line segment between two vertices, in pixels; both are in front of the eye.
 double distance_to_segment(const Place& a, const Place& b, uint2 size, std::uint32_t x, std::uint32_t y) {
     const double left = (a[0] / a[3] + 1) * size.x / 2, top = (a[1] / a[3] + 1) * size.y / 2;
     const double dx = (b[0] / b[3] + 1) * size.x / 2 - left, dy = (b[1] / b[3] + 1) * size.y / 2 - top;
@@ -89,8 +89,8 @@ std::uint32_t edges_at(const std::vector<float4>& places, uint2 size, std::uint3
     return found;
 }
 
-/// The ends of a line in window coordinates, cut at the near and the far plane; fewer than two where nothing is between
-/// the planes, or an end is behind the eye.
+/// The ends of a line in window coordinates, after it was cut at the near and the far plane: none where nothing is
+/// between the planes, one or none where an end is behind the eye.
 std::vector<std::array<double, 2>> ends_of(const Place& a, const Place& b, uint2 size) {
     double from = 0, to = 1;
     const auto cut = [&](double first, double second) {

@@ -147,9 +147,9 @@ TEST_P(PaintBrush, SaysWhatIsWrongWithAPicture) {
     EXPECT_THROW(strokes::read(file("c.strokes")), std::runtime_error);
 }
 
-/// A sphere before a sheet, painted along the sphere's outline with a colour without green. A picture from the same
-/// camera shows no green under the stroke, neither where the outline hides a part of the surface around a node, nor
-/// where the surface is seen edge-on.
+/// A sphere in front of a sheet, painted along the sphere's outline with a colour without green. A picture from the
+/// same camera shows no green under the stroke, neither where the outline hides a part of the surface around a node,
+/// nor where the surface is seen edge-on.
 TEST_P(PaintBrush, ColoursAllThatItSees) {
     Canvas canvas(device, model(), small());
     Stroke stroke = paint_model::one_dab();

@@ -160,8 +160,8 @@ TEST_F(PaintFile, SaysWhatDoesNotFit) {
 
 constexpr std::size_t header_words = 16, texels_of_page = 17 * 17 * 17, page_words = texels_of_page + 1;
 
-/// A file whose checksums can be made to match again after an alteration, as in a file that a program has altered, and
-/// other than in one that a failing disk has damaged.
+/// A file whose checksums can be made to match again after an alteration. So it looks like a file that a program has
+/// altered, not like one that a failing disk has damaged.
 struct Forged : Held {
     using Held::Held;
 

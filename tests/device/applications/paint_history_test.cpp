@@ -38,8 +38,8 @@ Stroke missing(Stroke stroke) {
     return stroke;
 }
 
-/// On the host device alone, since Vulkan takes minutes. Every bit is compared after each tenth stroke, and the other
-/// steps, on which those depend, are only made: paint_test compares after each stroke, on every device.
+/// Runs on the host device alone, since Vulkan takes minutes. Compares every bit after each tenth step only; paint_test
+/// does so after each step, with fewer strokes, on every device.
 TEST(LongPaintHistory, GivesBackEveryBitOfFiftyStrokes) {
     const glift::Device device = glift::Device::open("host");
     OctreeSize size = tiny();

@@ -14,13 +14,13 @@ namespace paint_model {
 using Word = glift::uint;
 using Words = std::vector<Word>;
 
-/// A sphere before a sheet that it touches, within [0, 1]^3.
+/// A sphere in front of a sheet that it touches, within [0, 1]^3.
 mesh::Mesh model();
 
 /// Strokes on that model from random directions: the first by a large brush, the others by smaller ones.
 std::vector<strokes::Stroke> random_strokes(unsigned count, unsigned seed);
 
-/// A stroke of one dab in the middle of the square [0, 1]^2 at z = 0.25, seen from before it.
+/// A stroke of one dab in the middle of the square [0, 1]^2 at z = 0.25, seen from its front.
 strokes::Stroke one_dab();
 
 /// The settings of an octree of 128^3 cells with a pool of `pages` pages.

@@ -35,7 +35,7 @@ struct PaintProgram : testing::Test {
         EXPECT_EQ(done.exit_code, 0) << done.err;
         return png::read(file("out.png"));
     }
-    /// What the program says against a command line.
+    /// The error message for a command line, which the program must refuse before it paints any strokes.
     std::string refused(const std::vector<std::string>& options) const {
         const auto done = run(options);
         EXPECT_NE(done.exit_code, 0) << done.out;

@@ -233,7 +233,8 @@ TEST(PaintOnVulkan, SubmitsOnceADab) {
     EXPECT_EQ(submissions([&] { paint::finish(device, octree, journal); }), 1u);
 }
 
-/// For angles of any size: near 0, where the model must hardly move, and up to nearly a full turn.
+/// Compares a bent model with its formula in long double, for small and large angles: from near 0, where the model must
+/// hardly move, up to nearly a full turn.
 TEST(PaintedModel, IsBentAsDoublesSay) {
     const mesh::Mesh mesh = model();
     const mesh::Box box = mesh::bounds_of(mesh);

@@ -1,5 +1,5 @@
-// Paint on thin parts: a plate that is painted from its front has no paint on its back, if it is 2.25 cells thick where
-// its sides lie along the axes.
+// Paint on thin parts: a plate that is painted on its front has no paint on its back if it is thick enough, which is
+// 2.25 cells where its normal lies along an axis, and more for other normals (least_thickness).
 #include "paint_model.h"
 #include "tests/device/guards/on_every_device.h"
 
@@ -26,7 +26,7 @@ struct Plate {
     float3 centre, right, up, front;
     float thickness;
 
-    /// Of its front or its back; x and y from -1 to 1.
+    /// A point of the front or of the back; x and y are from -1 to 1 between the edges.
     float3 at(float x, float y, bool in_front) const {
         return centre + right * (0.3f * x) + up * (0.3f * y) + front * (in_front ? 0.0f : -thickness);
     }
@@ -40,9 +40,9 @@ struct Plate {
     }
 };
 
-/// The least thickness of a plate for which no lookup on its back reads a node that is painted from the front. Along
-/// the normal, lookups read nodes up to 1 cell away if it is an axis, the square root of 3 if it is a diagonal; nodes
-/// are painted up to a quarter of a cell farther away than that, at most 1.75 cells.
+/// The least thickness of a plate for which no lookup on its back reads a node that is painted from the front. Lookups
+/// read nodes up to `read` cells away, measured along the normal: 1 for an axis, the square root of 3 for a diagonal.
+/// Nodes are painted up to a quarter of a cell farther away than `read`, but at most 1.75 cells.
 float least_thickness(const float3& normal) {
     const float read = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
     return cell * (read + std::min(read + 0.25f, 1.75f));
@@ -64,7 +64,8 @@ std::vector<Plate> plates() {
     return made;
 }
 
-/// One hard dab on the plate's middle, as large as half of it, seen from before it or, at an angle, from beside.
+/// One hard dab on the plate's middle. The camera sees the plate from the front; the larger `beside`, the more
+/// obliquely.
 strokes::Stroke dab_on(const Plate& plate, float beside) {
     strokes::Stroke stroke = one_dab();
     stroke.camera.eye = plate.centre + glift::normalize(plate.front + plate.right * beside) * 1.5f;

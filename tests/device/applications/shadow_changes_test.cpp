@@ -36,7 +36,7 @@ struct ShadowChanges : OnEveryDevice {
 std::set<std::uint32_t> pages_in(const Frame& frame) {
     const std::vector<std::uint32_t> owners = frame.owners();
     std::set<std::uint32_t> pages(owners.begin(), owners.end());
-    pages.erase(0u);  // of a frame of the pool without a page
+    pages.erase(0u);  // stands for a frame of the pool without a page
     return pages;
 }
 
@@ -145,7 +145,7 @@ TEST_P(ShadowChanges, AreNotKeptWhereSceneOrLightMoves) {
             anew.draw(method);
             expect_same_light(cached, anew, what);
             cached.draw(method);
-            EXPECT_EQ(cached.pool().granted, 0u) << what;  // kept again
+            EXPECT_EQ(cached.pool().granted, 0u) << what;  // nothing has changed: all pages are kept
         };
         scene.light.eye.x = -3;
         change("light");

@@ -310,8 +310,8 @@ TEST_P(Shadows, StayWhereSceneAndLightDo) {
         if (i > 0) {
             EXPECT_LT(cached.pool().granted, anew.pool().resident / 2);
         }
-        // In both each pixel finds the page that it needs, with the same depths. The page may have another frame of the
-        // pool, where coordinates are rounded otherwise.
+        // Each pixel finds the page that it needs, with the same depths, with and without kept pages. But the page may
+        // lie at another place in the pool, where coordinates are rounded differently.
         const std::vector<float> a = cached.lighting().lit, b = anew.lighting().lit;
         for (std::size_t k = 0; k < a.size(); ++k) ASSERT_NEAR(a[k], b[k], 1e-3) << i << ' ' << k;
     }
@@ -334,7 +334,8 @@ TEST_P(Shadows, SayWhatFoundNoRoom) {
 
 GLIFT_ON_EVERY_DEVICE(Shadows);
 
-/// The same pages in the same frames, the same depths and the same light, bit for bit.
+/// Expects the same pages at the same places in the pool, the same depths and the same light on both devices, bit for
+/// bit.
 TEST(ShadowsOnDevices, AreTheSame) {
     const char* vulkan = std::getenv("GLIFT_TEST_DEVICE");
     for (const LightKind kind : {LightKind::directional, LightKind::spot, LightKind::point}) {
@@ -347,7 +348,7 @@ TEST(ShadowsOnDevices, AreTheSame) {
                 some->set_scene(kind == LightKind::point ? all_of_room() : posts());
                 some->draw(method);
             }
-            EXPECT_TRUE(host.lighting().surface == other.lighting().surface);  // the levels, too
+            EXPECT_TRUE(host.lighting().surface == other.lighting().surface);  // places in the map, and levels
             EXPECT_EQ(host.owners(), other.owners());
             EXPECT_TRUE(host.depths_of_pages() == other.depths_of_pages());
             EXPECT_EQ(host.lighting().lit, other.lighting().lit);

@@ -1,4 +1,4 @@
-// A model on the host of the hash maps and sets of std.hash_map: a std::unordered_map, with the order of the entries
+// A model on the host of std.hash_map and std.hash_set: a std::unordered_map, with the order of the entries
 // and the layout of the index that the library promises.
 #pragma once
 
@@ -38,7 +38,8 @@ struct Hash {
 /// Whether a key is equal to itself: it has no NaN.
 template <class Key> bool can_be_a_key(const Key& key) { return key == Key(key); }
 
-/// A map whose entries keep the order of insertion; of equal keys (as 0 and -0) it keeps the one inserted first.
+/// A map whose entries keep the order of insertion. Of keys that are equal but differ in their bits (0 and -0) it keeps
+/// the one that was inserted first.
 template <class Key, class Value> class Model {
 public:
     explicit Model(Number capacity) : capacity_(capacity) {}

@@ -188,8 +188,8 @@ private:
         return made;
     }
 
-    /// Requests from kernels are limited by the set of wanted pages, whose size is twice the capacity at the start. A
-    /// list of pages may be longer if the pool grows.
+    /// Kernels request at most as many pages as the set of wanted pages holds: twice the capacity at the start. A list
+    /// of pages that is requested by a pipeline may be longer if the pool grows.
     void request() {
         const bool is_long = policy_of<Sheet> == Policy::grow && round_.chance(2);
         std::vector<uint2> asked = places(is_long ? 5 * capacity_ : 2 * capacity_);

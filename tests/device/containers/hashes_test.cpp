@@ -177,8 +177,8 @@ TEST_P(Hashes, MapsOfStructsInBatches) {
     for_all("hash map of structs", [&](Round& round) { Maps<OfSpots>(device(), round).run(); });
 }
 
-/// A kernel inserts in no particular order, so equal keys have the same value in a pass. Invocations that insert a key
-/// at the same moment may each take an entry; `tidy` removes the surplus ones.
+/// The invocations of a kernel insert in no particular order, so the test gives equal keys equal values within a pass.
+/// Invocations that insert one key at the same moment may each take an entry; `tidy` removes the surplus ones.
 template <class Kind> void maps_from_kernels(const glift::Device& device, Round& round) {
     using Key = typename Kind::Key;
     using Value = typename Kind::Value;

@@ -135,8 +135,8 @@ TEST_P(Lists, Grids) {
     });
 }
 
-/// How each container is pushed to, and which elements of the model n pops take. Which invocation gets which of them is
-/// unspecified.
+/// For each container: how kernels push to it, and which elements of the model n pops take. Which of the popping
+/// invocations gets which element is unspecified.
 template <class Container> struct Ends;
 
 template <> struct Ends<lists::Stack> {

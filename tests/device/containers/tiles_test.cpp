@@ -117,7 +117,8 @@ private:
         return property::near(round_, exact, bounds, found.read(), "samples");
     }
 
-    /// Elements of tiles beyond the end of the sheet are unmapped: they sort, and count, as the background.
+    /// Where a resident tile extends beyond the sheet, its elements are unmapped: the sort and the sum take each as the
+    /// background value.
     testing::AssertionResult order_is_right() {
         tiles::Values sorted(device_, capacity_ * 64), total(device_, 1);
         tiles::sort_there(device_, sheet_, sorted, total);

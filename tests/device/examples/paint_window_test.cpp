@@ -102,7 +102,7 @@ TEST_F(PaintWindows, PaintUndoAndTurn) {
     EXPECT_FALSE(glift::test::read_file(file("made.strokes")).empty());
 }
 
-/// A stroke beside the model is a stroke, too: it takes the place of the one that was undone, in the record as well.
+/// A stroke that misses the model counts as a stroke, too: it replaces the one that was undone, in the record as well.
 TEST_F(PaintWindows, RecordTheStrokesThatWereNotUndone) {
     const auto running = blank_window(arguments());
     paint();

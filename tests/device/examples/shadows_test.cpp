@@ -84,7 +84,7 @@ TEST_F(ShadowsExample, MeasuresWhatPops) {
         for (const char* method : {"rmsm", "asm", "standard"}) {
             const nlohmann::json found = lines[i][method];
             EXPECT_LE(found["flipped"]["most"], 0.005) << lines[i];
-            EXPECT_GT(found["largest"]["most"], 0.0) << lines[i];  // texels' shadows move, if only a little
+            EXPECT_GT(found["largest"]["most"], 0.0) << lines[i];  // the light of some pixel changes, if only a little
             EXPECT_GE(found["largest"]["most"], found["within_999"]["most"].get<double>()) << lines[i];
         }
     }
@@ -213,7 +213,7 @@ TEST_F(ShadowsExample, SaysNothingOfPagesWhereThereAreNone) {
     EXPECT_THAT(run({"--out", file("a.png"), "--method", "standard"}).out, testing::Not(HasSubstr("pages")));
 }
 
-/// Where the light moves along the path, shadows with --cached, which keeps pages between frames, are those without it.
+/// Where the light moves along the path, --cached, which keeps pages between frames, does not change the pictures.
 TEST_F(ShadowsExample, KeepsNoPagesOfALightThatMoves) {
     std::ofstream(file("path.txt")) << "0.4 2.6 2 4.2 0 1 0 4 7 3 0 0.5 0\n0.4 2.6 2 4.2 0 1 0 -4 5 3 0 0.5 0\n";
     ASSERT_EQ(run({"--path", file("path.txt"), "--out", file("a.png")}).exit_code, 0);

@@ -42,7 +42,8 @@ struct ShadowsWindows : windows::Windows {
         wait();
         display.release(button);
     }
-    /// With time for frames in between, also on a busy machine: the panel sees where the pointer is once a frame.
+    /// Moves, presses and releases with pauses in which several frames are drawn, also on a busy machine: the panel
+    /// looks at the pointer once a frame.
     void click(int x, int y) const {
         const auto some_frames = [] { std::this_thread::sleep_for(std::chrono::milliseconds(800)); };
         display.move_to(x, y);

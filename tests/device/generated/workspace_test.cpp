@@ -98,7 +98,8 @@ TEST_P(Workspaces, ShareStorageUnharmed) {
     EXPECT_EQ(replayed(workspace::scan), scanned);
 }
 
-/// Temporaries that share storage: zero, write, zero for the next one, write. These must be ordered by barriers.
+/// Two temporaries share storage, in four passes: the first is zeroed and written, then the second is zeroed and
+/// written. A barrier must separate each pass from the next: three barriers.
 TEST_P(Workspaces, ComeToTheNextAfterABarrier) {
     if (device.is_host()) GTEST_SKIP() << "no barriers";
     const std::uint64_t before = device.statistics().barriers;

@@ -1,5 +1,5 @@
 // Tests that run on the host device and on Vulkan (lavapipe unless GLIFT_TEST_DEVICE names another device), the latter
-// under the validation layer.
+// with the validation layer if GLIFT_VALIDATE=1, as ctest sets it: any message fails the test.
 #pragma once
 
 #include <glift/glift.h>

@@ -36,7 +36,8 @@ TEST(Adopt, ExtensionNamesAreCopied) {
     EXPECT_EQ(std::vector<std::string>(kept.begin(), kept.end()), names);
 }
 
-// A device that is said to be made without VK_KHR_push_descriptor: descriptor sets come from pools, more than one here.
+// The program declares no extensions of its device, so that Glift does not use VK_KHR_push_descriptor: descriptor sets
+// come from pools, of which these passes need more than one.
 TEST(Adopt, WithoutPushDescriptors) {
     const PlainVulkan mine;
     auto objects = mine.objects();
@@ -229,7 +230,8 @@ private:
     VkCommandPool pool_ = VK_NULL_HANDLE;
 };
 
-// Synchronization validation also works between submissions: the program fills a buffer in two.
+// Synchronization validation also works between submissions: the program fills a buffer in two of them without a
+// barrier.
 TEST(Validation, ReportsAMissingBarrierBetweenSubmissions) {
     if (!std::getenv("GLIFT_VALIDATE")) GTEST_SKIP() << "GLIFT_VALIDATE is not set";
     const auto device = glift::Device::open(vulkan_name());

@@ -74,7 +74,7 @@ template <int number, class... Parameters> struct Failing<number, VkResult(VKAPI
     static VKAPI_ATTR VkResult VKAPI_CALL call(Parameters... parameters) {
         if (++pretence.calls != pretence.failing_call) return real(parameters...);
         pretence.failed = name;
-        // As on a device that is really lost, no work is left running.
+        // Waits, since on a device that is really lost no work is left running.
         if (pretence.failure == VK_ERROR_DEVICE_LOST) vkDeviceWaitIdle(device);
         return pretence.failure;
     }

@@ -103,7 +103,7 @@ TEST(Modules, IncludeTheHeadersOfThoseTheyUse) {
     EXPECT_THAT(outputs["three.glift.hpp"], Not(HasSubstr("class ")));
 }
 
-// An instance that two modules use is in the output of the first.
+// The code of a structure that two modules use is in the output of the first module alone.
 TEST(Modules, CompileWhatTheyShareOnce) {
     auto outputs = outputs_of({"one.glift", "three.glift"});
     EXPECT_THAT(outputs["one.glift.library.cpp"], HasSubstr("Array_1_uint_none_buffer::domain() const"));

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Validates JSON by the part of JSON Schema that our schema uses. Gives the first violation, else an empty string.
+/// Validates JSON by the part of JSON Schema that the schema uses. Gives the first violation, else an empty string.
 struct Validator {
     const Json& root;
 

@@ -34,7 +34,7 @@ TEST(Camera, SeesTheFacesOfACube) {
     const float3 eye(1, 2, 3);
     for (unsigned i = 0; i < 6; ++i) {
         const auto [forward, right, down] = camera::cube_face(i);
-        // As cube_direction of std.image: the middle of a face, and its axes.
+        // The middle of a face and its axes must be those of cube_direction in std.image.
         const float side = i % 2 == 0 ? 1.0f : -1.0f;
         EXPECT_EQ(forward[i / 2], side);
         EXPECT_EQ(glift::dot(right, i < 2 ? float3(0, 0, -side) : i < 4 ? float3(1, 0, 0) : float3(side, 0, 0)), 1);

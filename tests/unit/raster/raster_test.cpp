@@ -212,8 +212,8 @@ TEST(Raster, SmoothValuesAreCorrectInPerspective) {
     EXPECT_LT(worst_depth, 1e-6);
 }
 
-/// A plane close to the eye, whose triangles have parts behind the eye, before the near plane and far outside of the
-/// view.
+/// A plane close to the eye, whose triangles have parts behind the eye, in front of the near plane and far outside of
+/// the view.
 TEST(Raster, WhatReachesBehindTheEyeIsClipped) {
     const uint2 viewport(160, 120);
     // A floor at y = 1 below the eye, which looks along z: clip = (x, 1, z - 0.1, z).

@@ -166,8 +166,8 @@ TEST(KeptSums, CombineConstantsWithWhatTheDriverDoesNotKnow) {
         EXPECT_THAT(text, HasSubstr(stays));
 }
 
-/// A shader that compares a number of the workgroup (%23) with 0, 1 (also as a copy, as parameters become that
-/// are fixed for a pipeline) and 2, and stores `begin` to a variable.
+/// A shader that compares a number of the workgroup (%23) with 0, 1 and 2, and stores `begin` to a variable. It also
+/// compares with a copy of 1 (OpCopyObject), as the runtime makes of a parameter that is fixed for a pipeline.
 std::string limits(const std::string& begin) {
     return R"(
     OpCapability Shader

@@ -1,5 +1,5 @@
-// The built-in functions of the language for scalars and vectors, with the semantics of GLSL. Those that
-// compiler/ir/intrinsics.def marks as exact give the same bits as on a GPU.
+// The built-in functions of the language for scalars and vectors, with the semantics of GLSL where GLSL defines the
+// result. Those that compiler/ir/intrinsics.def marks as exact give the same bits as on a GPU.
 #pragma once
 
 #include <glift/vector.h>
@@ -184,7 +184,7 @@ constexpr std::int32_t bitCount(T x) { return std::popcount(static_cast<std::mak
 template <class T>
 requires is_integer<T>
 constexpr std::int32_t findLSB(T x) { return x == 0 ? -1 : std::countr_zero(static_cast<std::make_unsigned_t<T>>(x)); }
-/// The index of the highest set bit, of a negative value that of the highest zero bit; -1 if there is none.
+/// The index of the highest set bit, of a negative value that of the highest zero bit; -1 if there is no such bit.
 template <class T>
 requires is_integer<T>
 constexpr std::int32_t findMSB(T x) {

@@ -13,8 +13,9 @@
 #include <type_traits>
 #include <utility>
 
-// Function multiversioning: GCC compiles the function for each vector width, and the dynamic linker picks the widest
-// that the CPU has. Where the condition below does not hold it is compiled once.
+// Function multiversioning: GCC compiles the function once for each of these instruction sets, and the dynamic linker
+// picks the version with the widest vectors that the CPU has. Where the condition below does not hold, the function is
+// compiled once.
 #if !defined(GLIFT_HOST_KERNEL)
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__linux__) && defined(__OPTIMIZE__) &&  \
     !defined(__AVX2__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -33,8 +34,8 @@
 #define GLIFT_INDEPENDENT
 #endif
 
-// The same for a short loop: over `block_elements` elements, or over a row of a block of a structure. GCC is told not
-// to unroll such a loop, since it could then make no vectors of it.
+// The same for a short loop: over `block_elements` elements, or over a row of a block of a structure (docs/language.md,
+// Blocks). GCC is told not to unroll such a loop, since it could not vectorise it afterwards.
 #if defined(__clang__)
 #define GLIFT_BLOCK _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
@@ -185,7 +186,7 @@ template <class Body> void for_each_group(const std::array<std::uint32_t, 4>& si
     });
 }
 
-/// The scalar type of an element.
+/// The scalar type of an element that is a scalar or a vector.
 template <class T> struct NumberOf { using type = T; };
 template <class T, unsigned N> struct NumberOf<vec<T, N>> { using type = T; };
 template <class T> using RowOf = vec<typename NumberOf<std::remove_const_t<T>>::type, 4>;
@@ -200,7 +201,7 @@ template <class T> void store_row(T* elements, std::size_t index, const RowOf<T>
     std::memcpy(reinterpret_cast<std::byte*>(elements) + index * sizeof row, &row, sizeof row);
 }
 
-/// The longest array that the C++ compiler splits into scalars and keeps in registers.
+/// Up to this many elements, the C++ compiler splits an array into scalars and keeps them in registers.
 inline constexpr unsigned longest_in_registers = 16;
 
 template <unsigned N, class T> void copy_numbers(const T* from, T* to) {
@@ -211,7 +212,7 @@ template <unsigned N, class T> void copy_numbers(const T* from, T* to) {
     }
 }
 
-/// Copies all N numbers of an array from or to a buffer: scalars [4 * index, 4 * index + N).
+/// Copies all N numbers of an array from or to a buffer, where they are the scalars [4 * index, 4 * index + N).
 template <class T, unsigned N>
 void load_rows(const T* elements, std::size_t index, array<typename NumberOf<T>::type, N>& numbers) {
     copy_numbers<N>(reinterpret_cast<const typename NumberOf<T>::type*>(elements) + 4 * index, numbers.values);
@@ -276,23 +277,24 @@ template <class T, std::size_t N> struct Scratch {
     const T& operator[](std::size_t i) const { return values[i]; }
 };
 
-/// Copies N numbers in a row from memory to an array. memcpy is at least as fast as any loop, whatever the compiler
+/// Copies N consecutive numbers from memory to an array. memcpy is at least as fast as any loop, whatever the compiler
 /// knows of the addresses.
 template <std::size_t N, class T> void copy_row(const T* from, T* to) {
     std::memcpy(static_cast<void*>(to), from, N * sizeof(T));
 }
 
-/// Parts of rows are computed in blocks of this many elements: one vector of the widest kind, or a few narrow ones.
-/// There is no scalar remainder: where a part is no multiple of them, its last block overlaps the one before it.
+/// Parts of rows are computed in blocks of this many elements: of 32-bit elements, one vector of the widest kind or a
+/// few narrow ones. There is no scalar remainder: where the length of a part is no multiple of this, its last block
+/// overlaps the one before it.
 inline constexpr std::size_t block_elements = 16;
 
-/// The first element of a block in a part of `count` elements, which are at least block_elements. `block`, a multiple
+/// The first element of a block in a part of `count` elements; `count` is at least block_elements. `block`, a multiple
 /// of block_elements, is where the block would begin; the last block is moved back so that it ends with the part.
 inline std::size_t begin_of_block(std::size_t block, std::size_t count) {
     return detail::least(block, count - block_elements);
 }
 
-/// The part if it is at least as long as a block, else an empty one at `end`.
+/// The part if it has at least block_elements elements, else an empty one at `end`.
 inline Part in_blocks(const Part& part, uint end) {
     return part.end - part.begin < block_elements ? Part{end, end} : part;
 }

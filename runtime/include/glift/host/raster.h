@@ -24,8 +24,8 @@ struct DepthTarget {
     std::size_t row = 0;      ///< texels from one row to the next
     DepthTest test = DepthTest::less;
     bool is_written = true;
-    /// Tested before the fragment shader runs. Else the fragment shader calls Fragments::test, or test_depth
-    /// (fragments.h) with depths of its own.
+    /// Whether depth is tested before the fragment shader runs. If not, the fragment shader calls Fragments::test, or
+    /// test_depth (fragments.h) with depths of its own.
     bool is_early = true;
 };
 
@@ -41,13 +41,14 @@ struct Fragments {
     std::uint64_t covered;  ///< bit i: pixel i is covered and did not fail an early depth test
     bool is_front;
     const float* corner[3];  ///< varyings of the triangle's vertices, which clipping may have made
-    const float* flat;       ///< those of the first vertex of the draw's triangle, line or point
+    const float* flat;       ///< varyings of the first vertex of the draw's triangle, line or point
     const DepthTarget* depth_target;
     alignas(64) float depth[side * side];
     /// Barycentric weights of vertices 1 and 2 in the window, for `linear` varyings; the weight of vertex 0 is 1 minus
     /// both.
     alignas(64) float linear1[side * side], linear2[side * side];
-    /// The same, perspective-correct, for `smooth` varyings. Set, as `w` is, if Draw::has_smooth.
+    /// The perspective-correct weights of vertices 1 and 2, for `smooth` varyings. These and `w` are set only if
+    /// Draw::has_smooth.
     alignas(64) float smooth1[side * side], smooth2[side * side];
     alignas(64) float w[side * side];  ///< 1 / w, as gl_FragCoord.w
 
@@ -62,7 +63,7 @@ struct Draw {
     const void* body = nullptr;  ///< passed to both shaders
     void (*vertex)(const void* body, std::uint64_t first, std::uint32_t count, std::uint32_t instance,
                    float* corners) = nullptr;
-    /// Null: only depth is written.
+    /// Null: the draw has no fragment shader, and only depth is written.
     void (*fragment)(const void* body, const Fragments& fragments) = nullptr;
 
     Topology topology = Topology::triangles;

@@ -34,7 +34,7 @@ template <class Body> void for_each(const Box& box, Body&& body) {
 
 struct BlockDraw {
     const Draw& draw;
-    int2 viewport;  ///< its first pixel, in the coordinates of blocks
+    int2 viewport;  ///< the viewport's first pixel, in the coordinates of blocks
     Fragments fragments;
 
     explicit BlockDraw(const Draw& draw) : draw(draw), viewport(int2(draw.framebuffer % 2u)), fragments() {
@@ -128,7 +128,8 @@ void Chunk::add(const Window& window, const Corner& corner0, const Corner& corne
     if (auto triangle = triangle_of(window, corner0, corner1, corner2)) triangles_.push_back(*triangle);
 }
 
-/// A rectangle around the line, half a pixel to both sides. The offset is rounded as vertices are, as llvmpipe does it.
+/// A rectangle around the line, half a pixel to both sides. The offset is rounded to 1/256 of a pixel, as vertices are;
+/// llvmpipe does the same.
 void Chunk::add_line(const Window& window, const Clipper& clipper, const float* from, const float* to) {
     if (!clipper.clip_line(from, to, made_)) return;
     const float2 begin = place_of(window, from), end = place_of(window, to), way = end - begin;

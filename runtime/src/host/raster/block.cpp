@@ -10,8 +10,9 @@ namespace glift::host::raster {
 
 namespace {
 
-/// An edge function at a block's first pixel, in units in which a step of one pixel is `a` or `b`. Clamped to 2^29
-/// either way, so that the block's values fit 32 bits; that changes the sign at none of its pixels.
+/// An edge function at a block's first pixel, divided by 256, so that it grows by `a` or `b` with a step of one pixel.
+/// The value is clamped to -2^29 and 2^29, so that the values at the block's pixels fit 32 bits; that changes the sign
+/// at none of these pixels.
 std::int32_t start_of(const Edge& edge, std::int32_t x, std::int32_t y) {
     const std::int64_t value = (edge.c >> subpixel_bits) + std::int64_t{edge.a} * x + std::int64_t{edge.b} * y;
     constexpr std::int64_t limit = 1 << 29;
@@ -26,8 +27,8 @@ std::uint64_t box(std::int32_t left, std::int32_t top, std::int32_t right, std::
     return all;
 }
 
-/// A bit for each pixel of a block, set where an edge value is negative: outside of the triangle. Only in rows [top,
-/// bottom), which are few for most triangles of large meshes.
+/// A bit for each pixel of a block, set where an edge value is negative: outside of the triangle. Only rows [top,
+/// bottom) are computed, which are few for most triangles of large meshes.
 GLIFT_HOST_KERNEL std::uint64_t outside(const std::int32_t (&start)[3], const std::int32_t (&a)[3],
                                         const std::int32_t (&b)[3], std::int32_t top, std::int32_t bottom) {
     std::uint64_t result = 0;
@@ -44,7 +45,7 @@ GLIFT_HOST_KERNEL std::uint64_t outside(const std::int32_t (&start)[3], const st
     return result;
 }
 
-/// The pixels of a few columns and rows that no edge value is negative at.
+/// The pixels in columns [left, right) and rows [top, bottom) at which no edge value is negative. For few pixels.
 std::uint64_t few_inside(const std::int32_t (&start)[3], const std::int32_t (&a)[3], const std::int32_t (&b)[3],
                          std::int32_t left, std::int32_t top, std::int32_t right, std::int32_t bottom) {
     std::uint64_t result = 0;
@@ -84,7 +85,7 @@ std::uint64_t coverage(const Triangle& triangle, std::int32_t x, std::int32_t y)
     }
     const std::int32_t top = std::max(triangle.top - y, 0), bottom = std::min(triangle.bottom - y, block_side);
     const std::int32_t left = std::max(triangle.left - x, 0), right = std::min(triangle.right - x, block_side);
-    constexpr std::int32_t few = 6;  // so few pixels take no longer one by one
+    constexpr std::int32_t few = 6;  // for so few pixels, few_inside takes no longer than outside
     if ((right - left) * (bottom - top) <= few) return few_inside(start, a, b, left, top, right, bottom);
     const std::uint64_t inside = box(left, top, right, bottom);
     return inside & ~outside(start, a, b, top, bottom);

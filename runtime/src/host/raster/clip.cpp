@@ -6,7 +6,7 @@ namespace glift::host::raster {
 
 namespace {
 
-/// How far the guard band reaches from the viewport's centre, in pixels: in it fixed-point coordinates are exact.
+/// How far the guard band (clip.h) reaches from the viewport's centre along each axis, in pixels.
 constexpr float guard_band = 32000.0f;
 
 }  // namespace
@@ -15,8 +15,8 @@ Clipper::Clipper(const Window& window)
     : layout_(window.layout), band_x_(guard_band / std::max(1.0f, 0.5f * static_cast<float>(window.end.x))),
       band_y_(guard_band / std::max(1.0f, 0.5f * static_cast<float>(window.end.y))) {}
 
-/// Distance to a plane, not negative inside. Inside both depth planes w >= z >= 0, so that of what is left only corners
-/// with w = 0 have no place in the window.
+/// Distance to a plane, not negative inside. Inside both depth planes w >= z >= 0; so, of the vertices that clipping
+/// leaves, only those with w = 0 have no position in the window.
 float Clipper::distance(unsigned plane, const float* corner) const {
     const float x = corner[0], y = corner[1], z = corner[2], w = corner[3];
     switch (plane) {
@@ -30,7 +30,7 @@ float Clipper::distance(unsigned plane, const float* corner) const {
     }
 }
 
-/// False for NaN, too. The same as distances to all planes, without a branch for each: nearly all corners are inside.
+/// Looks at all planes without a branch for each, since nearly all vertices are inside. False for NaN, too.
 bool Clipper::is_inside(const float* corner) const {
     const float x = corner[0], y = corner[1], z = corner[2], w = corner[3];
     bool inside = (w > 0.0f) & (z >= 0.0f) & (w - z >= 0.0f) & (band_x_ * w - x >= 0.0f) & (band_x_ * w + x >= 0.0f) &
@@ -45,8 +45,8 @@ const float* Clipper::between(const float* in, const float* out, float t, MadeCo
     return corner.data();
 }
 
-/// Sutherland and Hodgman, Reentrant Polygon Clipping, 1974. New vertices are computed from the inside outwards, so
-/// that triangles that share an edge get the same ones.
+/// Sutherland and Hodgman, Reentrant Polygon Clipping, 1974. A new vertex is interpolated from the vertex inside
+/// towards the one outside, so that two triangles with a common edge get the same vertex.
 Polygon Clipper::cut(const Polygon& polygon, unsigned plane, MadeCorners& made) const {
     Polygon result;
     for (unsigned i = 0; i < polygon.count && result.count + 2 <= max_polygon; ++i) {

@@ -9,8 +9,8 @@
 
 namespace glift::host::raster {
 
-/// The most vertices of a polygon. Each plane that cuts a triangle adds one: six planes, and up to eight clip
-/// distances. Rounding may add some.
+/// The most vertices of a polygon. Each plane that cuts a polygon adds one vertex: there are six planes, and up to
+/// eight clip distances. Rounding may add some more.
 inline constexpr unsigned max_polygon = 32;
 
 /// Vertices made by clipping. Their addresses are stable.
@@ -26,13 +26,13 @@ class Clipper {
 public:
     explicit Clipper(const Window& window);
 
-    /// Cuts off what of a line lies outside a plane, by moving that end to the plane; false where nothing of the line
-    /// is left.
+    /// Moves each end of a line that lies outside a plane to where the line meets that plane; false where nothing of
+    /// the line is left.
     bool clip_line(const float*& from, const float*& to, MadeCorners& made) const;
     /// Whether a vertex lies inside all planes, with w > 0.
     bool is_inside(const float* corner) const;
 
-    /// The part of a triangle inside all planes: the triangle itself, a polygon with new vertices, or nothing.
+    /// The part of a triangle inside all planes: the triangle itself, a polygon with new vertices, or an empty polygon.
     Polygon clipped(const float* corner0, const float* corner1, const float* corner2, MadeCorners& made) const;
 
 private:

@@ -16,8 +16,8 @@ float in_viewport(float place, float half_size, float middle) {
                               static_cast<double>(middle));
 }
 
-/// An edge with its inside to the right of its direction, y growing downwards. A pixel centre on it is inside if it is
-/// a top edge (level, to the right) or a left one (upwards).
+/// An edge with its inside to the right of its direction, y growing downwards. A pixel centre on the edge counts as
+/// inside if the edge is a top edge (level, to the right) or a left edge (upwards).
 Edge edge_of(const Point& from, const Point& to) {
     const std::int64_t dx = std::int64_t{to.x} - from.x, dy = std::int64_t{to.y} - from.y;
     const bool is_top_left = dy < 0 || (dy == 0 && dx > 0);

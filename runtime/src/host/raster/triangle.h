@@ -26,7 +26,7 @@ struct Edge {
 struct Triangle {
     std::array<Edge, 3> edges;  ///< edge i is opposite vertex i
     float inverse_area;         ///< weight i is (edge function i + offset[i]) * inverse_area
-    float offset[3];            ///< what the top-left rule subtracted from the edge functions
+    float offset[3];            ///< 1 where the top-left rule subtracted 1 from the edge function, else 0
     float z[3], inverse_w[3];
     const float* corner[3];                 ///< varyings of each vertex
     const float* flat = nullptr;            ///< varyings of the primitive's first vertex, before clipping
@@ -55,7 +55,7 @@ struct Corner {
     const float* vertex;
 };
 
-/// Where a vertex inside the guard band, with w > 0, is in the window, in pixels.
+/// Where a vertex lies in the window, in pixels. The vertex must be inside the guard band and have w > 0.
 float2 place_of(const Window& window, const float* vertex);
 Point snapped(float2 place);
 inline Corner corner_of(const Window& window, const float* vertex) {
