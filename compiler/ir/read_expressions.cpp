@@ -3,6 +3,7 @@
 #include "ir/reader.h"
 #include "ir/spelling.h"
 
+#include <cctype>
 #include <charconv>
 #include <limits>
 
@@ -57,11 +58,17 @@ ExprId Reader::expr() {
     return left;
 }
 
+/// Whether the text begins with a number, without its sign.
+static bool is_number(std::string_view text) {
+    const auto is_of_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+    if (!text.empty() && std::isdigit(static_cast<unsigned char>(text[0]))) return true;
+    return text.starts_with("inf") && (text.size() == 3 || !is_of_word(text[3]));
+}
+
 ExprId Reader::operand() {
     for (std::string_view sign : {"-", "!", "~"}) {
         if (!at(sign)) continue;
-        const char next = at_ + 1 < text_.size() ? text_[at_ + 1] : ' ';
-        if (sign == "-" && (std::isdigit(static_cast<unsigned char>(next)) || next == 'i')) break;  // a literal
+        if (sign == "-" && is_number(text_.substr(at_ + 1))) break;  // a literal
         expect(sign);
         return implied({.op = Op::unary, .unary = *spelled(sign, UnaryOp::bit_not), .operands = {operand()}});
     }

@@ -26,14 +26,6 @@ public:
         locals_[local] = number;
         memory_->note_change();
     }
-    /// Prepares for walking the same statements again: the versions of locals and memories start anew, while value
-    /// numbers that have been given stay.
-    void restart() {
-        versions_.clear();
-        bindings_.clear();
-        memory_->note_change();
-    }
-    ValueNumber count() const { return next_ + 1; }
     /// change() says that the local may have changed, change_binding() that the memory of the binding, and of all
     /// bindings that may alias it, may have changed.
     void change(LocalId local) {

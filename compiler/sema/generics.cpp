@@ -279,8 +279,6 @@ bool Arguments::finish(bool quiet) {
         const ast::GenericParam& param = decl.generics[i];
         if (!param.constraint) return false;
         if (!found[i] && param.default_value) {
-            Arguments defaults(c, decl, env, use);
-            defaults.found = found;
             // A default is evaluated in the declaration's scope, and may name earlier parameters.
             ast::Decl alone = decl;
             alone.generics = {param};

@@ -1,5 +1,7 @@
 #include "sema/properties.h"
 
+#include "ir/chain.h"
+
 namespace gliftc::sema {
 
 namespace {
@@ -49,18 +51,27 @@ void look(const ir::Program& program, ir::FunctionId id, Flow& flow) {
     look(program, program.functions[id].body, flow);
 }
 
-/// A structure that the translator reads is read through its own translators: weakens `uniform` and the complexity of
-/// access where one of those has weaker properties. If the memory of such a structure is a structure, the translators
-/// of that memory are not looked at.
-void add_tables(const ir::Program& program, ir::Translator& translator) {
-    ir::Properties& properties = translator.properties;
-    for (std::uint32_t structure : translator.structures) {
-        for (const ir::Stage& stage : program.structures[structure].via) {
-            const ir::Properties& table = program.translators[stage.translator].properties;
-            properties.uniform &= table.uniform;
-            if (table.access_complexity != constant) properties.access_complexity = not_known;
+/// A structure that the translator reads is read through its own translators, those of the structures that are its
+/// memory, and the functions of a view at their end: weakens `uniform` and the complexity of access where one of these
+/// has weaker properties. What a view reads is not known in detail: all its members count.
+void add_table(const ir::Program& program, const ir::Structure& table, ir::Properties& properties) {
+    const ir::Structure* link = &table;
+    while (true) {
+        for (const ir::Stage& stage : link->via) {
+            const ir::Properties& each = program.translators[stage.translator].properties;
+            properties.uniform &= each.uniform;
+            if (each.access_complexity != constant) properties.access_complexity = not_known;
         }
+        if (link->base.empty()) break;
+        link = &ir::structure_at(program, *link, link->base);
     }
+    if (link->kind != ir::StructureKind::view || !link->at) return;
+    Flow flow;
+    look(program, link->at, flow);
+    properties.uniform &= !flow.has_open_loop && !flow.has_branch;
+    if (flow.has_open_loop) properties.access_complexity = not_known;
+    for (const ir::MemberStructure& member : link->members)
+        add_table(program, program.structures[member.structure], properties);
 }
 
 /// Sets Properties::mapping from the attributes of a translator and from `invert`; reports attributes that contradict
@@ -95,7 +106,7 @@ void infer_properties(Context& c, std::uint32_t index, const ast::Decl& decl) {
     properties.uniform = !flow.has_open_loop && !flow.has_branch;
     properties.access_complexity = flow.has_open_loop ? not_known : constant;
     properties.memory_complexity = translator.structures.empty() ? constant : not_known;
-    add_tables(c.program, translator);
+    for (std::uint32_t table : translator.structures) add_table(c.program, c.program.structures[table], properties);
     const auto declared = [&](const std::string& what, std::string& property, const std::string& text, Span span) {
         if (property == constant && text != constant && !text.empty())
             c.error(Diag::property_contradicts, span, {what, text, constant});

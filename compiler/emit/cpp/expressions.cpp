@@ -126,7 +126,7 @@ Text print_binary(Printer& p, const Expr& expr) {
 Text print_convert(Printer& p, const Expr& expr) {
     const ir::Types& types = p.program.types;
     const TypeId from = p.program.exprs[expr.operands[0]].type;
-    const std::string to = type_text(p.globals, expr.type, p.use_namespaces);
+    const std::string to = type_text(p.globals, expr.type);
     const std::string operand = print_any(p, expr.operands[0]);
     if (from == expr.type) return print(p, expr.operands[0]);
     if (types.is_vector(expr.type) || types.is_matrix(expr.type)) return {to + "(" + operand + ")"};
@@ -138,7 +138,7 @@ Text print_convert(Printer& p, const Expr& expr) {
 
 Text print_construct(Printer& p, const Expr& expr) {
     const ir::Type& type = p.program.types[expr.type];
-    const std::string name = type_text(p.globals, expr.type, p.use_namespaces);
+    const std::string name = type_text(p.globals, expr.type);
     switch (type.kind) {
     case TypeKind::array:
         if (std::ranges::all_of(expr.operands, [&](ExprId operand) { return is_zero(p, operand); }))
@@ -182,7 +182,7 @@ Text print_swizzle(Printer& p, const Expr& expr) {
     static constexpr char letters[] = "xyzw";
     if (p.program.types.components(p.program.exprs[expr.operands[0]].type) == 1) {
         if (count == 1) return {vector};
-        return {type_text(p.globals, expr.type, p.use_namespaces) + "(" + vector + ")"};
+        return {type_text(p.globals, expr.type) + "(" + vector + ")"};
     }
     if (count == 1) return {concat(vector, ".", std::string_view(letters + expr.lanes[0], 1))};
     bool in_order = count < p.program.types.components(p.program.exprs[expr.operands[0]].type);
@@ -200,7 +200,7 @@ Text print_swizzle(Printer& p, const Expr& expr) {
 /// the type that values have.
 std::string as_value(Printer& p, const Expr& part, std::string text) {
     if (!is_bool_vector(p.program, part.type)) return text;
-    return concat(type_text(p.globals, part.type, p.use_namespaces), "(", text, ")");
+    return concat(type_text(p.globals, part.type), "(", text, ")");
 }
 
 /// One side of `?:`. A bool as memory holds it (glift::Bool) is converted to bool: if the other side is a bool, C++
@@ -328,8 +328,8 @@ Text print(Printer& p, ExprId id) {
     }
     case Op::call: return print_call(p, expr);
     case Op::intrinsic: return print_intrinsic(p, expr);
-    case Op::none: return {type_text(p.globals, expr.type, p.use_namespaces) + "()"};
-    case Op::some: return function_call(p, type_text(p.globals, expr.type, p.use_namespaces), expr.operands);
+    case Op::none: return {type_text(p.globals, expr.type) + "()"};
+    case Op::some: return function_call(p, type_text(p.globals, expr.type), expr.operands);
     case Op::has_value: return {print(p, expr.operands[0], Level::postfix) + ".has_value()"};
     case Op::value: return {"*" + print(p, expr.operands[0], Level::unary), Level::unary};
 #define SHAPE_OPERATION(name) case Op::name:

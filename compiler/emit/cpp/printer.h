@@ -127,7 +127,6 @@ struct Printer {
     /// Spells a local that is not simply a name (an element of an array over the workgroup); gives "" for others. May
     /// be empty.
     std::function<std::string(ir::LocalId)> outer_local;
-    bool use_namespaces = false;                               ///< true: glift::uint4; false: uint4
     std::uint32_t marked_file = 0xffffffffu, marked_line = 0;  ///< of the latest mark_line
 
     explicit Printer(Globals& globals) : globals(globals), program(globals.program) { names.avoid(globals.type_names); }

@@ -98,7 +98,7 @@ void print_let(Printer& p, const Stmt& stmt) {
         else p.out.line(p.outer_local(stmt.local) + " = " + (stmt.value ? value : "{}") + ";");
         return;
     }
-    p.out.line(concat(local.is_mutable ? "" : "const ", type_text(p.globals, local.type, p.use_namespaces), " ", name,
+    p.out.line(concat(local.is_mutable ? "" : "const ", type_text(p.globals, local.type), " ", name,
                       stmt.value           ? " = "
                       : stmt.uninitialized ? ""
                                            : "{}",
@@ -138,7 +138,7 @@ void print_name(Printer& p, const Stmt& let) {
     const std::string name = declare_local(p, let.local);
     const std::string value = print_any(p, let.value);
     const ir::TypeId type = p.program.locals[let.local].type;
-    p.out.line(concat("const ", type_text(p.globals, type, p.use_namespaces), "& ", name, " = ", value, ";"));
+    p.out.line(concat("const ", type_text(p.globals, type), "& ", name, " = ", value, ";"));
 }
 
 void print_nested(Printer& p, const std::vector<ir::StmtId>& body) {
@@ -177,7 +177,7 @@ bool is_steady(const Printer& p, ExprId id) {
 
 void print_for(Printer& p, const Stmt& stmt) {
     p.names.enter();
-    const std::string type = type_text(p.globals, p.program.locals[stmt.local].type, p.use_namespaces);
+    const std::string type = type_text(p.globals, p.program.locals[stmt.local].type);
     const std::string name = declare_local(p, stmt.local);
     const std::string first = print_any(p, stmt.value), limit = print(p, stmt.limit, Level::shift);
     if (is_steady(p, stmt.limit)) {

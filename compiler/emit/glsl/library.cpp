@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
+#include <string>
 #include <utility>
 
 namespace gliftc::glsl {
@@ -30,6 +32,7 @@ std::vector<bool> used_parameters(const Program& program, const Pass& pass) {
 struct Interface {
     Pass all{.kernel = no_kernel};
     Scopes names;
+    std::map<std::string, std::string> declared_parameters;  ///< by the names that the functions have for them
 
     std::string binding(const PassBinding& wanted) {
         for (PassBinding& have : all.bindings)
@@ -42,11 +45,10 @@ struct Interface {
     }
 
     std::string parameter(const PassParameter& wanted) {
-        for (const PassParameter& have : all.parameters)
-            if (have.name == wanted.name) return have.name;
+        const auto [found, is_new] = declared_parameters.try_emplace(wanted.name);
+        if (!is_new) return found->second;
         all.parameters.push_back(wanted);
-        names.declare(wanted.name);
-        return wanted.name;
+        return found->second = all.parameters.back().name = names.declare(wanted.name);
     }
 };
 
