@@ -98,7 +98,8 @@ void run_once(Easel& easel, std::vector<Part>& parts, const std::function<void(P
     if (parts[0].found.new_pages == 0) throw std::runtime_error("the first dab painted nothing");
 }
 
-/// Makes pipelines, and then keeps a GPU busy for a while, which raises its clocks.
+/// Runs everything once, which makes the Vulkan pipelines of what run_once() calls besides the recordings (theirs were
+/// made when they were recorded). Then repeats it for 100 ms, which raises a GPU's clocks.
 void warm_up(Easel& easel, std::vector<Part>& parts) {
     constexpr std::chrono::milliseconds enough(100);
     const auto untimed = [&](Part& part) { part.recording.submit(); };

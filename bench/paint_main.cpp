@@ -276,7 +276,7 @@ void add_options(CLI::App& app, Options& o) {
         ->delimiter(',')
         ->check(CLI::Range(16u, 8192u));
     app.add_option("--dab-radius", o.dab_radius, "of such a dab, pixels")
-        ->check(CLI::Range(1.0, 2048.0))
+        ->check(CLI::Range(2.0, 2048.0))
         ->capture_default_str();
     app.add_flag("--only-dabs", o.only_dabs, "Draws nothing");
     app.add_option("--dense", o.dense, "the side of the dense image")->check(CLI::Range(2u, 1024u));

@@ -31,9 +31,10 @@ FileSystem only_text(std::string text);
 /// Returns the text of an error, such as "No space left on device"; absent if there is none.
 std::optional<std::string> write_if_changed(const std::string& path, const std::string& bytes);
 
-/// The folder of the standard library, relative to that of this executable: ../share/glift/stdlib.
+/// The folder of the standard library: ../share/glift/stdlib, seen from the folder of this executable.
 std::string library_beside_executable();
-/// The folder of the examples of diagnostics, relative to that of this executable: ../share/glift/diagnostics.
+/// The folder of programs that cause diagnostics, one for each, which `gliftc explain ID` prints:
+/// ../share/glift/diagnostics, seen from the folder of this executable.
 std::string diagnostics_beside_executable();
 
 }  // namespace gliftc

@@ -18,8 +18,9 @@ bool is_public(const Structure& structure, std::uint32_t module);
 /// no such module names the structure.
 Name name_in(const Program& program, const Structure& structure, std::uint32_t module);
 
-/// The public functions that take this structure (or adaptor) and no other one: first Structure::methods, which C++ can
-/// call, then others of Program::functions. Of functions with one key and one list of parameter types only the first.
+/// The public functions with exactly one parameter that is a structure or adaptor, namely this one: first
+/// Structure::methods, which C++ can call, then others of Program::functions. Of several with the same key and the same
+/// parameter types only the first.
 std::vector<FunctionId> public_functions(const Program& program, std::uint32_t structure);
 
 }  // namespace gliftc::ir

@@ -3,9 +3,10 @@
 // or continues a loop with one, is executed once for all invocations, with the first one's value of its condition,
 // which must be uniform on every device.
 //
-// Needs: a kernel with a group, and its prologue. Guarantees: no workgroup barrier is inside an `invocations`
-// statement; a local that is used in several such statements, or in one and outside, has a value for each invocation
-// (`keep`), unless it is workgroup memory or the variable of a loop that all invocations execute together.
+// Needs: the body of a kernel with a group; the prologue of the pass (Pass::prologue) is put before it. Guarantees: no
+// workgroup barrier is inside an `invocations` statement; a local that is used in several such statements, or in one
+// and outside, is declared by a `keep` statement, as an array with a value for each invocation, unless it is workgroup
+// memory or the variable of a loop that all invocations execute together.
 #pragma once
 
 #include "lower/context.h"
@@ -14,7 +15,8 @@ namespace gliftc::lower {
 
 std::vector<StmtId> split_at_barriers(Context& cx, const std::vector<StmtId>& body);
 
-/// The same without the kernel's prologue: for a body that declares all locals it uses or gets them from outside.
+/// The same without the prologue, for the fragment part of a draw (split_at_derivatives.h): it declares all locals that
+/// it uses, but for interpolated values, colours and the depth, which the host code around it declares (emit/host).
 std::vector<StmtId> regions_between_barriers(Context& cx, const std::vector<StmtId>& body);
 
 }  // namespace gliftc::lower

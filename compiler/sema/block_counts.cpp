@@ -82,7 +82,7 @@ std::optional<std::uint32_t> counter_of_blocks(Context& c, std::uint32_t index, 
     ir::Pipeline pipeline;
     const ir::Pipeline& called = c.program.pipelines[*general];
     pipeline.name = c.names.intern("block_count");
-    pipeline.display = owner.display + ".block_count";
+    pipeline.display = owner.display + ".blocks, the element";
     pipeline.key = owner.key + ".block_count<" + owner.key + ">";
     pipeline.span = called.span;
     pipeline.module = called.module;

@@ -31,7 +31,7 @@ void add_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std
     add_triangle(mesh, a, c, d);
 }
 
-/// A unit vector perpendicular to `along`.
+/// A unit vector perpendicular to the unit vector `along`.
 float3 across(const float3& along) {
     return normalize(cross(along, std::abs(along.y) < 0.9f ? float3(0, 1, 0) : float3(1, 0, 0)));
 }

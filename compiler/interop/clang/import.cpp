@@ -47,8 +47,8 @@ struct NamedVector {
     std::uint32_t components;
 };
 
-/// The vector type that a C++ name such as float2 or uint64_4 means: the runtime's, or a user's of the same name in any
-/// namespace. import_record() checks the size.
+/// The vector type that a C++ name means, in whatever namespace it is declared: float2 or half4, as the runtime calls
+/// them, or int64_2 or uint64_4, which only a user's type can be called. import_record() checks the size.
 std::optional<NamedVector> vector_named(llvm::StringRef name) {
     static const std::pair<llvm::StringRef, ImportedScalar> stems[] = {
         {"float", ImportedScalar::Float},  {"int", ImportedScalar::Int},        {"uint", ImportedScalar::Uint},
@@ -118,8 +118,9 @@ private:
         return context_.getSourceManager().getPresumedLoc(location).getLine();
     }
 
-    /// Whether the struct, apart from its fields, can be copied to the device byte by byte: it is no union, has no base
-    /// class and no virtual functions, and is trivially copyable. Reports where not.
+    /// Whether the struct can be copied to the device byte by byte: it is no union, has no base class and no virtual
+    /// functions, and is trivially copyable. Reports an error if it cannot. Fields are checked one by one elsewhere:
+    /// check(field), import_type().
     bool check(const CXXRecordDecl& record) {
         const std::string name = "'" + record.getQualifiedNameAsString() + "'";
         if (!record.isStruct() && !record.isClass()) {
@@ -194,9 +195,10 @@ private:
         return true;
     }
 
-    /// The vector type that a field has, if it has one: the field's struct is named float3 (or like another vector),
-    /// its type is an alias of such a name, or an instance of a class template called vec with a scalar type and a
-    /// number of components, in either order.
+    /// The vector type that `record` stands for, if it stands for one. `record` is the type of the field or, if that is
+    /// an array, of its elements. It is named float3 (or like another vector), or is an instance of a class template
+    /// called vec whose arguments are a scalar type and a number of components, in either order; more may follow. If
+    /// the field is no array, it is enough that its type is written as an alias with such a name.
     std::optional<NamedVector> vector_of(const CXXRecordDecl& record, const FieldDecl& field) const {
         if (const auto vector = vector_named(record.getName())) return vector;
         const auto* alias = field.getType()->getAs<TypedefType>();
@@ -209,7 +211,8 @@ private:
         std::uint64_t components = 0;
         for (const TemplateArgument& argument : vec->getTemplateArgs().asArray()) {
             if (argument.getKind() == TemplateArgument::Type) scalar = scalar_of(argument.getAsType());
-            if (argument.getKind() == TemplateArgument::Integral) components = argument.getAsIntegral().getZExtValue();
+            if (argument.getKind() == TemplateArgument::Integral && components == 0)
+                components = argument.getAsIntegral().getZExtValue();
         }
         if (!scalar || components < 2 || components > 4) return std::nullopt;
         return NamedVector{*scalar, static_cast<std::uint32_t>(components)};

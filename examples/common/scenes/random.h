@@ -18,7 +18,7 @@ public:
         const auto turn = static_cast<std::uint32_t>(state_ >> 59);
         return mixed >> turn | mixed << (-turn & 31);
     }
-    /// A random number in [low, high).
+    /// A random number from low to high; high itself only where the sum is rounded up to it.
     float between(float low, float high) { return low + (high - low) * (static_cast<float>(bits() >> 8) * 0x1p-24f); }
     /// A random point of a box. Its numbers are drawn by statements in a fixed order, since compilers may evaluate
     /// arguments in any order: z first, as g++ did when the scenes were made.

@@ -1,6 +1,6 @@
-// Modules compiled by gliftc --checked: reads and writes by address outside of a domain are reported.
-// Accesses that may lie outside, such as `find`, samples, windows and those of structures that define what lies
-// outside, are not.
+// Modules compiled by gliftc --checked: reads `s[a]` and writes `s[a] = x` outside of a domain are reported. Not
+// reported are accesses that are meant for addresses outside (`find`, `sample`, `near`), and those of structures that
+// define what lies outside.
 #include "on_every_device.h"
 
 #include "ranges.glift.hpp"
@@ -11,7 +11,8 @@ using testing::HasSubstr;
 
 class Ranges : public OnEveryDevice {
 protected:
-    /// Runs and waits; expects an error that names line, kernel, memory and virtual address.
+    /// Runs and waits. Expects an out_of_range error whose place names the line and the kernel, and whose reason
+    /// contains `why`: parts of the memory's name and the virtual address.
     template <class Run> void expect_report(Run run, const char* line, const char* kernel, const char* why) {
         const auto error = thrown_by([&] {
             run();

@@ -1,12 +1,15 @@
 // A dense volume whose kernels compute addresses in 64 bits: written, computed on, summed, gathered, read back.
-// GLIFT_TEST_GIB is its size in GiB, a power of two. Without it the volume is small, and GLIFT_WIDE_ELEMENTS makes the
-// runtime treat it as a large one.
+// GLIFT_TEST_GIB is its size in GiB, a power of two; without it the volume is small. GLIFT_WIDE_ELEMENTS=1, which ctest
+// sets (CMakeLists.txt), makes the runtime use 64-bit addresses at any size. Without that variable it does so from 16
+// GiB on, or where a buffer is larger than a descriptor can cover.
 #include "on_every_device.h"
 
 #include "volume.glift.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <thread>
+#include <tuple>
 
 namespace {
 
@@ -53,7 +56,8 @@ std::uint32_t expected_sum(const glift::uint3& extent) {
     return total;
 }
 
-/// The corners, and elements on both sides of physical addresses that are powers of two.
+/// The corners; and for each power of two from 1024 on, the element at that physical address and the one before it.
+/// Each element once: they are written by `scatter`.
 std::vector<glift::uint3> sites_of(const glift::uint3& extent) {
     std::vector<glift::uint3> sites;
     for (const std::uint32_t z : {0u, extent.z - 1})
@@ -65,6 +69,10 @@ std::vector<glift::uint3> sites_of(const glift::uint3& extent) {
             sites.emplace_back(static_cast<std::uint32_t>(at % extent.x),
                                static_cast<std::uint32_t>(at / extent.x % extent.y),
                                static_cast<std::uint32_t>(at / extent.x / extent.y));
+    const auto key = [](const glift::uint3& site) { return std::tuple(site.z, site.y, site.x); };
+    std::ranges::sort(sites, {}, key);
+    const auto repeated = std::ranges::unique(sites, {}, key);
+    sites.erase(repeated.begin(), repeated.end());
     return sites;
 }
 
