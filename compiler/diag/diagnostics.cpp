@@ -97,17 +97,13 @@ Diagnostic& Diagnostics::keep(Diagnostic&& made) {
         return same_place &&
                (earlier.id == made.id || (made.severity == Severity::error && earlier.severity == Severity::error));
     });
+    if (!repeated && severity_of(made.id) == Severity::error) ++own_errors_;
     if (repeated || (made.severity == Severity::error && at_limit())) {
         dropped_ = {};
         return dropped_;
     }
     if (made.severity == Severity::error) ++errors_;
     return all_.emplace_back(std::move(made));
-}
-
-bool Diagnostics::has_own_errors() const {
-    return has_errors() && std::any_of(all_.begin(), all_.end(),
-                                       [](const Diagnostic& one) { return severity_of(one.id) == Severity::error; });
 }
 
 void Diagnostics::append(Diagnostics&& others) {
@@ -117,7 +113,7 @@ void Diagnostics::append(Diagnostics&& others) {
 Diagnostics Diagnostics::emptied() const {
     Diagnostics made = *this;
     made.all_.clear();
-    made.errors_ = 0;
+    made.errors_ = made.own_errors_ = 0;
     return made;
 }
 

@@ -52,19 +52,22 @@ public:
     void append(Diagnostics&& others);
     /// A state of the collector. back_to() forgets what was reported since mark().
     struct Mark {
-        std::size_t count, errors;
+        std::size_t count, errors, own_errors;
     };
-    Mark mark() const { return {all_.size(), errors_}; }
+    Mark mark() const { return {all_.size(), errors_, own_errors_}; }
     void back_to(Mark mark) {
         all_.resize(mark.count);
         errors_ = mark.errors;
+        own_errors_ = mark.own_errors;
     }
     /// An empty collector with the same settings.
     Diagnostics emptied() const;
 
     bool has_errors() const { return errors_ > 0; }
-    /// Whether there are errors other than warnings that -Werror made errors.
-    bool has_own_errors() const;
+    /// How many errors were reported other than warnings that -Werror made errors, with those that were dropped since
+    /// they exceed the limit.
+    std::size_t own_error_count() const { return own_errors_; }
+    bool has_own_errors() const { return own_errors_ > 0; }
     std::size_t error_count() const { return errors_; }
     const std::vector<Diagnostic>& all() const { return all_; }
 
@@ -78,7 +81,7 @@ private:
     Diagnostic& keep(Diagnostic&& made);
 
     std::vector<Diagnostic> all_;
-    std::size_t errors_ = 0;
+    std::size_t errors_ = 0, own_errors_ = 0;
     Diagnostic dropped_{};
 };
 

@@ -226,13 +226,18 @@ fs::path TestPrograms::compiled_headers() {
     std::vector<std::string> words = compile_command();
     words.insert(words.end(),
                  {"-x", "c++-header", (made / "common.hpp").string(), "-o", (made / "common.hpp.gch").string()});
-    if (!run_and_wait_for(words)) {
-        std::error_code ignored;
+    std::error_code ignored;
+    try {
+        if (run_and_wait_for(words)) {
+            publish(made, folder);
+            return header;
+        }
+    } catch (...) {
         fs::remove_all(made, ignored);
-        return {};
+        throw;
     }
-    publish(made, folder);
-    return header;
+    fs::remove_all(made, ignored);
+    return {};
 }
 
 /// A hash of what all sources of a program are compiled with.

@@ -92,6 +92,8 @@ public:
 
 private:
     void add(Place place);
+    /// Adds what the translator of a stage of the structure at the place reads.
+    void add_tables(const Stage& stage, const Place& at);
 
     const Program& program_;
     const Structure& over_;
@@ -99,10 +101,25 @@ private:
 };
 
 void ReadPlaces::add(Place place) {
-    const Structure& structure = structure_at(program_, over_, place.members);
-    if (is_computed(program_, structure))
-        add(root_structure(program_, structure).at, {root_of(program_, structure, place)});
-    else if (std::ranges::find(found_, place) == found_.end()) found_.push_back(std::move(place));
+    const Structure* link = &structure_at(program_, over_, place.members);
+    Place at = place;
+    while (true) {
+        for (const Stage& stage : link->via) add_tables(stage, at);
+        if (link->base.empty()) break;
+        at = base_of(*link, at);
+        link = &structure_at(program_, *link, link->base);
+    }
+    if (link->kind == StructureKind::view) return add(link->at, {at});
+    if (std::ranges::find(found_, place) == found_.end()) found_.push_back(std::move(place));
+}
+
+void ReadPlaces::add_tables(const Stage& stage, const Place& at) {
+    std::vector<Place> tables;
+    for (const Place& table : stage.structures) {
+        tables.push_back(at);
+        tables.back().members.append(table.members);
+    }
+    if (!tables.empty()) add(program_.translators[stage.translator].translate, tables);
 }
 
 void ReadPlaces::add(FunctionId function, const std::vector<Place>& at) {

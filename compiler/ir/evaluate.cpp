@@ -429,6 +429,7 @@ Interpreter::Flow Interpreter::run_for(const Stmt& stmt) {
     TypeId type = first->type;
     Lane at = first->lanes[0];
     while (compare(types_, BinaryOp::less, type, at, limit->lanes[0]).bits) {
+        if (++steps_ > step_limit) return Flow::stuck;
         frame_->set(stmt.local, Value{type, {at}});
         Flow flow = run(stmt.body);
         if (flow == Flow::break_) break;

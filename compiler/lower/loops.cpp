@@ -224,8 +224,12 @@ bool has_reports(const Program& program, const std::vector<StmtId>& body) {
 
 void summarize(Context& cx) {
     cx.pass.loop_rounds = Loops(cx).rounds(variant_for(cx.pass, Devices::shaders).body);
-    if (const Variant* fragment = fragment_for(cx.pass, Devices::shaders))
-        cx.pass.loop_rounds = std::max(cx.pass.loop_rounds, Loops(cx).rounds(fragment->body));
+    if (const Variant* fragment = fragment_for(cx.pass, Devices::shaders)) {
+        const Span longest_of_vertices = cx.pass.longest_loop;
+        const std::uint64_t rounds = Loops(cx).rounds(fragment->body);
+        if (rounds <= cx.pass.loop_rounds) cx.pass.longest_loop = longest_of_vertices;
+        cx.pass.loop_rounds = std::max(cx.pass.loop_rounds, rounds);
+    }
     if (cx.kernel.raster) cx.pass.exact = false;  // devices round interpolated values differently
     for (const auto* body : bodies_of(cx.pass)) add_functions(cx, *body);
     for (const auto* body : bodies_of(cx.pass)) cx.pass.exact = cx.pass.exact && !adds_floats(cx, *body);
@@ -241,7 +245,8 @@ void agree(const Program& program, std::span<Pass* const> forms) {
     const Span loop = longest.longest_loop;
     const bool has_reports = std::ranges::any_of(forms, &Pass::has_reports);
     const bool is_exact = std::ranges::all_of(forms, &Pass::exact);
-    // An image is sampled in all forms or in none, since calls of different forms may follow each other on it.
+    // All forms share one description of the kernel's bindings (glift::Kernel::bindings), of which descriptors are made.
+    // So an image is bound as a combined image sampler in all forms, or as a storage image in all.
     for (std::size_t i = 0; i < forms[0]->bindings.size(); ++i) {
         const bool is_sampled = std::ranges::all_of(forms, [&](Pass* pass) { return pass->bindings[i].sampled; });
         for (Pass* pass : forms) pass->bindings[i].sampled = is_sampled;

@@ -1,5 +1,6 @@
-// Makes expressions and folds them as they are made: constants are computed, x + 0, x * 1 and selects on a constant
-// vanish, components are taken out of constructions and pushed through component-wise operations.
+// Makes expressions and folds them as they are made: operations on constants are computed if the result is finite; x +
+// 0 and x * 1 of integers, and selects on a constant condition, vanish; components are taken out of constructions and
+// pushed through component-wise operations.
 #pragma once
 
 #include "ir/evaluate.h"
@@ -58,7 +59,8 @@ public:
     /// Whether `id` is a constant or `none`, or consists of these alone (Op::construct, Op::some); nothing is
     /// evaluated.
     bool is_constant(ExprId id) const;
-    /// The bits of the constant, if `id` is a scalar constant.
+    /// Expr::bits of `id`, if it is a constant of an integer type, a bool or an enum. Not for floats: their value is in
+    /// Expr::number.
     std::optional<std::uint64_t> bits_of(ExprId id) const;
     bool is_true(ExprId id) const;
     bool is_false(ExprId id) const;

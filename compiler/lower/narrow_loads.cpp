@@ -40,6 +40,12 @@ bool is_component(const Program& p, const Expr& node) {
     return node.op == Op::swizzle && !p.types.is_vector(node.type) && p.exprs[node.operands[0]].op == Op::local;
 }
 
+/// Whether the value is a loaded element, or a field of one.
+bool is_loaded(const Program& p, ExprId id) {
+    const Expr& node = p.exprs[id];
+    return node.op == Op::load || (node.op == Op::field && is_loaded(p, node.operands[0]));
+}
+
 void Narrowing::count_component(Use& use, std::uint8_t lane) {
     use.is_whole |= use.is_read && use.lane != lane;
     use.is_read = true;
@@ -63,7 +69,7 @@ void Narrowing::count(const std::vector<StmtId>& body) {
 }
 
 bool Narrowing::is_narrowed(const Stmt& stmt) {
-    if (stmt.op != StmtOp::let || !stmt.value || cx.p.exprs[stmt.value].op != Op::load) return false;
+    if (stmt.op != StmtOp::let || !stmt.value || !is_loaded(cx.p, stmt.value)) return false;
     if (!cx.p.types.is_vector(cx.p.locals[stmt.local].type)) return false;
     const Use& use = uses_[stmt.local];
     return use.is_read && !use.is_whole;

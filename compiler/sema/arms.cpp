@@ -99,7 +99,7 @@ void check_variable(Body& body, const ast::Stmt& stmt, ir::ExprId target) {
         Context& c = body.context;
         if (!lies_on_device_later(body, p.locals[local].span)) body.device_variables.push_back(p.locals[local].span);
         // The declaration has usually reported already that a value of this type cannot lie on the device.
-        else if (c.diagnostics.error_count() == 0) c.error(Diag::device_value_type, span, {c.text(type)});
+        else if (c.diagnostics.own_error_count() == 0) c.error(Diag::device_value_type, span, {c.text(type)});
         return;
     }
     if (is_partial) {

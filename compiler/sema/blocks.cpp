@@ -36,7 +36,7 @@ ir::FunctionId make_function(Context& c, const Env& env, std::uint32_t index, as
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Function>(decl.body);
     const std::string& name = c.text(decl.name.name);
-    const std::size_t errors = c.diagnostics.error_count();
+    const std::size_t errors = c.diagnostics.own_error_count();
     if (written.params.size() != params.size()) {
         c.error(Diag::method_params, decl.name.span, {name, std::to_string(params.size())});
         return {};
@@ -57,9 +57,9 @@ ir::FunctionId make_function(Context& c, const Env& env, std::uint32_t index, as
         function.params.push_back(declare_local(body, written.params[i].name, params[i], false, false));
     check_block(body, written.body);
     close_scope(body);
-    if (c.diagnostics.error_count() == errors && !always_returns(c.program, function.body))
+    if (c.diagnostics.own_error_count() == errors && !always_returns(c.program, function.body))
         c.error(Diag::missing_return, decl.name.span, {name, c.text(result)});
-    if (c.diagnostics.error_count() != errors) return {};
+    if (c.diagnostics.own_error_count() != errors) return {};
     function.reads_memory = reads_memory(c.program, function.body);
     return c.program.functions.add(std::move(function));
 }

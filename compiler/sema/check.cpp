@@ -190,14 +190,14 @@ ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tre
             check_adaptor_pipelines(c, i);
             check_methods(c, i);
         }
-        if (!diagnostics.has_errors()) require_transfers(c, i, program.structures[i].span);
+        if (!diagnostics.has_own_errors()) require_transfers(c, i, program.structures[i].span);
     }
-    if (!diagnostics.has_errors()) check_given(c);
-    if (!diagnostics.has_errors()) require_transfers_of_arguments(c);
+    if (!diagnostics.has_own_errors()) check_given(c);
+    if (!diagnostics.has_own_errors()) require_transfers_of_arguments(c);
     // No warnings if there are errors, as in close_scope().
     for (std::uint32_t i = 0; i < modules.size() && !diagnostics.has_own_errors(); ++i)
         if (modules[i].is_root) warn(c, modules[i].tree->decls);
-    if (!diagnostics.has_errors() && settings.looks_into_tables) require_transfers_of_tables(c);
+    if (!diagnostics.has_own_errors() && settings.looks_into_tables) require_transfers_of_tables(c);
     return program;
 }
 

@@ -10,8 +10,9 @@ ir::TypeId make_structure(Context&, ast::DeclId, const Env&);
 ir::TypeId make_view(Context&, ast::DeclId, const Env&);
 ir::TypeId make_adaptor(Context&, ast::DeclId, const Env&);
 
-/// Declares the names in scope in a structure's own functions: constructor arguments, members, the base, memories, host
-/// state, with Place root 0. Sets Body::container.
+/// Declares the names in scope in a structure's own functions, with Place root 0: constructor arguments, members,
+/// memories, the structure that is the memory if there is one (the base, sema/base.h), host state. Sets
+/// Body::container.
 void bring_members_into_scope(Body&, std::uint32_t structure);
 
 /// Adds value parameters of the constructor as locals of the structure, and structure parameters as members by

@@ -4,6 +4,8 @@
 #include "sema/interfaces.h"
 #include "sema/typing.h"
 
+#include <bit>
+
 namespace gliftc::sema {
 
 namespace {
@@ -26,7 +28,7 @@ std::string key_part(const Meta& meta) {
     case MetaKind::value:
         key = "v" + std::to_string(meta.value.type.index);
         for (const ir::Lane& lane : meta.value.lanes)
-            key += "," + std::to_string(lane.bits) + (lane.number != 0 ? "f" + std::to_string(lane.number) : "");
+            key += "," + std::to_string(lane.bits) + "f" + std::to_string(std::bit_cast<std::uint64_t>(lane.number));
         return key;
     case MetaKind::translator:
         key = "r";

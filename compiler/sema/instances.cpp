@@ -199,7 +199,7 @@ std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, c
     InstantiationScope scope(c, display_of(c, decl, env), use);
     if (scope.too_deep()) return std::nullopt;
     c.instances[key] = {};
-    std::size_t errors = c.diagnostics.error_count();
+    std::size_t errors = c.diagnostics.own_error_count();
     ir::Function function;
     function.name = decl.name.name;
     function.display = display_of(c, decl, env);
@@ -232,10 +232,10 @@ std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, c
     if (function.grouped()) cut_after_return(c.program, function.body);
     bool returns = function.result == c.types().void_ || function.result == c.types().error ||
                    always_returns(c.program, function.body);
-    if (!returns && c.diagnostics.error_count() == errors)
+    if (!returns && c.diagnostics.own_error_count() == errors)
         c.error(Diag::missing_return, decl.name.span, {c.text(decl.name.name), c.text(function.result)});
     Instance& instance = c.instances[key];
-    instance.state = c.diagnostics.error_count() == errors ? Instance::State::done : Instance::State::failed;
+    instance.state = c.diagnostics.own_error_count() == errors ? Instance::State::done : Instance::State::failed;
     if (instance.state == Instance::State::failed) return std::nullopt;
     function.reads_memory = reads_memory(c.program, function.body);
     ir::FunctionId made = c.program.functions.add(std::move(function));

@@ -170,11 +170,14 @@ bool is_passable(Body& body, const ir::Function& function, Span span) {
     Context& c = body.context;
     const std::optional<ir::TypeId> refused = type_not_for_passes(c.program, function);
     if (!refused) return true;
-    if (*refused == c.types().void_) c.error(Diag::void_value, span);
+    if (*refused == c.types().void_)
+        note(c.error(Diag::void_value, span), span,
+             "a call that gives nothing and writes nothing does nothing here: remove it, or call it in a kernel");
     else
         note(c.error(Diag::device_value_type, span, {c.text(*refused)}), span,
-             "the function reads memory, so that a pass calls it, whose values lie in memory; that holds neither "
-             "optionals nor structs without fields");
+             std::string("it is the type of ") + (*refused == function.result ? "the result" : "a parameter") +
+                 ": a pass evaluates this call, and memory holds neither optionals nor structs without fields; use a "
+                 "struct of 'present: bool;' and the value");
     return false;
 }
 

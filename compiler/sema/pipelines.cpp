@@ -169,7 +169,7 @@ std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, co
     InstantiationScope scope(c, display_of(c, decl, env), use);
     if (scope.too_deep()) return std::nullopt;
     c.instances[key] = {};
-    std::size_t errors = c.diagnostics.error_count();
+    std::size_t errors = c.diagnostics.own_error_count();
     ir::Pipeline pipeline;
     pipeline.name = decl.name.name;
     pipeline.display = display_of(c, decl, env);
@@ -201,11 +201,11 @@ std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, co
     if (body.range_result) pipeline.result = body.range_result->slice ? body.range_result->slice : c.types().error;
     if (body.returns == Body::Returns::device) pipeline.result = c.types().device(pipeline.result);
     bool returns = pipeline.result == c.types().void_ || always_returns(c.program, pipeline.body);
-    if (!returns && c.diagnostics.error_count() == errors)
+    if (!returns && c.diagnostics.own_error_count() == errors)
         c.error(Diag::missing_return, decl.name.span,
                 {c.text(decl.name.name), body.range_result ? "a range" : c.text(pipeline.result)});
     Instance& instance = c.instances[key];
-    instance.state = c.diagnostics.error_count() == errors ? Instance::State::done : Instance::State::failed;
+    instance.state = c.diagnostics.own_error_count() == errors ? Instance::State::done : Instance::State::failed;
     if (instance.state == Instance::State::failed) return std::nullopt;
     instance.index = static_cast<std::uint32_t>(c.program.pipelines.size());
     c.program.pipelines.push_back(std::move(pipeline));
@@ -216,7 +216,7 @@ std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, co
 void instantiate_test(Context& c, ast::DeclId id) {
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Test>(decl.body);
-    std::size_t errors = c.diagnostics.error_count();
+    std::size_t errors = c.diagnostics.own_error_count();
     ir::Pipeline pipeline;
     pipeline.name = c.names.intern("test_" + std::to_string(c.program.tests.size()));
     pipeline.display = written.title;
@@ -234,7 +234,7 @@ void instantiate_test(Context& c, ast::DeclId id) {
     open_scope(body);
     check_pipeline_body(body, written.body, pipeline);
     close_scope(body);
-    if (c.diagnostics.error_count() != errors) return;
+    if (c.diagnostics.own_error_count() != errors) return;
     c.program.pipelines.push_back(std::move(pipeline));
     c.program.tests.push_back(
         {written.title, decl.span, c.module_of.at(id), static_cast<std::uint32_t>(c.program.pipelines.size() - 1)});

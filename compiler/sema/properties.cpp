@@ -2,6 +2,8 @@
 
 #include "ir/chain.h"
 
+#include <set>
+
 namespace gliftc::sema {
 
 namespace {
@@ -54,8 +56,10 @@ void look(const ir::Program& program, ir::FunctionId id, Flow& flow) {
 /// A structure that the translator reads is read through its own translators, those of the structures that are its
 /// memory, and the functions of a view at their end: weakens `uniform` and the complexity of access where one of these
 /// has weaker properties. What a view reads is not known in detail: all its members count.
-void add_table(const ir::Program& program, const ir::Structure& table, ir::Properties& properties) {
-    const ir::Structure* link = &table;
+void add_table(const ir::Program& program, std::uint32_t table, ir::Properties& properties,
+               std::set<std::uint32_t>& seen) {
+    if (!seen.insert(table).second) return;
+    const ir::Structure* link = &program.structures[table];
     while (true) {
         for (const ir::Stage& stage : link->via) {
             const ir::Properties& each = program.translators[stage.translator].properties;
@@ -70,8 +74,7 @@ void add_table(const ir::Program& program, const ir::Structure& table, ir::Prope
     look(program, link->at, flow);
     properties.uniform &= !flow.has_open_loop && !flow.has_branch;
     if (flow.has_open_loop) properties.access_complexity = not_known;
-    for (const ir::MemberStructure& member : link->members)
-        add_table(program, program.structures[member.structure], properties);
+    for (const ir::MemberStructure& member : link->members) add_table(program, member.structure, properties, seen);
 }
 
 /// Sets Properties::mapping from the attributes of a translator and from `invert`; reports attributes that contradict
@@ -106,7 +109,8 @@ void infer_properties(Context& c, std::uint32_t index, const ast::Decl& decl) {
     properties.uniform = !flow.has_open_loop && !flow.has_branch;
     properties.access_complexity = flow.has_open_loop ? not_known : constant;
     properties.memory_complexity = translator.structures.empty() ? constant : not_known;
-    for (std::uint32_t table : translator.structures) add_table(c.program, c.program.structures[table], properties);
+    std::set<std::uint32_t> seen;
+    for (std::uint32_t table : translator.structures) add_table(c.program, table, properties, seen);
     const auto declared = [&](const std::string& what, std::string& property, const std::string& text, Span span) {
         if (property == constant && text != constant && !text.empty())
             c.error(Diag::property_contradicts, span, {what, text, constant});

@@ -424,7 +424,7 @@ void finish_structure(Body& body, std::uint32_t index, const ast::Item* domain, 
     structure.element = element;
     if (ir::is_computed(c.program, structure)) structure.kind = ir::StructureKind::view, structure.copyable = false;
     ir::ExprId extent = domain_of(body, index, domain);
-    if (!extent && !c.diagnostics.has_errors())
+    if (!extent && !c.diagnostics.has_own_errors())
         note(c.error(Diag::no_domain, at, {display}), at,
              "write 'domain() { return …; }' in its first translator or in the structure");
     c.program.structures[index].domain = extent;
@@ -463,7 +463,7 @@ ir::FunctionId make_at(Context& c, ast::DeclId id, const Env& env, std::uint32_t
         c.error(Diag::method_params, decl.name.span, {"at", "1"});
         return {};
     }
-    std::size_t errors = c.diagnostics.error_count();
+    std::size_t errors = c.diagnostics.own_error_count();
     ir::Function function;
     function.name = decl.name.name;
     function.display = view.display + ".at";
@@ -477,7 +477,7 @@ ir::FunctionId make_at(Context& c, ast::DeclId id, const Env& env, std::uint32_t
     function.params.push_back(declare_local(body, written.params[0].name, view.domain_type, false, false));
     check_block(body, written.body);
     close_scope(body);
-    if (c.diagnostics.error_count() == errors && !always_returns(c.program, function.body))
+    if (c.diagnostics.own_error_count() == errors && !always_returns(c.program, function.body))
         c.error(Diag::missing_return, decl.name.span, {"at", c.text(view.element)});
     return c.program.functions.add(std::move(function));
 }
@@ -535,7 +535,7 @@ void bring_members_into_scope(Body& body, std::uint32_t index) {
 
 ir::TypeId make_structure(Context& c, ast::DeclId id, const Env& env) {
     const auto& written = std::get<ast::Structure>(c[id].body);
-    std::size_t errors = c.diagnostics.error_count();
+    std::size_t errors = c.diagnostics.own_error_count();
     std::uint32_t index = begin_structure(c, id, env, ir::StructureKind::stored);
     {
         ir::Structure started = c.program.structures[index];
@@ -566,16 +566,16 @@ ir::TypeId make_structure(Context& c, ast::DeclId id, const Env& env) {
         }
     });
     // `via` has an error. If it lies in a translator, it may have been reported for an earlier structure: then
-    // error_count() still equals `errors`.
+    // own_error_count() still equals `errors`.
     if (has_via && c.program.structures[index].via.empty()) return c.types().error;
-    if (c.diagnostics.error_count() == errors) finish_structure(body, index, domain, otherwise);
-    if (c.diagnostics.error_count() == errors) add_blocks(c, env, index, blocks);
-    return c.diagnostics.error_count() == errors ? c.types().of_structure(index) : c.types().error;
+    if (c.diagnostics.own_error_count() == errors) finish_structure(body, index, domain, otherwise);
+    if (c.diagnostics.own_error_count() == errors) add_blocks(c, env, index, blocks);
+    return c.diagnostics.own_error_count() == errors ? c.types().of_structure(index) : c.types().error;
 }
 
 ir::TypeId make_view(Context& c, ast::DeclId id, const Env& env) {
     const auto& written = std::get<ast::View>(c[id].body);
-    std::size_t errors = c.diagnostics.error_count();
+    std::size_t errors = c.diagnostics.own_error_count();
     std::uint32_t index = begin_structure(c, id, env, ir::StructureKind::view);
     ir::Structure started = c.program.structures[index];
     started.copyable = false;
@@ -600,16 +600,16 @@ ir::TypeId make_view(Context& c, ast::DeclId id, const Env& env) {
         }
     });
     if (!at) c.error(Diag::view_without_at, c[id].name.span, {c.text(c[id].name.name)});
-    else if (c.diagnostics.error_count() == errors) {
+    else if (c.diagnostics.own_error_count() == errors) {
         ir::FunctionId function = make_at(c, at, env, index);
         c.program.structures[index].at = function;
     }
-    return c.diagnostics.error_count() == errors ? c.types().of_structure(index) : c.types().error;
+    return c.diagnostics.own_error_count() == errors ? c.types().of_structure(index) : c.types().error;
 }
 
 ir::TypeId make_adaptor(Context& c, ast::DeclId id, const Env& env) {
     const auto& written = std::get<ast::Adaptor>(c[id].body);
-    std::size_t errors = c.diagnostics.error_count();
+    std::size_t errors = c.diagnostics.own_error_count();
     std::uint32_t index = begin_structure(c, id, env, ir::StructureKind::adaptor);
     ir::Structure started = c.program.structures[index];
     started.copyable = false;
@@ -635,7 +635,7 @@ ir::TypeId make_adaptor(Context& c, ast::DeclId id, const Env& env) {
         case ast::ItemKind::condition: break;
         }
     });
-    return c.diagnostics.error_count() == errors ? c.types().of_structure(index) : c.types().error;
+    return c.diagnostics.own_error_count() == errors ? c.types().of_structure(index) : c.types().error;
 }
 
 }  // namespace gliftc::sema

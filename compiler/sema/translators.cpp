@@ -36,7 +36,7 @@ ir::FunctionId make_method(Context& c, ast::DeclId id, const Env& env, const ir:
                            const std::vector<ir::TypeId>& params, ir::TypeId result) {
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Function>(decl.body);
-    std::size_t errors = c.diagnostics.error_count();
+    std::size_t errors = c.diagnostics.own_error_count();
     if (written.params.size() != params.size()) {
         c.error(Diag::method_params, decl.name.span, {c.text(decl.name.name), std::to_string(params.size())});
         return {};
@@ -63,9 +63,9 @@ ir::FunctionId make_method(Context& c, ast::DeclId id, const Env& env, const ir:
     }
     check_block(body, written.body);
     close_scope(body);
-    if (c.diagnostics.error_count() == errors && !always_returns(c.program, function.body))
+    if (c.diagnostics.own_error_count() == errors && !always_returns(c.program, function.body))
         c.error(Diag::missing_return, decl.name.span, {c.text(decl.name.name), c.text(result)});
-    if (c.diagnostics.error_count() != errors) return {};
+    if (c.diagnostics.own_error_count() != errors) return {};
     return c.program.functions.add(std::move(function));
 }
 
@@ -86,7 +86,7 @@ void add_fields(Context& c, const Env& env, const ast::Translator& written, ir::
 std::optional<std::uint32_t> make_translator(Context& c, ast::DeclId id, const Env& env) {
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Translator>(decl.body);
-    std::size_t errors = c.diagnostics.error_count();
+    std::size_t errors = c.diagnostics.own_error_count();
     ir::Translator translator;
     translator.name = decl.name.name;
     translator.display = display_of(c, decl, env);
@@ -105,7 +105,7 @@ std::optional<std::uint32_t> make_translator(Context& c, ast::DeclId id, const E
     check_address(translator.virtual_type, written.virtual_type);
     check_address(translator.physical_type, written.physical_type);
     add_fields(c, env, written, translator);
-    if (c.diagnostics.error_count() != errors) return std::nullopt;
+    if (c.diagnostics.own_error_count() != errors) return std::nullopt;
     for (ast::DeclId method : written.methods) {
         const std::string& name = c.text(c[method].name.name);
         ir::TypeId va = translator.virtual_type;
@@ -121,7 +121,7 @@ std::optional<std::uint32_t> make_translator(Context& c, ast::DeclId id, const E
     bool has_translate = false;
     for (ast::DeclId method : written.methods) has_translate |= c.text(c[method].name.name) == "translate";
     if (!has_translate) c.error(Diag::no_translate, decl.name.span, {c.text(decl.name.name)});
-    if (c.diagnostics.error_count() != errors) return std::nullopt;
+    if (c.diagnostics.own_error_count() != errors) return std::nullopt;
     translator.properties.invertible = static_cast<bool>(translator.invert);
     auto index = static_cast<std::uint32_t>(c.program.translators.size());
     c.program.translators.push_back(std::move(translator));

@@ -16,7 +16,7 @@ const std::vector<std::string_view> declaration_spellings{
 
 }  // namespace
 
-/// file = "module" path ";" { use | declaration } ;
+/// file = "module" path ";" { use | declaration | ";" } ;
 ast::Module Parser::parse_module() {
     ast::Module module;
     module.file = file_;
@@ -65,6 +65,7 @@ bool Parser::parse_path(std::string& path) {
 }
 
 /// use = "use" ( path | ( "./" | "../" { "../" } ) name { "/" name } ) ";" ;
+/// For a relative path more is accepted: any names, `.`, `..` and `/` that begin with `./` or `../` and end in a name.
 ast::Use Parser::parse_use() {
     advance();
     std::uint32_t first = cursor_;
@@ -108,7 +109,7 @@ std::vector<ast::Attribute> Parser::parse_attributes() {
     return attributes;
 }
 
-/// declaration = attributes [ "pub" ] [ "extern" ] ( function | struct | enum | interface | const | type-alias
+/// declaration = attributes [ "pub" ] [ "extern" (* only before a struct *) ] ( function | struct | enum | interface | const | type-alias
 ///             | translator | structure | view | adaptor | kernel | raster | pipeline | test ) ;
 ast::DeclId Parser::parse_declaration() {
     Nesting nesting(*this);

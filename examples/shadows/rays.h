@@ -14,7 +14,7 @@ enum class Light : unsigned char { unknown, reached, shadowed };
 
 struct Reference {
     std::vector<Light> light;
-    /// Whether a true edge of a shadow is at most a pixel away, so that either answer may be right.
+    /// Whether trace() found an edge of a shadow beside the pixel, so that either answer may be right.
     std::vector<unsigned char> at_edge;  // not vector<bool>, whose elements threads cannot write independently
 };
 

@@ -46,6 +46,16 @@ says(here.run("--error-limit", "1", "--check", "bad.glift"), 1, "1 error; no mor
 says(here.run("--error-limit", "-3", "--check", "good.glift"), 2)
 here.write("unused.glift", "module unused;\nfn f() { let a = 1; let b = 2; }\nfn g(x: int) { let c = 3; }\n")
 says(here.run("-Werror", "--check", "unused.glift"), 1, "'a' is", "'b' is", "'c' is", "'x' is")
+here.write("within.glift", """module within;
+use std.array;
+translator Next : uint -> uint { n: uint; domain() { return n; } translate(p) { let dead = 1u; return p + n; } }
+structure Line(n: uint) { memory data = Array<1, float>(n); via Next(n); }
+adaptor Lines(n: uint) { structure line = Line(n); fn get(i: uint) -> float { let gone = 2u; return line[i]; } }
+test "uses them" { temp lines = Lines(4u); expect(await lines.get(1u) == 2.0); }
+""")
+ran = here.run("-Werror", "--check", "within.glift")
+says(ran, 1, "'dead' is", "'gone' is")
+expect(ran.said.count("error:") == 2, "warnings that are errors cause no other errors", ran.said)
 says(here.run("--library", "/nowhere", "--check", "good.glift"), 2, "does not hold the standard library")
 expect("or ir" in here.run("--help").said, "--help names the stage 'ir'")
 for code in ("0 done", "1 errors", "2 wrong usage", "3 a bug", "4 a file"):

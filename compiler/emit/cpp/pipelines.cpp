@@ -23,7 +23,7 @@ struct PipelinePrinter {
     Unit& unit;
     const Pipeline& pipeline;
     Printer p;
-    std::string commands = "commands";  ///< the variable whose methods record passes
+    std::string commands = "commands";  ///< the C++ expression of the glift::Commands that calls get
     bool tracks = false;                ///< in tests: structures live to the end, to be compared
 
     PipelinePrinter(Unit& unit, const Pipeline& pipeline) : unit(unit), pipeline(pipeline), p(unit.globals) {
@@ -58,6 +58,7 @@ struct PipelinePrinter {
     void replace(const Stmt& stmt);
     void keep(const std::string& shown, const std::string& object, std::uint32_t structure);
     void keep_all();
+    void check_with_members(const std::string& object, std::uint32_t index);
     void check_as_made(const std::string& object, std::uint32_t structure);
 };
 
@@ -171,8 +172,8 @@ void PipelinePrinter::temporary(const Stmt& stmt) {
     p.out.line(unit.class_name(type.index) + " " + name + (arguments.empty() ? ";" : "(" + arguments.substr(2) + ");"));
 }
 
-/// One arm, a side of an `if` whose condition lies on the device: its passes are recorded by commands under that
-/// condition (Commands::where, where_not).
+/// One arm: a side of an `if`, or a round of a `for … while`, whose condition lies on the device. Its passes are
+/// recorded by commands under that condition (Commands::where, where_not).
 void PipelinePrinter::arm(const std::string& condition, const std::vector<ir::StmtId>& body, const char* where) {
     if (body.empty()) return;
     p.out.open("");
@@ -272,16 +273,17 @@ void PipelinePrinter::keep_all() {
     // A check overwrites the structure that it looks at. So a structure is checked before its members, and a structure
     // that was given another one (which was made earlier) before that one.
     std::ranges::reverse(made);
-    for (std::size_t i = 0; i < made.size(); ++i) {
-        const auto [object, index] = made[i];
-        check_as_made(object, index);
-        const ir::Structure& structure = unit.program.structures[index];
-        for (std::size_t m = 0; m < structure.members.size(); ++m) {
-            if (structure.members[m].by_reference) continue;
-            made.emplace_back(object + "." + unit.globals.class_names[index].members[m] + "()",
-                              structure.members[m].structure);
-        }
-    }
+    for (const auto& [object, index] : made) check_with_members(object, index);
+}
+
+/// Checks a structure, then its members, the last one first: a member may have been given an earlier one.
+void PipelinePrinter::check_with_members(const std::string& object, std::uint32_t index) {
+    check_as_made(object, index);
+    const ir::Structure& structure = unit.program.structures[index];
+    for (std::size_t m = structure.members.size(); m-- > 0;)
+        if (!structure.members[m].by_reference)
+            check_with_members(object + "." + unit.globals.class_names[index].members[m] + "()",
+                               structure.members[m].structure);
 }
 
 void PipelinePrinter::check_as_made(const std::string& object, std::uint32_t index) {

@@ -29,7 +29,12 @@ float split(float x, out int exponent) {
 )";
 
 constexpr const char* quotient_text =
-    R"(// The quotient's magnitude where that is subnormal, rounded once, ties to even. q: the quotient times a power of two,
+    R"(// r, but for a mantissa of b of all ones: then r, a power of two, is one unit in the last place less than 1 / b rounded.
+float rounded_reciprocal(float b, float r) {
+    return uintBitsToFloat(floatBitsToUint(r) | uint((floatBitsToUint(b) & 0x007fffffu) == 0x007fffffu));
+}
+
+// The quotient's magnitude where that is subnormal, rounded once, ties to even. q: the quotient times a power of two,
 // rounded. shift: by how many bits q's mantissa is too long. rest: positive if the exact quotient is larger than q,
 // negative if it is smaller.
 uint subnormal_quotient(float q, int shift, float rest) {
@@ -49,7 +54,7 @@ float scaled_quotient(float a, float b) {
         int x_exponent, y_exponent;
         float m = split(uintBitsToFloat(x), x_exponent), n = split(uintBitsToFloat(y), y_exponent), r = 1.0 / n;
         r = fma(fma(-n, r, 1.0), r, r);
-        r = fma(fma(-n, r, 1.0), r, r);
+        r = rounded_reciprocal(n, fma(fma(-n, r, 1.0), r, r));
         float q = m * r;
         q = fma(fma(-n, q, m), r, q);
         q = fma(fma(-n, q, m), r, q);
@@ -73,7 +78,7 @@ float divide(float a, float b) {
             q = scaled_quotient(a, b);
         } else {
             float r = 1.0 / b;
-            r = fma(fma(-b, r, 1.0), r, r);
+            r = rounded_reciprocal(b, fma(fma(-b, r, 1.0), r, r));
             q = fma(fma(-b, q, a), r, q);
             q = fma(fma(-b, q, a), r, q);
         }

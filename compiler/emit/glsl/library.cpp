@@ -184,6 +184,9 @@ std::string library_of(const Program& program, const Sources& sources, const Lib
     Interface interface;
     std::vector<std::string> names;
     std::vector<std::vector<std::string>> bindings, parameters;
+    for (const char* ending : {"_SET", "_BINDING", "_STATE", "_READONLY", "_ACCESS"})
+        interface.names.declare(macro + ending);
+    interface.names.declare(name + "_state");
     for (const LibraryFunction& function : library.functions)
         names.push_back(interface.names.declare(name + "_" + function.name));
     for (const LibraryFunction& function : library.functions) {

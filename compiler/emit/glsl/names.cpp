@@ -52,6 +52,7 @@ const std::unordered_set<std::string_view>& reserved_words() {
         "split",
         "scaled_quotient",
         "subnormal_quotient",
+        "rounded_reciprocal",
         // what the printer writes in layout(…): no type may have these names
         "binding",
         "buffer_reference",

@@ -307,4 +307,15 @@ TEST_P(Misuse, DifferentBlocksThroughAView) {
     expect_error("different blocks", [&] { misuse::fill_both(device, a, c); });
 }
 
+TEST_P(Misuse, DifferentBlocksThroughATable) {
+    misuse::Numbers list(device, 2), table(device, 2), other_table(device, 2);
+    list.write(std::vector<glift::uint>{1, 3});
+    table.write(std::vector<glift::uint>{0, 1});
+    other_table.write(std::vector<glift::uint>{1, 1});
+    misuse::ListedThrough a(device, list, table, 32), b(device, list, table, 32), c(device, list, other_table, 32);
+    misuse::fill_both_through(device, a, b);
+    EXPECT_EQ(b.read(7, 10), (std::vector<float>{0, 2, 2}));
+    expect_error("different blocks", [&] { misuse::fill_both_through(device, a, c); });
+}
+
 }  // namespace

@@ -1,4 +1,5 @@
-// Linked lists, stacks, queues and grids of lists: random operations, compared with the C++ library's containers.
+// Linked lists, stacks, queues and grids of lists: random operations, compared with models made of the C++
+// library's containers.
 #include "property.h"
 
 #include "lists.glift.hpp"

@@ -263,6 +263,21 @@ TEST(FloatControls, SetEachModeThatTheDeviceHasForEachWidth) {
         EXPECT_THAT(text, Not(HasSubstr(mode)));
 }
 
+TEST(FloatControls, LeaveRoundingOfFloatsToNvidia) {
+    VkPhysicalDeviceVulkan12Properties properties{};
+    properties.roundingModeIndependence = VK_SHADER_FLOAT_CONTROLS_INDEPENDENCE_ALL;
+    properties.shaderRoundingModeRTEFloat16 = properties.shaderRoundingModeRTEFloat32 =
+        properties.shaderRoundingModeRTEFloat64 = VK_TRUE;
+    const auto text_for = [&](VkDriverId driver) {
+        properties.driverID = driver;
+        return disassembled(with_float_modes(assembled(shader), FloatControls::of(properties).modes));
+    };
+    EXPECT_THAT(text_for(VK_DRIVER_ID_NVIDIA_PROPRIETARY), Not(HasSubstr("RoundingModeRTE 32")));
+    for (const char* mode : {"RoundingModeRTE 16", "RoundingModeRTE 64"})
+        EXPECT_THAT(text_for(VK_DRIVER_ID_NVIDIA_PROPRIETARY), HasSubstr(mode));
+    EXPECT_THAT(text_for(VK_DRIVER_ID_MESA_RADV), HasSubstr("RoundingModeRTE 32"));
+}
+
 TEST(FloatControls, KeepToWhatTheDeviceTiesTogether) {
     VkPhysicalDeviceVulkan12Properties properties{};
     properties.denormBehaviorIndependence = VK_SHADER_FLOAT_CONTROLS_INDEPENDENCE_32_BIT_ONLY;
