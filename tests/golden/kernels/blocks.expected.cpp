@@ -366,7 +366,7 @@ GLIFT_SHARED glift::DeviceScalar<uint> blocks_blocks_Listed(const glift::Command
     return result.element_in_place(commands, 0u);
 }
 
-// blocks.glift:16: Listed.block_count
+// blocks.glift:16: Listed.blocks, the element
 GLIFT_SHARED glift::DeviceScalar<uint> block_count_blocks_Listed(const glift::Commands& commands,
     const glift::Range<Listed>& self) {
     // blocks.glift:16

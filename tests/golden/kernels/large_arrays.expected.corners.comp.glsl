@@ -13,8 +13,8 @@ layout(scalar, set = 0, binding = 1) writeonly buffer To_data { uint to_data[]; 
 
 // Saturates; not-a-number gives 0.
 uint to_uint(float x) {
-    if (x > 0.0) return x < 4294967296.0 ? uint(x) : 4294967295u;
-    return 0u;
+    float safe = x >= 0.0 && x < 4294967296.0 ? x : 0.0;
+    return x >= 4294967296.0 ? 4294967295u : uint(safe);
 }
 
 void main() {

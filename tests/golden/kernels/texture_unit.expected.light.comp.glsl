@@ -19,8 +19,8 @@ layout(set = 0, binding = 4) uniform sampler2DArray shadows_depths;
 
 // Saturates; not-a-number gives 0.
 uint to_uint(float x) {
-    if (x > 0.0) return x < 4294967296.0 ? uint(x) : 4294967295u;
-    return 0u;
+    float safe = x >= 0.0 && x < 4294967296.0 ? x : 0.0;
+    return x >= 4294967296.0 ? 4294967295u : uint(safe);
 }
 
 uvec3 to_uint(vec3 a) {

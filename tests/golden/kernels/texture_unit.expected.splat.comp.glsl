@@ -27,8 +27,8 @@ layout(constant_id = 102) const bool fences_are_barriers = false;
 
 // Saturates; not-a-number gives 0.
 uint to_uint(float x) {
-    if (x > 0.0) return x < 4294967296.0 ? uint(x) : 4294967295u;
-    return 0u;
+    float safe = x >= 0.0 && x < 4294967296.0 ? x : 0.0;
+    return x >= 4294967296.0 ? 4294967295u : uint(safe);
 }
 
 uvec2 to_uint(vec2 a) {

@@ -11,8 +11,8 @@ layout(scalar, set = 0, binding = 3) buffer Counts_data { uint counts_data[]; };
 
 // Saturates; not-a-number gives 0.
 uint to_uint(float x) {
-    if (x > 0.0) return x < 4294967296.0 ? uint(x) : 4294967295u;
-    return 0u;
+    float safe = x >= 0.0 && x < 4294967296.0 ? x : 0.0;
+    return x >= 4294967296.0 ? 4294967295u : uint(safe);
 }
 
 void main() {
