@@ -197,7 +197,12 @@ void Degrees::assign(ExprId target, const Parts& value) {
         return;
     }
     const Expr& base = p.exprs[node.operands[0]];
-    if (base.op != Op::local || (node.op != Op::index && node.op != Op::swizzle)) return;
+    if (base.op != Op::local || (node.op != Op::index && node.op != Op::swizzle)) {
+        // A field, or a part of a part: not followed.
+        const Expr& root = place_of(p, target);
+        if (root.op == Op::local) (*frame_)[root.local] = all(p.locals[root.local].type, Degree::other);
+        return;
+    }
     Parts& whole = (*frame_)[base.local];
     auto at = node.op == Op::index ? index_of(node) : std::nullopt;
     for (std::size_t i = 0; i < value.size(); ++i) {

@@ -227,7 +227,8 @@ bool RowSlopes::assign(ExprId target, const Slopes& value) {
         locals_[expr.local] = value;
         return true;
     }
-    if ((expr.op != Op::swizzle && expr.op != Op::index) || program_.exprs[expr.operands[0]].op != Op::local)
+    if ((expr.op != Op::swizzle && expr.op != Op::index) || program_.exprs[expr.operands[0]].op != Op::local ||
+        !program_.types.is_vector(program_.exprs[expr.operands[0]].type))
         return false;
     Slopes& whole = locals_[program_.exprs[expr.operands[0]].local];
     if (expr.op == Op::swizzle) {

@@ -53,8 +53,10 @@ ir::FunctionId make_function(Context& c, const Env& env, std::uint32_t index, as
     Body body{.context = c, .env = env, .kind = BodyKind::function, .block = &function.body, .result = result};
     bring_members_into_scope(body, index);
     open_scope(body);
-    for (std::size_t i = 0; i < params.size(); ++i)
+    for (std::size_t i = 0; i < params.size(); ++i) {
+        check_fixed_type(c, env, written.params[i], params[i]);
         function.params.push_back(declare_local(body, written.params[i].name, params[i], false, false));
+    }
     check_block(body, written.body);
     close_scope(body);
     if (c.diagnostics.own_error_count() == errors && !always_returns(c.program, function.body))

@@ -134,6 +134,7 @@ Operand mismatch(Body& body, const ast::Expr& expr, Pair sides) {
 ir::TypeId matrix_product(ir::Types& types, ir::TypeId left, ir::TypeId right) {
     const ir::Type l = types[left], r = types[right];
     bool lm = l.kind == ir::TypeKind::matrix, rm = r.kind == ir::TypeKind::matrix;
+    if (types.scalar_of(left) != types.scalar_of(right)) return {};
     if (lm && rm && l.count == r.rows) return types.matrix(l.element, r.count, l.rows);
     if (lm && r.kind == ir::TypeKind::vector && l.count == r.count) return types.vector(l.element, l.rows);
     if (rm && l.kind == ir::TypeKind::vector && l.count == r.rows) return types.vector(r.element, r.count);

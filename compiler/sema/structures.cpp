@@ -474,6 +474,7 @@ ir::FunctionId make_at(Context& c, ast::DeclId id, const Env& env, std::uint32_t
     Body body{.context = c, .env = env, .kind = BodyKind::function, .block = &function.body, .result = view.element};
     bring_members_into_scope(body, index);
     open_scope(body);
+    check_fixed_type(c, env, written.params[0], view.domain_type);
     function.params.push_back(declare_local(body, written.params[0].name, view.domain_type, false, false));
     check_block(body, written.body);
     close_scope(body);

@@ -2,6 +2,7 @@
 #include "sema/generics.h"
 #include "sema/instances.h"
 #include "sema/properties.h"
+#include "sema/typing.h"
 
 #include <set>
 
@@ -54,11 +55,7 @@ ir::FunctionId make_method(Context& c, ast::DeclId id, const Env& env, const ir:
     open_scope(body);
     for (std::size_t i = 0; i < params.size(); ++i) {
         const ast::Param& param = written.params[i];
-        if (param.type) {
-            ir::TypeId type = type_of(c, env, param.type);
-            if (type != params[i] && type != c.types().error)
-                c.error(Diag::type_mismatch, c[param.type].span, {c.text(params[i]), c.text(type)});
-        }
+        check_fixed_type(c, env, param, params[i]);
         function.params.push_back(declare_local(body, param.name, params[i], false, false));
     }
     check_block(body, written.body);

@@ -1,6 +1,7 @@
 #include "sema/typing.h"
 
 #include "ir/empty.h"
+#include "sema/meta.h"
 
 #include <algorithm>
 
@@ -96,6 +97,13 @@ bool holds_optional(const ir::Program& program, ir::TypeId id) {
     if (type.kind != ir::TypeKind::struct_) return false;
     const auto& fields = program.structs[type.index].fields;
     return std::ranges::any_of(fields, [&](const auto& field) { return holds_optional(program, field.type); });
+}
+
+void check_fixed_type(Context& c, const Env& env, const ast::Param& param, ir::TypeId fixed) {
+    if (!param.type) return;
+    const ir::TypeId written = type_of(c, env, param.type);
+    if (written == fixed || written == c.types().error) return;
+    c.error(Diag::type_mismatch, c[param.type].span, {c.text(fixed), c.text(written)});
 }
 
 bool memory_holds(const ir::Program& program, ir::TypeId id) {

@@ -84,7 +84,9 @@ struct Cells {
 /// `domain` is then the extent of the memory.
 template <class A> std::string json_counts(const std::vector<A>& addresses, const Extent& domain, std::uint32_t most) {
     constexpr unsigned rank = Axes<A>::count;
-    const Cells cells({}, domain, rank > 2 ? Extent{most / 4, most / 4, 64, 8} : Extent{most, most, 1, 1});
+    const Cells cells({}, domain,
+                      rank > 2 ? Extent{std::max(most / 4, 1u), std::max(most / 4, 1u), 64, 8}
+                               : Extent{std::max(most, 1u), std::max(most, 1u), 1, 1});
     std::vector<std::uint32_t> counts(cells.number());
     for (const A& address : addresses)
         if (const Extent at = extent_of(address, 0); cells.has(at)) ++counts[cells.index_of(at)];
@@ -167,7 +169,8 @@ private:
             const std::uint32_t length = bounds_.high[axis] - bounds_.low[axis] + 1;
             size[axis] = std::min(length, longest);
             first[axis] = bounds_.low[axis] + (length - size[axis]) / 2;
-            cells_along[axis] = rank == 1 ? most_ * most_ : most_;
+            cells_along[axis] =
+                std::clamp<std::uint64_t>(rank == 1 ? std::uint64_t{most_} * most_ : most_, 1, UINT32_MAX);
         }
         if constexpr (rank == 1) size[1] = 1, first[1] = 0;
         const auto found = structure_.read_resident(address_of(first), address_of(size));

@@ -18,6 +18,7 @@ constexpr Requirement requirements[] = {
     {9, &DeviceProperties::float16, "16-bit floats"},
     {10, &DeviceProperties::float64, "64-bit floats"},
     {11, &DeviceProperties::int64, "64-bit integers"},
+    {12, &DeviceProperties::int64_atomics, "64-bit atomics"},
     {62, &DeviceProperties::subgroup_vote, "subgroup votes"},
     {63, &DeviceProperties::subgroup_arithmetic, "subgroup arithmetic"},
     {64, &DeviceProperties::subgroup_ballot, "subgroup ballots"},
