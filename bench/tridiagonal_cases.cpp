@@ -84,7 +84,7 @@ void solve_three(const glift::Commands& commands, const Systems& s, const Unknow
     solvers::solve_three(commands, s.a.lower, s.a.middle, s.a.upper, s.right3, x.three);
 }
 
-/// More bytes than a GPU's caches hold: cycling through so many leaves none of them there.
+/// More bytes than most GPUs' caches hold: cycling through so many leaves none of them there.
 constexpr std::uint64_t beyond_caches = std::uint64_t{128} << 20;
 
 }  // namespace

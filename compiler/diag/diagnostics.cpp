@@ -52,8 +52,8 @@ std::string fill(std::string_view text, std::initializer_list<std::string_view> 
     return filled;
 }
 
-/// The number of insertions, deletions, replacements and swaps of neighbours that make one text the other, none of
-/// which edits a character twice (restricted Damerau-Levenshtein distance).
+/// The least number of insertions, deletions, replacements and swaps of neighbours that make one text the other, none
+/// of which edits a character twice (restricted Damerau-Levenshtein distance).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before(b.size() + 1), row(b.size() + 1), next(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;

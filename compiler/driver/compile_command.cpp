@@ -53,7 +53,7 @@ void write_outputs(const Options& options, const Result& result, const Compilati
 }  // namespace
 
 int run_compile(const Options& options) {
-    // Never destroyed: the process ends after this, and freeing a large tree takes longer than parsing it.
+    // Never destroyed: the process ends after this, and freeing a large tree would only take time.
     auto& compilation = *new Compilation;
     configure(compilation.diagnostics, options);
     Result result = compile(options, disk(), compilation);

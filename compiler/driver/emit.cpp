@@ -170,7 +170,7 @@ std::vector<Output> emit(const Options& options, const Compilation& c) {
             throw std::runtime_error("two files on the command line are called '" + base + "'");
         std::vector<ShaderSet> shaders =
             compile_shaders(c, kernels_with_code(options, c, m, cpp, defined), options.optimize);
-        // The other targets are printed on another thread, since printing C++ takes about as long as all of them.
+        // The other targets are printed on another thread while this one prints C++.
         auto others = std::async(std::launch::async, [&] {
             std::vector<Output> made;
             emit_shaders(options, c, m, base, shaders, made);

@@ -123,7 +123,8 @@ private:
     }
 
     /// Reports a module that has another name than the one by which it is imported (`asked`). If it is imported by
-    /// path, or is on the command line, `asked` is empty, and the last part of its name must be the name of its file.
+    /// path, or is on the command line, `asked` is empty; then the module's name, or its part after the last dot, must
+    /// be the name of its file (module_of_stem()); of a file name with dots the part before the first dot is enough.
     void check_name(const ast::Module& module, const std::string& path, const std::string& asked) {
         const std::string& name = names_[module.name.name];
         if (name.empty()) return;

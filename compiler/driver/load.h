@@ -1,4 +1,5 @@
-// Finds, reads and parses the files of a compilation, all that they import, and sema::transfer_module.
+// Finds, reads and parses the files of a compilation, all that they import, and sema::transfer_module: the library's
+// module of kernels that move elements between host and device.
 //
 // `use std.a` is <library>/<folder>/a.glift, in the first folder of the library that has it, else <library>/a.glift.
 // `use ./a` is a.glift beside the importing file. `use a.b` is a/b.glift beside the importing file, else in the first

@@ -37,7 +37,8 @@ struct Options {
     bool host_only = false;                   ///< --host-only: C++ without SPIR-V inside
     std::uint32_t shards = 1;                 ///< --shards: sources for the kernels of a module, and as many for those
                                               ///< that it uses of other modules
-    bool spirv_files = false;                 ///< --spirv-files: generated C++ embeds SPIR-V from files beside it
+    bool spirv_files = false;                 ///< --spirv-files: generated C++ embeds SPIR-V from files in the folder
+                                              ///< that its macro GLIFT_SPIRV_FOLDER names
     bool source_lines = false;                ///< -g: #line in generated C++, so that debuggers show the .glift file
     bool list_outputs = false;
     bool time_report = false;

@@ -34,8 +34,8 @@ private:
     std::string text_;
 };
 
-/// Writes the record of a run to the file `record`; none if a test's title has a line break, which separates the lines
-/// of the record. To be called for runs without messages only, since a recalled run prints none.
+/// Writes the record of a run to the file `record`. Writes nothing if a test's title has a line break, since the record
+/// has one line for each test. To be called for runs without messages only, since a recalled run prints none.
 void remember_run(const std::string& record, const Questions& questions, const std::vector<TestProgram>& programs);
 
 /// The programs of a recorded run, if the disk answers every question as it did then; else absent.

@@ -18,9 +18,9 @@ Place base_of(const Structure& structure, const Place& place) {
     return base;
 }
 
-/// Looks for the first two steps of the path that lead to a member made by its owner, and on to a structure that this
-/// member's constructor was given. Returns the path with these steps replaced by the owner's path to that structure;
-/// empty if there are no such steps.
+/// Looks for the first two consecutive steps of the path such that one leads to a member that its owner makes, and the
+/// next to a structure that this member's constructor was given. Returns the path with these steps replaced by the
+/// owner's path to that structure; empty if there are no such steps.
 static std::vector<std::uint32_t> with_giver(const Program& program, const Structure& from,
                                              const std::vector<std::uint32_t>& path) {
     const Structure* owner = &from;

@@ -29,8 +29,9 @@ const Memory& root_memory(const Program& program, const Structure& structure);
 /// blocks, if no link before it has a `via`, so that addresses are the same. Absent: the whole domain is one block.
 std::optional<Place> blocks_of(const Program& program, const Structure& structure, const Place& place);
 
-/// The places (root 0 is the structure) of the structures with memory whose elements are read by the functions `count`
-/// and `first` of the structure's own blocks. A view that they read is replaced by what its `at` reads.
+/// The places (root 0 is the structure) of the structures with memory whose elements or translations the functions
+/// `count` and `first` of the structure's own blocks use, directly or through other functions; also of the tables that
+/// translators read for these. A view is replaced by what its `at` uses.
 std::vector<Place> places_of_blocks(const Program& program, const Structure& structure);
 
 /// The blocks that a kernel visits; null: it visits whole ranges.
@@ -42,7 +43,7 @@ bool is_computed(const Program& program, const Structure& structure);
 /// The type of the structure's physical addresses; none if it has neither a translator nor a structure as its memory.
 TypeId physical_type(const Program& program, const Structure& structure);
 
-/// Whether a translator of some link reads structures, such as a page table.
+/// Whether a translator of some link takes structures as its state, such as a page table.
 bool translates_by_tables(const Program& program, const Structure& structure);
 
 /// Whether the first translator of the chain is total (it never gives `none`), or the chain has no translator.
@@ -63,7 +64,8 @@ bool has_resident_part(const Program& program, const Structure& structure);
 /// The first structure of the chain that has a translator, else its root, as a path of members.
 RareVector<std::uint32_t> translated_by(const Program& program, const Structure& structure);
 
-/// Whether it is proved that no address leads beyond the structure's own memory, along any of its axes.
+/// Whether it is proved that no address of the domain leads outside the structure's memory along any axis
+/// (Structure::contained_axes). False if there is no physical_type().
 bool is_contained(const Program& program, const Structure& structure);
 
 /// Whether making the structure may allocate memory. False for views all of whose members are given to them, or are

@@ -59,6 +59,7 @@ bool is_promised_apart(const Kernel& kernel, std::uint32_t one, std::uint32_t ot
 
 /// When the depth of a fragment is tested: before the fragment part runs, or after. `declared`: before, although the
 /// fragment part writes memory; Vulkan would then test afterwards unless the shader declares early_fragment_tests.
+/// depth_order() is only for passes that draw with a depth target.
 enum class DepthOrder : std::uint8_t { before, declared, after };
 DepthOrder depth_order(const Program& program, const Pass& pass);
 

@@ -87,7 +87,8 @@ Lane apply_integer(const Types& types, BinaryOp op, TypeId type, Lane a, Lane b)
     return normalize(types, type, {.bits = result});
 }
 
-/// Evaluates expressions and functions; stops (Flow::stuck) at anything that is not known at compile time.
+/// Evaluates expressions and functions. An expression that it cannot compute has no value; a statement that needs the
+/// value of one ends the evaluation (Flow::stuck).
 class Interpreter {
 public:
     Interpreter(const Program& program, const Definitions& definitions)

@@ -31,7 +31,9 @@ struct Value {
 /// How many scalars a value of the type has.
 std::size_t lane_count(const Program& program, TypeId type);
 
-/// The value of `expr`; absent if it is not a compile-time constant, or takes over a million steps.
+/// The value of `expr`. Absent if the interpreter cannot compute it: it is not a compile-time constant, uses an
+/// operation that the interpreter does not have (such as `sin`), or takes over a million steps or over 200 nested
+/// calls.
 std::optional<Value> evaluate(const Program& program, ExprId expr);
 
 /// Initialisers of immutable locals.
@@ -47,7 +49,7 @@ using Surroundings = std::function<std::optional<Value>(const Expr&)>;
 /// The value of `expr`, with the values that `surroundings` gives.
 std::optional<Value> evaluate(const Program& program, ExprId expr, const Surroundings& surroundings);
 
-/// The result of a function for these arguments; absent if it is not known, or takes over a million steps.
+/// The result of a function for these arguments; absent if the interpreter cannot compute it, as for evaluate().
 std::optional<Value> call(const Program& program, FunctionId function, std::vector<Value> arguments,
                           const Surroundings& surroundings);
 
@@ -58,7 +60,8 @@ ExprId materialize(Program& program, const Value& value, Span span);
 /// type and the scalars in parentheses, floats among these as 0.
 std::string to_text(const Program& program, const Value& value);
 
-/// The name of a type as written in the language: uint3, float?, Array<4, float>.
+/// The name of a type as written in the language: uint3, float?, Array<4, float>. Types that cannot be written so are
+/// described: nothing, slice of Field, uint on the device.
 std::string to_text(const Program& program, TypeId type);
 /// The same with the modules of structs, enums and structures: std.array.Array<4, float>.
 std::string to_qualified_text(const Program& program, TypeId type);

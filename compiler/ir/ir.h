@@ -1,10 +1,11 @@
 // long: the nodes of the program, which name each other
 // The resolved, instantiated program: every name bound, every type concrete. sema makes it; lower/ adds passes
 // (ir/pass.h), which are kernels whose operations on structures ("element", "near", "read", "write") have become
-// operations on memory ("load", "store", …) of numbered bindings; layout/ and emit/ read the program and the passes.
+// operations on memory ("load", "store", …) of numbered bindings; layout/ adds byte offsets to the passes; emit/ reads
+// the program and the passes.
 //
-// "Instance": sema makes one Function, Translator, Structure or Kernel for each set of generic arguments that is used.
-// An instance of a structure is named by its index in Program::structures.
+// "Instance": sema makes one Function, Struct, Translator, Structure, Kernel or Pipeline for each set of generic
+// arguments that is used. An instance of a structure is named by its index in Program::structures.
 //
 // Kernels, pipelines and passes share these nodes. ir/levels.h says which operation belongs to which level.
 #pragma once
@@ -404,8 +405,8 @@ struct Structure {
     FunctionId at;                         ///< of a view: (address) -> element; its only structure is this one
     std::vector<HostField> host;           ///< of an adaptor: its host state
     std::vector<std::uint32_t> pipelines;  ///< of an adaptor: indices in Program::pipelines
-    /// A bit for each axis of physical addresses: set if no address of the domain leads outside the memory along that
-    /// axis, so that accesses need no test. Set by lower/contained.cpp.
+    /// A bit for each axis of physical addresses: set if it is proved that no address of the domain leads outside the
+    /// memory along that axis, so that accesses need no test. Computed by lower/contained.cpp.
     std::uint8_t contained_axes = 0;
     std::vector<Method> methods;  ///< of an adaptor: its public functions that C++ calls
     bool copyable = true;         ///< its elements are stored, so that the host can copy them; false: view or adaptor
@@ -535,8 +536,8 @@ struct Program {
         std::uint32_t box_structure;
         /// The kernel that lists the elements that are there, and the structures (indices in Program::structures) that
         /// it fills: virtual addresses, physical addresses (`places`), values, and the number of entries (`counter`).
-        /// All are 0xffffffff in `gliftc test`, where a view computes the elements, and where every address of the
-        /// domain is known to have a stored element of its own at all times.
+        /// All are 0xffffffff in `gliftc test`, and for structures for which has_resident_part() of ir/chain.h is
+        /// false: views, and structures without blocks whose addresses each have an element of their own.
         std::uint32_t list_kernel;
         std::uint32_t addresses, places, values, counter;
     };

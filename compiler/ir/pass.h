@@ -95,7 +95,7 @@ struct Pass {
     /// group have a copy in their bodies (lower/split_at_barriers.h).
     std::vector<StmtId> prologue;
     LocalId in_range;  ///< bool: the address is in the range. If not, shaders of kernels without a group return; in
-                       ///< kernels with a group, accesses are conditional on it
+                       ///< kernels with a group, accesses to the current element and its neighbours depend on it
     /// The kernel's bodies. The first one is valid on every device and at every address. Of a draw the first one is the
     /// vertex part; the fragment part, if there is one, is another variant. All other variants are for some devices
     /// only, or are valid under assumptions only.

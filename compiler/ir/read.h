@@ -20,11 +20,12 @@
 //               | [ "unrolled" ] "for" name ":" type "in" operand ".." operand "{" … "}"
 //               | "break" ";" | "continue" ";" | "return" [ expr ] ";" | "discard" ";"
 //               | "barrier()" ";" | "subgroupBarrier()" ";" | expr "=" expr ";" | expr ";"
-//               | "image_store(" binding "," expr "," expr ")" ";" | "atomic_…(" expr "," expr ")" ";"
+//               | "image_store(" binding "," expr "," expr ")" ";" | "atomic_…(" binding "[" expr "]"
+//                 "," expr ")" ";"
 //               | "report(" … ")" ";" | "load_rows(" … ")" ";" | "store_rows(" … ")" ";" | "copy_row(" … ")" ";"
 //               | "invocations" "{" … "}" ;
 //     expr      = operand [ operator operand ] | operand "?" operand ":" operand ;
-//     operand   = [ "-" | "!" | "~" ] primary { "." name | [ ".row" ] "[" expr "]" } ;
+//     operand   = { "-" | "!" | "~" } primary { "." name | [ ".row" ] "[" expr "]" } ;
 //     primary   = literal | local | "$" parameter | "%" builtin | type "(" … ")" | enum "." name
 //               | intrinsic "(" … ")" | "@" function "(" … ")" | binding [ ".row" ] "[" expr "]"
 //               | "image_load(" … ")" | "image_sample(" … ")" | "image_gather(" … ")" | "image_compare(" … ")"

@@ -238,7 +238,7 @@ Variant Reader::variant(Part part) {
     return made;
 }
 
-/// Reads (value, low, high).
+/// Reads (value, low, high), where `any` may stand for `low` or `high`: that side is not limited.
 Bounds Reader::bounds() {
     const auto limit = [&] {
         expect(",");

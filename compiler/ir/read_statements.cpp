@@ -67,14 +67,14 @@ Stmt Reader::counted_loop() {
     return stmt;
 }
 
-/// Reads: load_rows(binding, first, array); or store_rows(binding, first, array);
+/// Reads the rest of: load_rows(binding, first, array); or store_rows(binding, first, array);
 Stmt Reader::move_of_rows(StmtOp op) {
     Stmt stmt = memory_statement(op, Combine::replace);
     if (op == StmtOp::load_rows) std::swap(stmt.target, stmt.value);
     return stmt;
 }
 
-/// Reads: copy_row(binding, first, array[first], count);
+/// Reads the rest of: copy_row(binding, first, array[index], count);
 Stmt Reader::copy_of_row() {
     Stmt stmt;
     stmt.op = StmtOp::copy_row;
@@ -101,7 +101,7 @@ Stmt Reader::keep() {
 }
 
 /// Reads the rest of: image_store(binding, at, value); or atomic_add(binding[at], value); (or another atomic_…)
-/// or report(binding, address); or report(view, address);
+/// or report(binding, address); or report(view, address); also, for move_of_rows(), of load_rows and store_rows.
 Stmt Reader::memory_statement(StmtOp op, Combine combine) {
     Stmt stmt;
     stmt.op = op;

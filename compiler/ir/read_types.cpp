@@ -9,7 +9,6 @@ struct Scalar {
     TypeId Types::*type;
 };
 
-/// A name comes before its prefixes, so that the longest one is found.
 constexpr Scalar scalars[] = {
     {"uint64", &Types::uint64}, {"int64", &Types::int64},  {"bool", &Types::bool_}, {"uint", &Types::uint},
     {"int", &Types::int_},      {"float", &Types::float_}, {"half", &Types::half},  {"double", &Types::double_},

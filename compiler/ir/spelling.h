@@ -24,7 +24,7 @@ std::string_view spelling(DepthTest test);
 std::string_view spelling(Blend blend);
 std::string_view spelling(Interpolation interpolation);
 
-/// The enumerator with this spelling; `last` is the enumeration's last one.
+/// The enumerator with this spelling; absent if there is none. `last` is the enumeration's last one.
 template <class Enum> std::optional<Enum> spelled(std::string_view text, Enum last) {
     for (std::uint8_t i = 0; i <= static_cast<std::uint8_t>(last); ++i)
         if (spelling(static_cast<Enum>(i)) == text) return static_cast<Enum>(i);

@@ -78,8 +78,8 @@ template <class Visit> void walk_tree(const Program& program, ExprId id, Visit& 
 }
 }  // namespace detail
 
-/// for_each_expression without a set of visited nodes: a node with two parents is visited twice. For lowered code,
-/// where expressions are trees.
+/// for_each_expression without a set of visited nodes: a node with two parents is visited twice. For code whose
+/// expressions are trees, as after the pass `share` of lower/, or where a second visit does no harm.
 template <class Visit>
 void for_each_expression_of_trees(const Program& program, const std::vector<StmtId>& body, Visit&& visit) {
     for_each_statement(program, body, [&](const Stmt& stmt) {

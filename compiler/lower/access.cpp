@@ -82,8 +82,8 @@ ExprId Expander::part_of(ExprId part, ExprId element) {
     return p.exprs.add(std::move(node));
 }
 
-/// An atomic operation on an element of a coherent parameter. Outside the domain and at an unmapped address it does
-/// nothing and gives zero, if it has a result.
+/// An atomic operation on an element of a structure that is accessed as coherent. Outside the domain and at an unmapped
+/// address it does nothing and gives zero, if it has a result.
 Pair Expander::atomic(const Expr& node) {
     const Expr target = place_of(p, node.operands[0]);
     Place place = resolved(target.place);

@@ -16,9 +16,10 @@ Pair Expander::through_form(const Place& place, const Stage& stage, ExprId addre
     return form.is_known ? made_again(form, address, name) : expanded(place, stage, address, name);
 }
 
-/// Whether no component of the address is seen to be uniform (the same for all invocations). The definition of a local
-/// is not searched for uniform components. With a uniform component, expanding the translator gives better code than a
-/// copy of its form, since calls with uniform arguments are left to the host.
+/// Whether no component of the address seems to be uniform (the same for all invocations). The definition of a local is
+/// not searched for uniform components; operations other than constructions, sums and differences of vectors count as
+/// having one. With a uniform component, expanding the translator anew can give better code than a copy of its form:
+/// see expand_call() for calls with constant or uniform arguments.
 bool Expander::varies_in_all(ExprId address) {
     const Expr& node = p.exprs[address];
     if (is_uniform(cx, address)) return false;

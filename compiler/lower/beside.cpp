@@ -74,7 +74,8 @@ bool Expander::is_loaded_by_element(ExprId id) {
 }
 
 /// The physical address for the virtual `address` of a neighbour in one candidate block; absent if computing it needs
-/// loads that differ between elements: each element would then have to make them for every candidate block.
+/// loads or calls that cannot be made once per block (is_loaded_by_element): each element would then have to make them
+/// for every candidate block.
 std::optional<Pair> Expander::place_in_block(const Place& place, ExprId address, const std::string& name) {
     Pair physical;
     Block made = collect([&] {

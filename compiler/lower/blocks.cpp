@@ -223,8 +223,8 @@ ExprId Expander::is_block_there() {
     return make.both(block_.is_there, make.both(all_less(first, size), all_less(last, size)));
 }
 
-/// Whether nothing in the expression depends on the element's position in its block. (Loads in it may still give other
-/// values after a store.)
+/// Whether nothing in the expression depends on the element's position in its block; builtins and mutable locals are
+/// taken to depend on it. (Loads in the expression may still give other values after a store.)
 bool Expander::is_of_block(ExprId id) {
     const Expr& node = p.exprs[id];
     if (node.op == Op::builtin || (node.op == Op::local && p.locals[node.local].is_mutable)) return false;

@@ -71,7 +71,7 @@ private:
     /// makes no structure for which they are too large, so their arithmetic is not taken to wrap around.
     Parts of_size(ir::ExprId id);
     Parts of_domain();
-    /// Fills sizes_, once: when of_structure is first called, so that set_member must be called before.
+    /// Fills sizes_, once: when of_structure is first called. set_member must be called before that.
     void find_sizes();
     Parts of(ir::ExprId id);
     Parts of_construct(const ir::Expr& node);

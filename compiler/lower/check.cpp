@@ -22,7 +22,7 @@ void Expander::check_range(const Place& place, ExprId address, Access access, Sp
     if (!checks_range(place)) return;
     const Structure& structure = cx.structure_at(place);
     ExprId outside = make.negate(inside_domain(place, address));
-    // Not for invocations beyond the range, which only fill up the last workgroup.
+    // Invocations beyond the range, which only fill up workgroups, report nothing.
     if (cx.kernel.grouped()) outside = make.both(make.local(cx.pass.in_range), outside);
     if (make.is_false(outside)) return;
     Stmt report = statement(StmtOp::report, span ? span : span_);

@@ -30,7 +30,8 @@ Coarsened coarsened_in_turn(Context& cx, const std::vector<StmtId>& body);
 
 /// In kernels over blocks, several elements of a block, a workgroup's width apart. Values that depend on the block
 /// alone come first, then the elements in a loop. `whole` is the body for blocks all of whose elements are visited: for
-/// these, devices that skip branches (Builtin::skips_branches) run the elements without a loop.
+/// these, devices that skip branches (Builtin::skips_branches) run the elements without a loop, if several elements of
+/// `whole` may load before any of them is stored.
 Coarsened coarsened_in_block(Context& cx, const std::vector<StmtId>& body, const std::vector<StmtId>& whole);
 
 /// Whether a body has stores, all of which may be delayed until other elements have made their loads; and how many
@@ -45,7 +46,8 @@ StoredLast stored_last(Context& cx, const std::vector<StmtId>& body);
 bool has_store(const ir::Program& program, const ir::Stmt& stmt);
 
 /// Makes a store that may be delayed: a `let` of its value is added to `before`, if needed. `ends_in_stores`: only
-/// stores follow in the body, so that no variable changes any more.
+/// stores, and ifs that contain stores, follow in the body, so that no variable changes any more. A statement that is
+/// not itself a store is returned as it is.
 StmtId with_named_value(Context& cx, StmtId id, bool ends_in_stores, std::vector<StmtId>& before);
 
 /// Whether an invocation of a shader takes more elements than the kernel declares (at<S, n>; else one).

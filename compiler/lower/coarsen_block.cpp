@@ -1,9 +1,9 @@
 // Thread coarsening in kernels over blocks: an invocation of a shader takes several elements of a block, a workgroup's
 // width apart. Each invocation computes the values that depend on the block alone: once for all its elements.
 //
-// For blocks all of whose elements are visited, devices that skip branches run separate code. It has no loop over the
-// elements, which lie at constant distances from the invocation's first one; several of them load before any of these
-// is stored. A loop that stores before it loads again would wait for memory in every iteration.
+// For blocks all of whose elements are visited, devices that skip branches run separate code, if several elements may
+// load before any of them is stored. It has no loop over the elements, which lie at constant distances from the
+// invocation's first one. A loop that stores before it loads again would wait for memory in every iteration.
 #include "ir/walk.h"
 #include "lower/blocks.h"
 #include "lower/coarsen.h"
@@ -35,7 +35,8 @@ bool may_be_looped(const Context& cx, const std::vector<StmtId>& body) {
 /// A body, divided into the statements that depend on the block alone and those for each element.
 struct Parts {
     std::vector<StmtId> of_block, of_element;
-    ExprId holds;  ///< the condition that all elements of the block are visited; absent: the body has none
+    ExprId holds;  ///< the value of the `evaluate` that Expander::visited_block makes with Guards::block: whether the
+                   ///< statements after it are valid; absent: there is none, or it depends on the element
 };
 
 Parts divided(Context& cx, const std::vector<StmtId>& body) {

@@ -97,7 +97,7 @@ std::uint8_t contained_axes(const Program& p, std::uint32_t index) {
     if (has_domain_of_base(p, s)) return all_axes;
     const std::vector<Argument> extents = extents_of(p, index);
     const std::uint8_t axes = axes_inside(p, index, extents);
-    // A total translator is never called if the domain is empty.
+    // If the first translator is total, only addresses in the domain are accessed: none if the domain is empty.
     if (axes == 0 || !is_partial(p, s)) return axes;
     const bool is_harmless = !extents.empty() && std::ranges::all_of(extents, [&](const Argument& each) {
         return is_harmless_empty(p, index, each);

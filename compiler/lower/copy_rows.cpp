@@ -10,7 +10,8 @@ using namespace ir;
 
 namespace {
 
-/// How values change from one iteration of the loop to the next. All locals but the loop's variable are constant in it.
+/// How values change from one iteration of the loop to the next. All locals are constant in it but the loop's variable
+/// and the array that it fills.
 RowSlopes slopes_of(const Context& cx, const Stmt& loop) {
     RowSlopes slopes(cx.p, loop.local);
     for_each_expression(cx.p, loop.body, [&](ExprId id) {
@@ -29,9 +30,9 @@ ExprId at_first(Context& cx, LocalId local, ExprId id) {
     return operands == node.operands ? id : cx.make.again(node, std::move(operands));
 }
 
-/// Whether the loop is `for x in 0..n { array[to + x] = memory[from + x]; }` with a constant n, and the pass only reads
-/// the memory, which is not coherent and not of bools. Loops whose limit is not a constant, as at the end of a domain,
-/// copy few elements and stay as they are.
+/// Whether the loop is `for x in 0..n { array[to + x] = memory[from + x]; }` with a constant n, and the binding of the
+/// memory is only read, not coherent and not of bools. A loop along x over elements of the next block (halos.cpp) has a
+/// limit that is not a constant: it copies few elements and stays as it is.
 bool is_copy(const Context& cx, const Stmt& loop) {
     if (loop.op != StmtOp::for_ || loop.body.size() != 1 || cx.make.bits_of(loop.value) != 0 ||
         !cx.make.is_constant(loop.limit))

@@ -1,5 +1,5 @@
 // In kernels over blocks, on the host device: a loop that copies a constant number of consecutive elements from memory
-// to a local array becomes one copy_row statement, if the pass only reads the memory, which is not coherent, and the
+// to a local array becomes one copy_row statement, if the binding of the memory is only read and not coherent, and the
 // elements are not bools. C++ compilers do not make one copy of such a loop, since they cannot know that the 32-bit
 // indices do not wrap.
 //

@@ -37,7 +37,8 @@ ExprId StatementCopy::again(ExprId id) {
     return copy;
 }
 
-/// Copies the local that a `let` declares. Uses of an immutable one with a constant value are replaced by the constant.
+/// Copies the local that a `let` declares. Uses of an immutable one whose value is a scalar constant are replaced by
+/// that constant.
 void StatementCopy::declare(Stmt& stmt) {
     const Local local = cx.p.locals[stmt.local];
     const LocalId copy = cx.new_local(local.name, local.type, local.span, local.is_mutable);

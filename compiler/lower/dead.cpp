@@ -121,7 +121,8 @@ public:
     bool contains(LocalId local) const { return locals_.contains(local); }
 
 private:
-    /// Notes the locals that needed statements use. Whether a statement of the body is needed, as far as is known.
+    /// Notes the locals that needed statements use. Returns whether a statement of the body is needed, as far as is
+    /// known yet.
     template <class Statements> bool note(const Statements& body) {
         bool any = false;
         for (StmtId id : body) any |= note(p.stmts[id]);

@@ -11,9 +11,8 @@ using namespace ir;
 
 namespace {
 
-/// The workgroup size in kernels over blocks of `volume` elements: a workgroup has one block or a part of it, 256
-/// invocations at most. Several blocks of up to 16 elements share a workgroup. `volume` is absent if it is not a
-/// constant.
+/// The workgroup size in kernels over blocks of `volume` elements, 256 invocations at most: a workgroup has one block
+/// or a part of it, but several blocks if these have 16 elements or fewer. `volume` is absent if it is not a constant.
 std::array<std::uint32_t, 3> group_of_blocks(std::optional<std::uint64_t> volume) {
     constexpr std::uint32_t most = 256, small = 32, unknown = 64;
     if (!volume) return {unknown, 1, 1};
@@ -39,7 +38,7 @@ void choose_dispatch(Context& cx) {
     } else if (kernel.space) {
         cx.pass.group = group_of_blocks(block_volume(cx));
     } else {
-        // 256 invocations per workgroup; longest in x, so that neighbours in x are in one subgroup.
+        // 256 invocations per workgroup; longest in x, so that neighbours in x are mostly in one subgroup.
         switch (cx.pass.rank) {
         case 1: cx.pass.group = {256, 1, 1}; break;
         case 2: cx.pass.group = {32, 8, 1}; break;

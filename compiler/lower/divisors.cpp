@@ -1,8 +1,8 @@
-// Expander: unsigned divisors that are computed from the state of structures alone. In the language, dividing by zero
-// is dividing by one. Such divisors are uniform, so the host computes max(divisor, 1) and shaders need no test. The
-// extents of structures that are visited, or read around the visited element (`near`), need no max: they are not zero,
-// or the kernel would not run. The printer of GLSL relies on all this: where a parameter that is computed from the
-// state of structures alone is a divisor, it makes no test for zero (emit/glsl/guards.cpp).
+// Expander: unsigned divisors that are computed from the state of structures alone. In the language, dividing an
+// integer by zero is dividing it by one. Such divisors are uniform, so the host computes max(divisor, 1) and shaders
+// need no test. The extents of structures that are visited, or read around the visited element (`near`), need no max:
+// they are not zero, or the kernel would not run. The printer of GLSL relies on all this: where a parameter that is
+// computed from the state of structures alone is a divisor, it makes no test for zero (emit/glsl/guards.cpp).
 #include "ir/walk.h"
 #include "lower/expand.h"
 

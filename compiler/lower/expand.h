@@ -28,11 +28,11 @@ struct Pair {
     ExprId has;
 };
 
-/// The largest number of expression nodes that the expansion of a kernel may make: several times what the largest
-/// kernel in stdlib needs.
+/// The largest number of expression nodes that lowering a kernel to one form may have made while a body is expanded:
+/// several times what the largest kernel in stdlib needs.
 constexpr std::uint32_t most_nodes = 1u << 19;
 
-/// Thrown when the expansion of a kernel makes more than most_nodes nodes.
+/// Thrown by the expansion of a body when there are more than most_nodes nodes.
 struct KernelTooLarge {
     Span span;  ///< the statement that was being expanded
 };

@@ -49,7 +49,7 @@ void Expander::note_name(ExprId value, Name name) {
     else cx.name(value, prefixed((*p.names)[name]));
 }
 
-/// The guarded_load that is the value of a local; absent: it is something else.
+/// The guarded_load that is the value of a local; absent if `value` is anything else.
 ExprId Expander::guarded_load_of(ExprId value) const {
     const Expr& node = p.exprs[value];
     const ExprId* definition = node.op == Op::local ? cx.definitions.find(node.local) : nullptr;
@@ -232,7 +232,7 @@ Pair Expander::expand(ExprId id) {
 
 Pair Expander::expand_local(const Expr& node) {
     if (const Pair* found = frame_->locals.find(node.local)) return *found;
-    // Not in the frame: a value parameter of the kernel, or its workgroup memory.
+    // Not in the frame: a value parameter of the kernel, or workgroup memory of the kernel or of a function.
     return {without_empty(make.local(node.local)), {}};
 }
 

@@ -258,8 +258,8 @@ bool is_independent(const Context& cx, const std::vector<StmtId>& body) {
     });
 }
 
-/// Whether elements may be executed twice, and whether that pays: no memory is both read and written, not even through
-/// bindings that may alias, and the body is straight-line code.
+/// Whether elements may be executed twice, and whether that pays: no binding is both read and written, no two bindings
+/// may alias, and the body is straight-line code.
 bool may_be_repeated(const Context& cx, const std::vector<StmtId>& body) {
     for (std::uint32_t i = 0; i < cx.pass.bindings.size(); ++i)
         if (cx.pass.bindings[i].access == Access::read_write || cx.pass.bindings[i].one_place != i) return false;

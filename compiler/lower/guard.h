@@ -1,5 +1,5 @@
-// Replaces each guarded_load, a load with the condition under which it is allowed, in one of two ways, unless its
-// condition is a constant.
+// Replaces each guarded_load, a load with the condition under which it is allowed, in one of two ways. (If its
+// condition is a constant, it is replaced by a plain load, or by the value that it gives where loading is not allowed.)
 //
 // By a select: the load is executed without a branch, from a safe address if the condition does not hold, and a select
 // then replaces its value. CPUs can vectorise this. By a branch, for elements that are neither scalars nor vectors, and

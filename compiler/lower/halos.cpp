@@ -39,7 +39,8 @@ bool is_centre(const std::vector<std::int64_t>& offset) {
     return std::ranges::all_of(offset, [](std::int64_t part) { return part == 0; });
 }
 
-/// The blocks that an offset reaches, as steps from the own block: along each axis 0, or 1 or -1 on the offset's side.
+/// The blocks that an offset may reach, as steps from the own block: along each axis 0, or 1 or -1 on the offset's
+/// side.
 std::set<std::vector<int>> steps_of(const std::vector<std::int64_t>& offset) {
     std::set<std::vector<int>> steps{{}};
     for (std::int64_t part : offset) {

@@ -10,7 +10,7 @@
 
 namespace gliftc::lower {
 
-/// For each near parameter (its index) the offsets at which it is read.
+/// For each near parameter (its index) offsets at which it is read: those that Expander::near_offsets notes.
 using NearOffsets = std::map<std::uint32_t, std::set<std::vector<std::int64_t>>>;
 
 /// The local array for one near parameter: a block's elements, and around them those of adjacent blocks that are read.
@@ -35,9 +35,9 @@ struct Halo {
     }
 };
 
-/// The halos, in the order of the parameters. A near parameter has one if it is read at an offset other than zero and
-/// at none that reaches beyond the adjacent blocks, if its elements are scalars or vectors (not of bools) and are not
-/// computed by a view, if the pass only reads its memory, which is not coherent, and if the copies, with those for
+/// The halos, in the order of the parameters. A near parameter has one if `offsets` has an offset other than zero for
+/// it and none that reaches beyond the adjacent blocks, if its elements are scalars or vectors (not of bools) and are
+/// not computed by a view, if the pass only reads its memory, which is not coherent, and if the copies, with those for
 /// earlier parameters, have 32,768 scalars at most. None if the size of a block is not constant, or if a block has
 /// fewer than 8 or more than 32,768 elements.
 std::vector<Halo> halos_of(Context& cx, const NearOffsets& offsets);

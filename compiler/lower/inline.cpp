@@ -11,8 +11,8 @@ using namespace ir;
 
 namespace {
 
-/// A function that is only `let`s and a return is inlined if it has at most this many nodes. Any other function is
-/// inlined if it takes structures, if it gives an optional, or if a translator, a view or a function of blocks
+/// A function that is only `let`s and a return, and has at most this many nodes, is inlined. Any function, small or
+/// not, is inlined if it takes structures, if it gives an optional, or if a translator, a view or a function of blocks
 /// (ir::Blocks) calls it. But no call is inlined that InlineSizes refuses, or that is nested deeper than depth_limit.
 constexpr std::size_t plain_call_limit = 40;
 constexpr unsigned depth_limit = 64;

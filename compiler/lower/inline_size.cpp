@@ -13,7 +13,7 @@ constexpr std::size_t inline_limit = 4000;  ///< nodes that inlining one call ma
 constexpr std::uint64_t inline_rounds = 64;
 
 /// Whether an index in an assignment's target is a constant once the function is inlined: it is computed by operators
-/// from constants and from variables of `loops`, which inlining unrolls.
+/// and conversions from constants and from variables of `loops`, which inlining unrolls.
 bool is_known_index(const Program& p, ExprId id, const std::vector<LocalId>& loops) {
     bool known = true;
     for_each_node(p, id, [&](ExprId part) {

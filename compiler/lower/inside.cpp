@@ -20,8 +20,8 @@ bool Expander::is_asking_inside(std::uint32_t root, ExprId condition, ExprId add
     return numbers_.of(left) == numbers_.of(address) && numbers_.of(right) == numbers_.of(domain_of({root, {}}));
 }
 
-/// The condition without those of its conjuncts that test whether the address is in the domain; sets `asked` if there
-/// was one.
+/// The condition without those of its conjuncts that test whether the address is in the domain; absent if no other
+/// conjunct is left. Sets `asked` if there was such a test.
 ExprId Expander::without_inside(std::uint32_t root, ExprId condition, ExprId address, bool& asked) {
     if (!condition) return condition;
     if (is_asking_inside(root, condition, address)) {
@@ -36,8 +36,8 @@ ExprId Expander::without_inside(std::uint32_t root, ExprId condition, ExprId add
 }
 
 /// Whether the structure of a near parameter may have neighbours outside of its domain: its first translator is partial
-/// and may map addresses outside, as Edge<N, Boundary.repeat> of std.edge does. That a partial translator does not is
-/// found only if it compares the whole address with the domain in one comparison and then gives `none`.
+/// and may map addresses outside, as Edge<N, Boundary.repeat> of std.edge does. A partial translator is known to map
+/// none of them only if it compares the whole address with the domain in one comparison and then gives `none`.
 bool Expander::may_map_outside(std::uint32_t root) {
     const Place place{root, {}};
     if (is_total(cx.structure_at(place))) return false;

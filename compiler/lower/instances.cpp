@@ -1,6 +1,6 @@
 // Expander: functions that are not inlined. A lowered instance of a function is made for each list of structures, or
-// translator's state, that it is called with; a function that takes neither is used as it is, unless it zeroes a long
-// array (is_long_array of unroll.h), for which expansion makes loops.
+// translator's state, that it is called with (FunctionKey of context.h has the whole key); a function that takes
+// neither is used as it is, unless it zeroes a long array (is_long_array of unroll.h), for which expansion makes loops.
 #include "lower/expand.h"
 
 #include "ir/walk.h"
@@ -55,8 +55,9 @@ Pair Expander::call_instance(FunctionId function, std::vector<Pair> arguments, F
     return {result, {}};
 }
 
-/// Begins an instance of a function that reads neighbours. Its last parameters are the current element's address and,
-/// in kernels with a group, whether that is in the range; it computes all other addresses from these in its own body.
+/// Begins an instance of a function that reads neighbours. Its last parameters are the invocation's address
+/// (Pass::address) and, in kernels with a group, Pass::in_range; it computes all other addresses from these in its own
+/// body.
 Expander::Current Expander::enter_window(Function& made) {
     Current outer{cx.pass.address,     cx.pass.in_range,      std::move(prelude_),
                   std::move(centres_), std::move(addresses_), std::exchange(block_, {})};

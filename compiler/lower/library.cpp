@@ -106,8 +106,8 @@ Library library_of(Program& program, std::uint32_t structure, const Alias& alias
     k.add_value("read", k.make(Op::read, s.element, k.use(k.address)));
     const bool is_written = s.kind == StructureKind::stored && root_memory(program, s).format != Format::d32;
     if (is_written) add_write(k);
-    // Without a `write` function, images are sampled images: these can be filtered, and devices have no storage images
-    // of depths.
+    // Without a `write` function, images are sampled images: these can be filtered, and devices need not have storage
+    // images of depths.
     for (LibraryFunction& function : library.functions)
         for (PassBinding& binding : function.pass.bindings)
             binding.sampled = !is_written && binding.shape != MemoryShape::buffer;

@@ -31,7 +31,7 @@ public:
     /// Forgets everything.
     void restart() {
         start_ = ++time_;
-        ++time_;  // so that time_ differs from start_, which marks numbers that never expire
+        ++time_;  // so that time_ differs from start_, which marks numbers that no change makes invalid
         shapes_ = 0;
     }
     /// Says that a local or a memory has changed: forgets the numbers of nodes whose values may change.

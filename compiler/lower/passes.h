@@ -1,6 +1,6 @@
 // The tables of the passes (transformations) over a lowered kernel: each has a name, what it needs and what it
-// guarantees; those over one body also have the function that runs them. pipeline.cpp runs them in the order of the
-// tables; --dump-after=NAME prints the code after each; tests run single ones on the text of the IR.
+// guarantees; those over one body also have the function that runs them. pipeline.cpp runs the passes of each table in
+// its order; --dump-after=NAME prints the code after pass NAME; tests run single passes on the text of the IR.
 #pragma once
 
 #include "lower/context.h"
@@ -26,7 +26,8 @@ struct BodyPass {
 /// and for whole blocks, the parts of a draw, and functions.
 std::span<const BodyPass> body_passes();
 
-/// The passes that then run over the bodies for the host device, in order. What they make are separate variants.
+/// The passes that run over the bodies for the host device, in order, after move_uniforms. What they make of a body is
+/// a variant for the host device alone.
 std::span<const BodyPass> host_passes();
 
 /// A step that works on functions that all kernels share, makes a body, works on all bodies of a kernel, or on a

@@ -4,7 +4,8 @@
 // lie in the domain, and if loads are of an `in` parameter; else one by one. A row of four elements of N numbers each
 // is N such vectors. If there is one row of four scalars of a one-dimensional structure, and it is known to begin at
 // such a multiple, it is loaded without a test that all of it is in the domain: shaders may read a buffer up to the
-// next multiple of 16 bytes (vulkan_memory.h). Selects then replace the elements beyond the domain.
+// next multiple of 16 bytes (vulkan_memory.h), and the host device pads its memory, too (host_memory.cpp). Selects then
+// replace the elements beyond the domain.
 #include "ir/chain.h"
 #include "lower/expand.h"
 #include "lower/polynomial.h"
@@ -16,9 +17,9 @@ namespace gliftc::lower {
 
 using namespace ir;
 
-/// Makes the statements of `body` for each row: in a loop over the rows, if there are several. Shaders unroll the loop
-/// if there are at most unroll_limit rows, so that arrays of elements become registers and all loads are issued before
-/// the first is waited for.
+/// Makes the statements of `body` for each row: in a loop over the rows, if there are several. The loop has an unroll
+/// hint for shaders if there are at most unroll_limit rows: once it is unrolled, arrays of elements can be in registers
+/// and all loads can be issued before the first is waited for.
 template <class Body> void Expander::for_each_row(const Rows& rows, Body&& body) {
     if (rows.count == 1) return body(make.uint(0));
     Stmt loop = statement(StmtOp::for_, span_);

@@ -19,7 +19,8 @@ bool returns_at_end(const Program& p, const Function& function) {
     return !returns(p, before) && (p.stmts[function.body.back()].op == StmtOp::return_ || !returns(p, function.body));
 }
 
-/// Whether every path through the statements ends in a return.
+/// Whether every path through the statements ends in a return, as far as the last statement shows; false if an earlier
+/// one always returns and the last one does not.
 bool always_leaves(const Program& p, const std::vector<StmtId>& body) {
     if (body.empty()) return false;
     const Stmt& last = p.stmts[body.back()];
@@ -124,7 +125,7 @@ void Expander::expand_leaving(const std::vector<StmtId>& body) {
 }
 
 /// Expands a statement that may return, such that the statements after it (`rest`) are skipped if it does. True if this
-/// has expanded `rest`, too.
+/// has expanded `rest`, too. Does nothing for a `return` itself, which the caller expands.
 bool Expander::expand_past(const Stmt& stmt, const std::vector<StmtId>& rest) {
     if (stmt.op == StmtOp::return_) return false;
     const bool is_in_loop = frame_->leaving->loops != 0;

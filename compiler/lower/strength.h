@@ -3,7 +3,7 @@
 //
 // Works on polynomials modulo 2^32 (polynomial.h), not on particular containers: a neighbour's address in a row-major
 // array is that of the current element plus a stride, because their polynomials differ by the stride. Needs: bodies
-// after "share". Guarantees: the same values.
+// after "share". Guarantees: all values stay the same.
 #pragma once
 
 #include "lower/context.h"

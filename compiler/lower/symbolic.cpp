@@ -124,7 +124,7 @@ std::optional<Sum> Symbols::without(const Sum& sum, Unknown unknown, bool high, 
         if (const std::size_t power = power_of(product, unknown)) add_term(factors[power], rest, factor);
     }
     const Bounds& bounds = unknowns_[unknown].bounds;
-    // Higher powers are monotonic only for numbers that are not negative.
+    // Even powers are monotonic only over numbers that are not negative; odd ones are not told apart from them.
     if (factors.rbegin()->first > 1 && !(bounds.low && is_natural(*bounds.low, depth + 1))) return std::nullopt;
     bool grows = true, falls = true;
     for (const auto& [power, factor] : factors) {

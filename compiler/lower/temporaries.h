@@ -6,7 +6,7 @@
 
 namespace gliftc::lower {
 
-/// Adds a release statement for each temporary to the list of statements in which it is declared, after the last
+/// Adds release statements: a temporary is released in the list of statements in which it is declared, after the last
 /// statement there that uses it. So a temporary that is declared before a loop and used in it lives until the loop's
 /// end. What a pipeline returns is not released. Locals of the same list that refer to the temporary's memory are
 /// released with it. Also looks at each `let` and `return` whose value is an Op::device_read, an element's value that

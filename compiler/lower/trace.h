@@ -21,8 +21,8 @@ struct Trace {
     /// "body", "two elements", "interior", the name of a function, ….
     void note(std::string_view pass_name, const ir::Program& program, const ir::Pass& pass,
               const std::vector<ir::Variant>& variants, const std::vector<ir::ExprId>& facts, std::string_view what);
-    /// The same for functions of the root modules that all kernels share; they are printed as functions of the first
-    /// kernel of their module.
+    /// The same for functions of the root modules that all kernels share. They are printed as functions of the first
+    /// kernel of their module, and left out if the module has no kernel.
     void note(std::string_view pass_name, const ir::Program& program, const std::vector<ir::FunctionId>& functions);
 };
 

@@ -58,7 +58,9 @@ Pair Expander::written(const Place& place, ExprId address, const std::string& na
 /// The physical address for a write of the current element.
 Pair Expander::written_centre(std::uint32_t root) {
     const Place place{root, {}};
-    Place link = place;  // skips structures whose memory has the same addresses and domain: the element is in it, too
+    // `link` skips structures whose memory is a structure with the same addresses and domain: the element's address is
+    // in that one's domain, too.
+    Place link = place;
     while (cx.structure_at(link).via.empty() && !cx.structure_at(link).base.empty()) {
         const Place base = base_of(cx.structure_at(link), link);
         if (numbers_.of(domain_of(link)) != numbers_.of(domain_of(base))) break;
@@ -201,7 +203,7 @@ ExprId Expander::centre_address(std::uint32_t root) {
 }
 
 /// The physical address of a parameter's current element, and the condition that it has one. Both are put into named
-/// locals before the kernel's body, unless they are short (see named()).
+/// locals before the kernel's body, unless they are short or uniform (see named()).
 Pair Expander::centre(std::uint32_t root) {
     // Structures with equal state share addresses, unless tables are read, which each has for itself.
     const std::uint32_t shared = canonical_root(root);

@@ -169,7 +169,7 @@ void Uniforms::collect(const std::vector<StmtId>& body) {
 }
 
 /// Whether the value is computed from constants and from leaves that are parameters anyway (or parts of these), by at
-/// most shader_operations sums, differences and products. `operations` counts them.
+/// most shader_operations sums, differences and products of scalars. `operations` counts them.
 bool Uniforms::is_cheap(ExprId id, unsigned& operations) {
     if (cx.make.is_constant(id)) return true;
     if (is_part_of_leaf(id)) return leaves_.contains(numbers_.of(base(id)));

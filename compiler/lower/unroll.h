@@ -1,9 +1,9 @@
 // Questions about loops and arrays. Most of them decide which loops of a kernel are unrolled. (Loops of inlined
-// functions always are, see inline.cpp.) Such a loop has constant bounds and at most unroll_limit iterations, and is
-// unrolled for one of two reasons. If offsets of neighbour reads depend on the loop, its body is copied for each
-// iteration, so that these offsets become constants, unless a break, a continue or the return of an expanded function
-// leaves the loop. If the loop indexes a private array by its variable, it gets an unroll hint for the shader's
-// compiler.
+// functions always are, see inline.cpp.) A kernel's loop is unrolled only if it has constant bounds and at most
+// unroll_limit iterations, and for one of two reasons. If offsets of neighbour reads depend on the loop, its body is
+// copied for each iteration, so that these offsets become constants, unless a break, a continue or the return of an
+// expanded function leaves the loop. If the loop indexes a private array by its variable, it gets an unroll hint for
+// the shader's compiler.
 #pragma once
 
 #include "ir/ir.h"

@@ -304,7 +304,7 @@ Value Widener::unary(Expr node) {
 }
 
 /// Whether the low bits of the result depend on nothing but the low bits of the operands: then the operation in 64 bits
-/// gives the same low 32 bits as that in 32 bits.
+/// gives the same low 32 bits as that in 32 bits. Not for shifts, which binary() handles before.
 bool is_modular(BinaryOp op) {
     switch (op) {
     case BinaryOp::add:

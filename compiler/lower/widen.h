@@ -4,10 +4,10 @@
 // extent would allocate too little memory, and a wrapped physical address would be that of another element. Here such
 // code is copied with every sum, product and left shift of uints in 64 bits. What is computed from their results stays
 // in 64 bits through operators, selects, vectors, optionals, min, max, clamp, comparisons, and the locals and functions
-// of the language. It is narrowed to 32 bits where it is the bound of a loop, an index of an array, a shift amount, an
-// argument of an extern function or of another intrinsic (but not of findMSB in extents), or a part of a struct or
-// array: in translators to its low 32 bits, in extents by a call that throws if the number does not fit. Code without
-// such operations stays as it is.
+// of the language. It is narrowed to 32 bits where it is the bound of a loop, an index of an array, the address of an
+// element that is read from a structure, a shift amount, an argument of an extern function or of another intrinsic (but
+// not of findMSB in extents), or a part of a struct or array: in translators to its low 32 bits, in extents by a call
+// that throws if the number does not fit. Code without such operations stays as it is.
 #pragma once
 
 #include "ir/ir.h"

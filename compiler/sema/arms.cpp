@@ -1,6 +1,5 @@
-// Control flow of pipelines on conditions that the host does not know. The host records the passes of both arms; those
-// of an arm whose condition is not met are dispatched with zero workgroups. A variable that is declared outside an arm
-// and assigned in it lies on the device, and keeps its value where the arm does not run.
+// Control flow of pipelines on conditions that the host does not know (sema/arms.h). A variable that is declared
+// outside an arm and assigned in it lies on the device, and keeps its value where the arm does not run.
 #include "sema/arms.h"
 
 #include "ir/walk.h"
@@ -36,10 +35,10 @@ ir::ExprId runs(Body& body, std::size_t depth, Span span) {
     return all;
 }
 
-/// Whether the value calls a function. Other values are computed even where the arm does not run, and then discarded by
-/// a `select`. A call must not be computed there: its operands may be values that passes of the arm did not compute,
-/// with which a loop in the function might not end. So a value with a call gets a pass of its own in the arm, which is
-/// dispatched with zero workgroups where the arm does not run.
+/// Whether the value calls a function. An assignment in an arm to a variable declared outside is a `select`, whose pass
+/// must run even where the arm does not, to keep the old value. A pass that calls functions must not run there: their
+/// arguments may be values that passes of the arm did not compute, with which a loop in a function might not end. So a
+/// value with a call gets a pass of its own before the `select`.
 bool calls_functions(Body& body, ir::ExprId value) {
     bool found = false;
     ir::for_each_node(body.program(), value,
@@ -141,7 +140,7 @@ namespace {
 
 /// Emits one round of `for i in a..b while c`, where c lies on the device; the host records all rounds. `running` is a
 /// variable on the device: whether c was true in all rounds so far. `statements` compute what c needs. They, and the
-/// body, run only while `running` is true.
+/// body, are emitted as arms on the condition `running`.
 void check_round(Body& body, const ast::Stmt& stmt, ir::LocalId running, ir::ExprId condition,
                  std::vector<ir::StmtId> statements) {
     ir::Program& p = body.program();

@@ -1,8 +1,8 @@
 // Pipelines: `if` and loops whose condition is a value on the device, which the host does not know. The host records
 // both branches of such an `if`, and all rounds of such a loop. A branch, or the body of such a loop, is called an arm
-// (Body::Arm); its passes are dispatched with zero workgroups where its condition does not hold. A variable of a
-// pipeline lies on the device if it is assigned in an arm but declared outside of it, or if it is given a value on the
-// device.
+// (Body::Arm); where its condition does not hold, its passes are dispatched with zero workgroups, except passes that
+// compute a value without calling a function: these run in any case (emit/cpp/pipelines.cpp). A variable of a pipeline
+// lies on the device if it is assigned in an arm but declared outside of it, or if it is given a value on the device.
 #pragma once
 
 #include "sema/body.h"
@@ -19,7 +19,7 @@ void check_rounds(Body&, const ast::Stmt&, std::vector<ir::StmtId>& before);
 /// Checks and emits `target = value;`, `target += value;` and the like for a variable of a pipeline. Where this shows
 /// that the variable must lie on the device, its declaration is added to Body::device_variables instead, and the
 /// pipeline is then checked again (check_pipeline_body). If the declaration is there already, the type of the variable
-/// cannot lie on the device, which is reported.
+/// cannot lie on the device, which is reported unless there are errors already.
 void check_variable(Body&, const ast::Stmt&, ir::ExprId target);
 /// Records how many arms are around the declaration of the variable (Body::depths).
 void declare_variable(Body&, ir::LocalId);

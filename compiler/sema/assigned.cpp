@@ -1,5 +1,5 @@
-// Definite assignment: which variables (the corner's place, varyings, clip distances, colour targets) every path
-// through the vertex or fragment part of a draw assigns. Also that no path places a corner twice.
+// Definite assignment: reports variables (the corner's place, varyings, clip distances, colour targets) that some path
+// through the vertex or fragment part of a draw does not assign, and paths that place a corner twice.
 #include "ir/walk.h"
 #include "sema/raster.h"
 

@@ -29,8 +29,8 @@ bool returns_none(const Context& c, const std::vector<ast::StmtId>& body) {
     });
 }
 
-/// Makes the function blocks(), block(i) or block_size() of a structure. The language fixes their types, so that none
-/// are written. Absent after an error.
+/// Makes the function blocks(), block(i) or block_size() of a structure. The language fixes its types; types that the
+/// declaration gives are not looked at. Absent after an error.
 ir::FunctionId make_function(Context& c, const Env& env, std::uint32_t index, ast::DeclId id,
                              const std::vector<ir::TypeId>& params, ir::TypeId result) {
     const ast::Decl& decl = c[id];
@@ -76,8 +76,8 @@ bool reads_elements(const ir::Program& p, ir::ExprId id) {
     return reads;
 }
 
-/// An upper bound of the value, one that the host can compute: the value itself, or an operand of a `min`, or of a
-/// `min` that is an operand of a `min`. Absent: none is known.
+/// An upper bound of the value, one that the host can compute: the value itself, or if it is a `min`, a bound of one of
+/// its operands. Absent: none is known.
 ir::ExprId bound_of(const ir::Program& p, ir::ExprId value) {
     if (!value || !reads_elements(p, value)) return value;
     const ir::Expr& expr = p.exprs[value];
@@ -168,8 +168,8 @@ std::optional<Operand> call_of_blocks(Body& body, const Operand& self, ast::Iden
 
 namespace {
 
-/// The structure that declares the blocks of the parameter's structure: the structure itself, its memory if that is a
-/// structure, the memory of that one, and so on (ir::blocks_of). Absent if none declares blocks.
+/// The structure that declares the blocks of the parameter's structure, as ir::blocks_of() finds it: an index in
+/// Program::structures. Absent if there are no blocks.
 std::optional<std::uint32_t> owner_of(const ir::Program& p, const ir::KernelParam& param) {
     const auto place = ir::blocks_of(p, p.structures[param.structure], {});
     if (!place) return std::nullopt;

@@ -19,8 +19,8 @@ struct BlockItems {
 /// set: block() and block_size() return addresses of that type.
 void add_blocks(Context&, const Env&, std::uint32_t structure, const BlockItems&);
 
-/// A call of `s.blocks()`, `s.block(i)` or `s.block_size()`. If neither the structure nor its memory declares blocks
-/// (ir::blocks_of), its whole domain is one block. Absent if the method has another name.
+/// A call of `s.blocks()`, `s.block(i)` or `s.block_size()`. If ir::blocks_of() finds no blocks for the structure,
+/// its whole domain is one block. Absent if the method has another name.
 std::optional<Operand> call_of_blocks(Body&, const Operand& self, ast::Identifier method, const ast::Expr& call);
 
 /// Finds the blocks that a kernel visits. The parameters that decide are those written by `each`; if there are none,
@@ -32,7 +32,8 @@ std::optional<Operand> call_of_blocks(Body&, const Operand& self, ast::Identifie
 void find_space(Context&, ir::Kernel&);
 
 /// Makes a pipeline that takes a structure which declares blocks, and returns their number as a value on the device,
-/// for the dispatch that follows the call. Returns its index in Program::pipelines; absent after an error.
+/// for the dispatch that follows the call. The value may exceed Blocks::bound, which the dispatch applies. Returns the
+/// pipeline's index in Program::pipelines; absent after an error.
 std::optional<std::uint32_t> counter_of_blocks(Context&, std::uint32_t structure, Span use);
 
 }  // namespace gliftc::sema

@@ -19,9 +19,10 @@ enum class BodyKind : std::uint8_t {
     pipeline,  // tests too
 };
 
-/// `member`: a constructor parameter that is a value, of the structure whose members are in scope (Body::container).
-/// `structure`: a nested structure of it, its base (sema/base.h), a structure in a translator's state, or a structure
-/// parameter of a function or kernel that is no `iterator`. The other kinds: Symbol::slot.
+/// `local`: a variable, or a parameter that is an ir::Local. `member`: a constructor parameter that is a value, of the
+/// structure whose members are in scope (Body::container). `structure`: a nested structure of it, its base
+/// (sema/base.h), a structure in a translator's state, or a structure parameter of a function or kernel that is no
+/// `iterator`. The comment of Symbol::slot describes the other kinds.
 enum class SymbolKind : std::uint8_t { local, structure, state, member, memory, iterator, host_state };
 
 /// How code may access a structure through one name. `any`: reads by address. `scatter`: writes to any address, and no
@@ -71,12 +72,12 @@ struct Operand {
     ir::TypeId type;              ///< value; structure, where it is a local of a pipeline
     Meta meta;                    ///< meta
     ir::Place place;              ///< structure, memory, iterator
-    ir::LocalId local;            ///< structure, in pipelines: the local (a temporary, a parameter, a slice) from which
-                                  ///< `place` leads to a member; none: the container that owns the pipeline
+    ir::LocalId local;            ///< structure, memory, in pipelines: the local (a temporary, a parameter, a slice) at
+                                  ///< which `place` starts; none: it starts at the container that owns the pipeline
     std::uint32_t structure = 0;  ///< structure, iterator, memory (the one that has it): index in Program::structures
     std::uint32_t slot = 0;       ///< memory: index in the structure's memories; iterator: in the kernel's parameters
     std::uint32_t window = 0;  ///< structure: the radius, if it is a `near` parameter of a kernel or function; else 0
-    bool is_slice = false;     ///< structure: `local` is a slice
+    bool is_slice = false;     ///< structure: it is the slice `local`, not a member of that
     Writing writing;           ///< structure: how it may be accessed
 };
 
@@ -95,7 +96,7 @@ struct Body {
     unsigned loops = 0;  ///< loops around the statement in its innermost arm; 0: `break`, `continue` are errors
     unsigned depth = 0;  ///< how deeply the statement is nested
     ir::Kernel* kernel = nullptr;
-    ir::Part part = ir::Part::whole;  ///< the vertex or the fragment part of a draw; whole: the kernel does not draw
+    ir::Part part = ir::Part::whole;  ///< the part of a draw that is being checked; whole: the code is in neither part
     /// The structure, view or adaptor that declares this function or pipeline, or whose declaration is checked, if any.
     /// Its members are in scope; their Place::root is 0.
     std::optional<std::uint32_t> container;
@@ -117,7 +118,8 @@ struct Body {
     /// Pipelines: the expression being checked is part of a larger one that a pass may compute, so that values on the
     /// device may stand in it (sema/values.h).
     bool is_open = false;
-    std::vector<ir::ExprId> leaves;  ///< pipelines: nodes Op::device_value made so far for the expression being checked
+    std::vector<ir::ExprId> leaves;  ///< pipelines: nodes Op::device_value made for the expression being checked since
+                                     ///< keep_leaves() (values.cpp) last emptied the list
     /// Pipelines: the prefix of the keys (ir::Kernel::key) of the kernels that compute values on the device for this
     /// pipeline. Each run of gliftc gives the same kernel the same key.
     std::string key;

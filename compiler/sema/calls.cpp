@@ -130,8 +130,9 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
     std::size_t wanted = ir::lane_count(body.program(), id), have = 0;
     for (ast::ExprId argument : written) {
         bool flexible = is_flexible(c, argument);
-        // A literal without a suffix takes the constructed scalar type; but a float literal, if that is an integer
-        // type, is a float that is converted as any value: uint(1.5) is 1.
+        // A literal without a suffix takes the constructed scalar type, except that in the construction of a bool it
+        // keeps its default type, and that a float literal in the construction of an integer is a float: both are then
+        // converted as any value, so that uint(1.5) is 1.
         ir::TypeId hint = flexible ? scalar : ir::TypeId{};
         ir::ExprId value = check_hinted(body, argument, hint == types.bool_ ? ir::TypeId{} : hint);
         if (is_error(body, value)) return error_operand(call.span);

@@ -23,7 +23,7 @@ struct Settings {
     /// the kernels that list which elements are there are not.
     bool looks_into_tables = false;
     /// Gives the name of a module that could be imported and declares this public name, or "". For messages; asked
-    /// where no loaded module has the name.
+    /// where no loaded module declares the name as public.
     std::function<std::string(std::string_view name)> module_with;
 };
 

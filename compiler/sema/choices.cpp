@@ -18,9 +18,9 @@ ir::TypeId hint_for_second(Body& body, ast::ExprId second, ir::TypeId first, ir:
     return first == types.error || types.kind(first) == ir::TypeKind::optional ? first : types.optional(first);
 }
 
-/// Checks both operands and unifies their types: literals and `none` take the other operand's type, a value beside an
-/// optional is wrapped, and a value that the host knows is computed on the device if the other one lies there. `wanted`
-/// is the type hint for the operand that is checked first, and for a `none` beside it.
+/// Checks both operands and unifies their types: literals take the other operand's type, `none` takes the optional of
+/// that type, a value beside an optional is wrapped, and a value that the host knows is computed on the device if the
+/// other one lies there. `wanted` is the type hint for the operand that is checked first, and for a `none` beside it.
 std::pair<ir::ExprId, ir::ExprId> check_sides(Body& body, ast::ExprId yes, ast::ExprId no, ir::TypeId wanted) {
     const Context& c = body.context;
     const bool is_swapped = typing_of(c, no) < typing_of(c, yes);
@@ -41,8 +41,8 @@ std::pair<ir::ExprId, ir::ExprId> check_sides(Body& body, ast::ExprId yes, ast::
 Operand check_choice(Body& body, const std::vector<ast::ExprId>& parts, ir::TypeId wanted, Span span) {
     std::optional<Parts> operands(std::in_place, body);
     const ir::ExprId condition = check_value(body, parts[0], body.types().bool_);
-    // If the host knows the condition, only the side it chooses shall be computed: each side on the device gets a pass
-    // of its own.
+    // If the host knows the condition, only the side that it chooses shall be computed: each side is then an expression
+    // of its own, which has its own passes.
     if (!is_open(body, condition)) operands.reset();
     auto [yes, no] = check_sides(body, parts[1], parts[2], wanted);
     if (is_error(body, yes) || is_error(body, no)) return error_operand(span);

@@ -15,8 +15,8 @@ const std::vector<ast::Item>& items_of(const ast::Decl&);
 std::vector<const ast::Item*> items_of(Context&, std::uint32_t structure);
 
 /// What `Name<…>` means in the call `Name<…>(arguments)`: a Meta of kind `type` if the call constructs a value or a
-/// structure. Generic arguments that are not written are inferred from those arguments of the call that are structures,
-/// given by a name or a path of members. A Meta of kind `none` after an error.
+/// structure. Generic arguments of a structure, view or adaptor that are not written are inferred from those arguments
+/// of the call that are structures, given by a name or a path of members. A Meta of kind `none` after an error.
 Meta constructed_type(Body&, const ast::Expr& call);
 
 }  // namespace gliftc::sema

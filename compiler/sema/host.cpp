@@ -51,7 +51,7 @@ void emit_temp(Body& body, ir::LocalId local, ir::Operands arguments, Span span)
     require_transfers(body.context, body.types()[body.program().locals[local].type].index, span);
 }
 
-/// If the operand constructs a structure (mostly a view) within an expression: declares a temporary, and gives that.
+/// If the operand constructs a structure (such as a view) within an expression: declares a temporary, and gives that.
 /// Any other operand is returned as it is.
 Operand declared(Body& body, const Operand& operand) {
     if (operand.kind != OperandKind::value || body.types().kind(operand.type) != ir::TypeKind::structure)

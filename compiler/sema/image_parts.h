@@ -17,8 +17,8 @@ inline bool has_layers(ir::MemoryShape shape) {
     return shape == ir::MemoryShape::image2darray || shape == ir::MemoryShape::imagecube;
 }
 
-/// Whether the structure has an image of its own as its memory, and keeps element a in texel a: each of its translators
-/// is known to return the address unchanged, by a single `return`.
+/// Whether the structure's memory is an image, or a level or layer of one, and not a structure, and element a is kept
+/// in texel a: each of its translators is known to return the address unchanged, by a single `return`.
 bool keeps_texels(const Context&, const ir::Structure&);
 
 /// Whether keeps_texels() holds, and the image is declared with `mips(n)` and has another format than d32.

@@ -180,7 +180,7 @@ static void cut_after_return(const ir::Program& program, std::vector<ir::StmtId>
     if (found != body.end()) body.erase(found + 1, body.end());
 }
 
-// long: the checks of one declaration, in the order of its words
+// long: all checks of one declaration
 std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, const Env& env,
                                                    const std::vector<std::uint32_t>& structures, Span use) {
     const ast::Decl& decl = c[id];

@@ -31,10 +31,10 @@ std::optional<std::uint32_t> instantiate_pipeline(Context&, ast::DeclId, const E
                                                   std::optional<std::uint32_t> owner, Span use);
 inline constexpr std::uint32_t lies_on_device = 0xffffffffu;
 
-/// Instantiates the kernels of std.transfer for the structure, which move boxes of elements between host and device,
-/// fill boxes, and list the elements that are there; adds them to Program::transfers. Does the same for the structure's
-/// members; of an adaptor, for the members alone. Does nothing if Program::transfers has the structure already, or for
-/// a view without a domain.
+/// Instantiates kernels of std.transfer for the structure, which move boxes of elements between host and device, fill
+/// boxes, and list the elements that are there, as far as the structure allows it; adds them to Program::transfers (see
+/// ir::Program::Transfer). Does the same for the structure's members; of an adaptor, for the members alone. Does
+/// nothing if Program::transfers has the structure already, or for a view without a domain.
 void require_transfers(Context&, std::uint32_t structure, Span use);
 
 void instantiate_test(Context&, ast::DeclId);

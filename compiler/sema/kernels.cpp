@@ -62,7 +62,7 @@ void check_extra(Context& c, const Env& env, const ast::Param& param, ir::Kernel
     }
     if (!param.extra.empty()) made.combine = check_combine(c, param.extra[0], made.structure);
 }
-/// Reports `out each` and `inout each` over a many-to-one translator: two invocations, which run in no order, would
+/// Reports `out each` and `inout each` over a many-to-one translator: two invocations, which run in no order, could
 /// write one element.
 void check_exclusive(Context& c, const ast::Param& param, const ir::KernelParam& made) {
     if (made.pattern != ir::Pattern::each || made.direction == ir::Direction::in) return;
@@ -108,7 +108,7 @@ void add_broken(Body& body, const ast::Param& param, ir::KernelParam made, ir::K
     made.local = broken.local;
     kernel.params.push_back(std::move(made));
 }
-// long: the checks of one declaration, in the order of its words
+// long: all checks of one declaration
 void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
     Context& c = body.context;
     ir::KernelParam made;

@@ -186,7 +186,7 @@ Operand index_window(Body& body, const Operand& window, std::uint32_t structure,
     return value_operand(body, near, expr.span);
 }
 
-/// Reports a read by address of a scatter parameter, which is only written.
+/// Reports a read by address of a parameter or member with the pattern scatter, which is only written.
 Operand scatter_read(Body& body, const Operand& structure, const ast::Expr& expr) {
     Context& c = body.context;
     const ast::Expr& named = c[expr.operands[0]];

@@ -7,7 +7,7 @@ namespace gliftc::sema {
 
 /// The declarations of `name` in a module: its own, else the public ones of its imports. Reports ambiguity. If imports
 /// declare the name, but all without `pub`, reports that and gives these declarations; but if the language itself has a
-/// type, texel format, memory shape or constraint of that name, reports nothing and gives none. Empty if there is none.
+/// type, texel format, memory shape or constraint of that name, reports nothing and gives none.
 std::vector<ast::DeclId> find_declarations(Context&, std::uint32_t module, ast::Identifier name);
 
 /// The meaning of a name in an environment: bound there, `Self`, declared in its module or imports, built into the

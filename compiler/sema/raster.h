@@ -36,8 +36,8 @@ ir::Part part_of(ir::Pattern);
 /// Checks and emits `discard;`.
 void check_discard(Body&, const ast::Stmt&);
 
-/// A call of place, clip_distance, window, front_facing or, in a part of a draw, position; absent: the name is another
-/// one.
+/// A call of place, clip_distance, window, front_facing or, in a part of a draw, position. Absent for a call of any
+/// other name, and of position elsewhere.
 std::optional<Operand> call_in_raster(Body&, std::string_view name, const ast::Expr& call);
 
 /// Whether the code being checked is in the wanted part (`whole`: in either, or not in a draw); reports the use of

@@ -1,4 +1,4 @@
-// Calls, in pipelines and from C++, of functions that the host cannot evaluate, mostly since they read memory: a
+// Calls, in pipelines and from C++, of functions that the host cannot evaluate, such as those that read memory: a
 // generated pipeline calls the function in a pass of one invocation, and returns a value that lies on the device. A
 // method in C++ waits for that value.
 #include "ir/levels.h"
@@ -180,7 +180,8 @@ void check_methods(Context& c, std::uint32_t index) {
         const auto function = instantiate_function(c, item.decl, env, {index}, decl.name.span);
         if (!function) return;
         const ir::Function& made = c.program.functions[*function];
-        // Only kernels call functions that write. Methods in C++ cannot return optionals.
+        // Functions that write are called in kernels alone, there also by other functions. Methods in C++ cannot return
+        // optionals.
         if (!made.effects.empty() || c.types().kind(made.result) == ir::TypeKind::optional) return;
         if (made.reads_memory && type_not_for_passes(c.program, made)) return;
         ir::Method method{*function, std::nullopt};

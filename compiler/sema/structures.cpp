@@ -84,7 +84,7 @@ ir::Compare comparison(Context& c, const ast::Item& item) {
     return found.value_or(ir::Compare::less_equal);
 }
 
-// long: the checks of one declaration, in the order of its words
+// long: all checks of one declaration
 void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
     Context& c = body.context;
     if (has_memory(body, index, item)) return;
@@ -364,7 +364,7 @@ ir::ExprId domain_from_item(Body& body, const ast::Item& item, ir::TypeId wanted
 }
 
 /// What domain() of the first translator returns, with the arguments that `via` gives the translator in place of its
-/// state. Absent if it has no domain().
+/// state. Absent if it has no domain(), and after an error.
 ir::ExprId domain_from_translator(Context& c, const ir::Structure& structure) {
     const ir::Translator& translator = c.program.translators[structure.via[0].translator];
     if (!translator.domain) return {};

@@ -110,8 +110,8 @@ void require_transfers(Context& c, std::uint32_t index, Span use) {
         element.type = structure.element;
         if (auto kernel = transfer_kernel(c, "write_box", {linear, self}, use)) {
             write = *kernel;
-            // The kernel visits the elements of the box, not the structure's blocks: a box is usually a small part of
-            // the structure.
+            // The kernel visits all elements of the box, not the structure's blocks (docs/language.md, "What a kernel
+            // visits").
             c.program.kernels[write].space.reset();
         }
         if (auto kernel = transfer_kernel(c, "fill_box", {self, element}, use)) fill = *kernel;

@@ -1,4 +1,4 @@
-// The limit on the size of types: their values are constructed, copied and compared scalar by scalar.
+// The limit on the number of scalars in a type.
 #pragma once
 
 #include "sema/context.h"

@@ -7,7 +7,8 @@ namespace gliftc::sema {
 
 /// In the order in which operands are checked: earlier ones determine the types of later ones.
 enum class Typing : std::uint8_t {
-    own,      // has a type by itself: a name, a call, a comparison, an operator with such an operand; also `{…}`
+    own,      // has a type by itself: a name, a call, a comparison, a logical operation, a literal with a suffix, an
+              // operator or choice with such an operand; also `{…}`
     literal,  // a literal without suffix, or operators and choices over such literals
     none,     // `none` alone
 };

@@ -1,6 +1,7 @@
 // A forward data-flow analysis of a kernel's body or a draw's fragment part: where are values and control flow uniform?
-// Functions that declare a workgroup (`group`) are analysed at each call, since they may contain barriers. Levels only
-// rise, and sets of accesses only grow; the walk is repeated until neither changes, then once more to report.
+// Functions that declare a workgroup (`group`) are analysed at each call, since they may contain barriers. The levels
+// in locals_ and exits_ only rise, and the sets of accesses in intervals_ and races_ only grow; the walk is repeated
+// until neither changes, then once more to report.
 #include "sema/uniformity.h"
 
 #include "ir/effects.h"
@@ -169,7 +170,7 @@ void Uniformity::loop_(ir::StmtId id) {
         if (stmt.op == ir::StmtOp::for_ && bound == stmt.value) raise(locals_[{call_, stmt.local}], flow);
     }
     control_flow_ = worse(control_flow_, exit);
-    if (stmt.op == ir::StmtOp::while_) value(stmt.value);  // again: breaks and continues may have made it divergent
+    if (stmt.op == ir::StmtOp::while_) value(stmt.value);  // again, in the control flow after breaks and continues
     const Interval entry = interval_;
     const bool reports = std::exchange(reports_, false);
     if (may_leave) walk(stmt.body);  // an invocation that leaves in one round is missing from the start of the next
@@ -236,7 +237,7 @@ Flow Uniformity::value(ir::ExprId id) {
     }
 }
 
-/// `?:`, `select`, `&&`, `||`: the first operand decides whether the others are evaluated.
+/// `?:`, `select`, `&&`, `||`: the first operand decides which of the others are evaluated.
 Flow Uniformity::choice(const ir::Expr& node) {
     Flow flow = value(node.operands[0]);
     const Flow before = control_flow_;
@@ -333,7 +334,7 @@ Flow Uniformity::intrinsic(const ir::Expr& node) {
     case ir::Intrinsic::subgroupBroadcast:
     case ir::Intrinsic::subgroupBroadcastFirst:
         return flow.level == Level::workgroup ? flow : differs(node, Level::subgroup);
-    case ir::Intrinsic::subgroupAdd:  // differs between subgroups, whose numbers of active lanes may differ
+    case ir::Intrinsic::subgroupAdd:  // these five depend on the number of active lanes, which differs by subgroup
     case ir::Intrinsic::subgroupMul:
     case ir::Intrinsic::subgroupXor:
     case ir::Intrinsic::subgroupBallot:

@@ -25,7 +25,7 @@ std::string suggestion_for(Context& c, const Env& env, std::string_view name,
     return std::string(did_you_mean(name, candidates));
 }
 
-/// A module that declares the name as public: a loaded one, else one that could be imported.
+/// A module that declares the name as public: a loaded one, else one that could be imported. Empty if there is none.
 static std::string module_with(const Context& c, Name name) {
     for (std::uint32_t i = 0; i < c.scopes.size(); ++i) {
         auto found = c.scopes[i].names.find(name);

@@ -150,8 +150,8 @@ ir::ExprId Maker::call(ir::ExprId expr, std::uint32_t box) {
     return call;
 }
 
-/// Copies the elements that are leaves so far into locals, since what is evaluated next is a call of a pipeline that
-/// may write them.
+/// Copies the elements that are leaves so far into locals, since what is evaluated next may call a pipeline that writes
+/// them.
 void keep_leaves(Body& body) {
     for (ir::ExprId leaf : std::exchange(body.leaves, {})) {
         const ir::ExprId read = body.program().exprs[leaf].operands[0];

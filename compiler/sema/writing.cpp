@@ -182,7 +182,8 @@ void declare_writing(Body& body, const ast::Param& param, ir::KernelParam made, 
 
 namespace {
 
-/// The member named in a `with`; reports a name that is no member, or whose elements cannot be written.
+/// The member named in a `with`; null, after an error, if the name is no structure among the members, or is an adaptor
+/// and the pattern is not `calls`.
 Symbol* written_member(Body& body, const ast::MemberPattern& pattern) {
     Context& c = body.context;
     Symbol* symbol = body.container ? find_symbol(body, pattern.member.name) : nullptr;
@@ -291,7 +292,8 @@ bool add_effects(Body& body, ir::FunctionId id, const std::vector<Operand>& give
     for (ir::Effect effect : called.effects) {
         const Operand& through = given[effect.place.root];
         // The callee has this effect through a parameter of its own. fits_writing() has checked that the caller
-        // declares the same pattern for the structure that it passes, so that the caller has the effect already.
+        // declares the same pattern for the structure that it passes. So the caller has the effect already, or is a
+        // kernel whose own parameter has that pattern.
         const bool is_param = effect.place.members.empty() && !(is_method && effect.place.root == 0);
         ir::Place place = through.place;
         place.members.append(effect.place.members);

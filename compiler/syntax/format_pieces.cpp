@@ -9,7 +9,7 @@ namespace gliftc {
 namespace {
 
 using enum TokenKind;
-/// The operators before which a line may break, besides the `?` and `:` of a conditional expression.
+/// The operators before which a line may break, besides `?` and `:` with Role::spaced.
 constexpr TokenSet loose_operators{question_question, bar_bar, ampersand_ampersand, plus, minus, kw_then};
 constexpr TokenSet tight_before{close_paren, close_bracket, comma, semicolon, dot};
 constexpr TokenSet tight_after{open_paren, open_bracket, dot, at_sign};

@@ -47,7 +47,7 @@ ast::Function Parser::parse_function() {
     return function;
 }
 
-/// struct = "struct" name [ generic-parameters ] "{" { field } "}" | "extern" "struct" name "from" string ";" ;
+/// struct = "struct" name [ generic-parameters ] ( "{" { field } "}" | "from" string ";" ) ;
 ast::Struct Parser::parse_struct() {
     ast::Struct structure;
     if (accept_word(Word::from)) {
@@ -105,7 +105,7 @@ ast::Enum Parser::parse_enum() {
     return enumeration;
 }
 
-/// interface = "interface" name [ generic-parameters ] "{" { [ "fn" ] name parameters [ "->" type ] ";" } "}" ;
+/// interface = "interface" name [ generic-parameters ] "{" { method } "}" ;
 ast::Interface Parser::parse_interface() {
     ast::Interface interface;
     std::uint32_t open = cursor_;

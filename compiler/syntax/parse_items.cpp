@@ -70,6 +70,7 @@ Item Parser::parse_nested_declaration() {
 }
 
 /// memory = "memory" name "=" expression { "mips" "(" expression ")" | "filter" name | "compare" name } ";" ;
+/// `mips`, `filter` and `compare` must not be the first word on their line.
 Item Parser::parse_memory() {
     Item item = new_item(ItemKind::memory);
     advance();

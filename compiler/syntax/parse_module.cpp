@@ -65,7 +65,8 @@ bool Parser::parse_path(std::string& path) {
 }
 
 /// use = "use" ( path | ( "./" | "../" { "../" } ) name { "/" name } ) ";" ;
-/// For a relative path more is accepted: any names, `.`, `..` and `/` that begin with `./` or `../` and end in a name.
+/// For a relative path more is accepted: any names, `.`, `..` and `/` that begin with `./` or `../` and do not end in
+/// `/`.
 ast::Use Parser::parse_use() {
     advance();
     std::uint32_t first = cursor_;
@@ -109,8 +110,11 @@ std::vector<ast::Attribute> Parser::parse_attributes() {
     return attributes;
 }
 
-/// declaration = attributes [ "pub" ] [ "extern" (* only before a struct *) ] ( function | struct | enum | interface | const | type-alias
-///             | translator | structure | view | adaptor | kernel | raster | pipeline | test ) ;
+/// declaration = attributes [ "pub" ] [ "extern" (* only before a struct *) ]
+///               ( function | struct | enum | interface | const | type-alias | translator | structure | view | adaptor
+///               | kernel | raster | pipeline | test ) ;
+/// Generic parameters are accepted after the name of every declaration, also of an enum or const, whose rules have
+/// none.
 ast::DeclId Parser::parse_declaration() {
     Nesting nesting(*this);
     if (!nesting.ok) return {};

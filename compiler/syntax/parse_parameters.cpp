@@ -97,6 +97,7 @@ void Parser::parse_pattern(ast::Param& param) {
 }
 
 /// result = "->" ( "range" "<" generic-argument "," generic-argument ">" | type ) ;
+/// More arguments of `range` are accepted and ignored.
 void Parser::parse_pipeline_result(ast::Pipeline& pipeline) {
     if (!accept(TokenKind::arrow)) return;
     if (pattern_here() != Pattern::range) {

@@ -4,6 +4,7 @@
 namespace gliftc {
 
 /// raster = "raster" name [ generic-parameters ] parameters "{" { state | varying | vertex | fragment } "}" ;
+/// A vertex part is required. Of several vertex parts the last one counts, and so of fragment parts.
 ast::Kernel Parser::parse_raster() {
     ast::Kernel kernel;
     kernel.raster.emplace();

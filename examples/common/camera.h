@@ -33,9 +33,9 @@ CubeFace cube_face(unsigned face);
 /// 90 degrees.
 glift::float4x4 cube_projection_of(const glift::float3& eye, unsigned face, float opening, float near, float far);
 
-/// The camera moved on a sphere around its target, by angles in radians, and closer to the target by a factor. A
-/// positive `to_the_right` moves the eye to the right, so that the scene turns to the left; `upwards` raises the eye.
-/// The eye's latitude is clamped to [-1.5, 1.5] (y is up).
+/// The camera moved on a sphere around its target, by angles in radians, its distance to the target divided by
+/// `closer`. A positive `to_the_right` moves the eye to the right, so that the scene turns to the left; `upwards`
+/// raises the eye. The eye's latitude is clamped to [-1.5, 1.5] (y is up).
 Camera orbited(const Camera& camera, float to_the_right, float upwards, float closer);
 
 }  // namespace camera

@@ -11,7 +11,7 @@ namespace mesh {
 void add_box(Mesh& mesh, const glift::float3& low, const glift::float3& high, const glift::float3& colour);
 
 /// Adds a rod between two points, with flat ends and a radius for each; its cross-section has `sides` (at least 3)
-/// sides.
+/// sides. Adds nothing if the points are equal.
 void add_rod(Mesh& mesh, const glift::float3& from, const glift::float3& to, float from_radius, float to_radius,
              unsigned sides, const glift::float3& colour);
 

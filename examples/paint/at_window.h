@@ -12,8 +12,8 @@ struct Orbit {
     float turn = 0.6f, upwards = 0.3f;  ///< how far the eye is turned to the right and raised, in radians
     float closer = 1;                   ///< the sphere's radius is 1.6 / closer
 
-    /// With a larger `closer` the target would be before the near plane, with a smaller one a model beyond the far
-    /// plane.
+    /// With a much larger `closer` the target would be before the near plane, with a much smaller one the model beyond
+    /// the far plane.
     static constexpr float least_closer = 0.25f, most_closer = 100;
 
     camera::Camera camera() const;

@@ -58,7 +58,7 @@ public:
     /// The same in parts, for a stroke whose path still grows: `begin` uses its camera, the size of what the camera
     /// sees (Stroke::size) and its brush, but not its path; `dab` is called for each dab; `end` returns what `paint`
     /// does. `begin` throws std::runtime_error if the brush's PNG cannot be read, or is not 2 to 4096 pixels wide and
-    /// at most that high.
+    /// at most 4096 high.
     void begin(const strokes::Stroke& stroke);
     void dab(const paint::Brush& brush);
     glift::uint end();

@@ -1,6 +1,6 @@
 // Simulates a fluid of particles by fluid.glift, and writes pictures. Each step finds the neighbours of each particle
 // anew.
-// --particles is the number of particles: by default a million on a GPU, 20,000 elsewhere.
+// --particles is about how many particles there are, a cube of them: by default a million on a GPU, 20,000 elsewhere.
 #include "../common/camera.h"
 #include "../common/picture.h"
 #include "../common/progress.h"

@@ -207,7 +207,7 @@ bool differs_around(const std::vector<Light>& light, glift::uint2 size, std::siz
     return false;
 }
 
-/// Calls `visit(i)` for all i below n, from as many threads as there are cores.
+/// Calls `visit(i)` for all i below n, from as many threads as the machine can run at a time.
 template <class Visit> void in_parallel(std::size_t n, const Visit& visit) {
     constexpr std::size_t part = 1024;
     std::atomic<std::size_t> next = 0;

@@ -60,7 +60,7 @@ mesh::Mesh mesh_of(const std::string& what) {
     return scenes::make(what, 0.4f).mesh;
 }
 
-/// Places the mesh in the middle of the grid, with eight free voxels on each side.
+/// Places the mesh in the middle of the grid, with at least eight free voxels on each side.
 voxels::Placement placement_of(const mesh::Mesh& mesh, std::uint32_t extent) {
     const mesh::Box box = mesh::bounds_of(mesh);
     const float3 size = box.high - box.low, middle = (box.low + box.high) * 0.5f;

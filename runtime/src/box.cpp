@@ -1,5 +1,5 @@
 // Errors of structures and ranges: boxes, slices and addresses out of bounds, empty structures, numbers that do not
-// fit. These functions are not in the headers, where each program would compile them for each structure type.
+// fit. They are not inline, so that generated sources need not compile the code that makes the messages.
 #include <glift/box.h>
 #include <glift/log.h>
 #include <glift/mapped.h>

@@ -43,8 +43,9 @@ struct ScalarReader {
         else std::snprintf(buffer, sizeof buffer, "%u", load<std::uint32_t>(at));
         return buffer;
     }
-    /// Whether two scalars have the same bits, are floats that are both NaN, or are floats that differ by no more than
-    /// the tolerance (those that are drawn, kind n, by drawn_tolerance, unless the tolerance is 0).
+    /// Whether two scalars have the same bits, are floats that are both NaN, or, unless the tolerance is 0, are floats
+    /// that differ by no more than the tolerance times the largest of 1 and their magnitudes (those that are drawn,
+    /// kind n: by no more than drawn_tolerance).
     static bool agree(char kind, const std::byte* a, const std::byte* b, double tolerance) {
         if (std::memcmp(a, b, size_of(kind)) == 0) return true;
         if (!is_floating(kind)) return false;

@@ -5,7 +5,7 @@
 
 A program has N kernels with tests. For functions that the compile-time evaluator can compute, it also has constants
 that are calls of them, and tests that a kernel computes the same values.
-`gliftc test` runs a program twice: as it is, and with the wide form (64-bit addresses) of each kernel
+Each program runs twice under `gliftc test`: as it is, and with the wide form (64-bit addresses) of each kernel
 (GLIFT_WIDE_ELEMENTS). A program that fails is shrunk to a small .glift file, which is printed and stored in the folder
 of --found. --keep keeps the built programs, which run without a compiler.
 """

@@ -43,7 +43,8 @@ class Intrinsic:
         return shape
 
     def _shape_for(self, wanted, random):
-        """The type that the signature's first letter stands for, if it is generic."""
+        """The type that the signature's first letter has to stand for if the result is to have the wanted type; None if there is no
+        such type. If the letter always stands for one type, gives `wanted` instead."""
         first = self.params[0][0] if self.params else ""
         if self.result in FIXED and FIXED[self.result] != wanted:
             return None

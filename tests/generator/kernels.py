@@ -8,7 +8,7 @@ OPERATIONS = ["add", "min", "max", "and", "or", "xor"]
 ATOMICS = {"add": "atomicAdd", "min": "atomicMin", "max": "atomicMax", "and": "atomicAnd", "or": "atomicOr", "xor": "atomicXor"}
 SUBGROUPS = {"add": "subgroupAdd", "min": "subgroupMin", "max": "subgroupMax", "and": "subgroupAnd", "or": "subgroupOr",
              "xor": "subgroupXor"}
-MOST_SHARED_BYTES = 8192  # of an array in workgroup memory, of which a kernel has three, and lavapipe 32,768 bytes
+MOST_SHARED_BYTES = 8192  # of one array in workgroup memory; a kernel has up to three, and lavapipe allows 32,768 bytes in all
 
 
 # An adaptor with a function for each way to write a member. `of` reads the member `given`, which none of them writes.

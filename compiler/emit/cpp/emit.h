@@ -10,7 +10,7 @@
 
 namespace gliftc::cpp {
 
-/// The SPIR-V words of one kernel. A form without words does not exist on Vulkan devices.
+/// The SPIR-V words of one kernel. Empty words: the form, or its fragment part, does not exist on Vulkan devices.
 struct KernelCode {
     std::vector<std::uint32_t> direct, general, wide;  ///< compute shaders; for draws, vertex shaders
     std::vector<std::uint32_t> direct_fragment, general_fragment, wide_fragment;  ///< fragment shaders of draws
@@ -30,7 +30,7 @@ struct Options {
 };
 
 struct TestName {
-    std::string title, place;  ///< `place`: of the test in its source, grid.glift:8
+    std::string title, place;  ///< `place`: of the test, or of the structure that is checked: grid.glift:8
 };
 
 struct File {
@@ -49,10 +49,10 @@ struct Module {
 /// do not define it again.
 struct Defined {
     std::set<std::uint32_t> kernels, pipelines, structures;
-    std::set<std::uint32_t> moved;  ///< structures whose functions for copying boxes to the host and back are defined
+    std::set<std::uint32_t> moved;  ///< structures whose functions for copying boxes to or from the host are defined
 };
 
-/// The kernels, as indices, whose Vulkan code the module's C++ contains: the others need no SPIR-V.
+/// The kernels, as indices, whose Vulkan code the module's C++ contains: it needs no SPIR-V of the others.
 std::vector<std::uint32_t> vulkan_kernels_of(const ir::Program& program, std::uint32_t module, const Options& options,
                                              const Defined& defined);
 

@@ -110,8 +110,8 @@ Text print_binary(Printer& p, const Expr& expr) {
     case BinaryOp::logical_and:
     case BinaryOp::logical_or: break;
     }
-    // The left operand needs no parentheses if its operator is the same (a && b && c) or, in sums and products, another
-    // one of the same level (a + b - c). A shift or comparison that is an operand of another one always gets them.
+    // The left operand also needs no parentheses if its operator is the same (a && b && c) or, in sums and products,
+    // another one of the same level (a + b - c). A shift in a shift and a comparison in a comparison always get them.
     Text left = print(p, expr.operands[0]);
     const Expr& first = p.program.exprs[expr.operands[0]];
     const bool chain = first.op == Op::binary && left.level == op.level &&

@@ -87,7 +87,8 @@ std::string memories_text(Unit& unit, const Kernel& kernel, const Pass& pass) {
     return text;
 }
 
-/// The first visited parameter. Its range gives the size of the iteration, except in draws and kernels over blocks.
+/// The first visited parameter; null if there is none. Its range gives the size of the iteration, except in draws and
+/// kernels over blocks.
 const KernelParam* first_visited(const Kernel& kernel) {
     for (const KernelParam& param : kernel.params) {
         if (ir::visits(param.pattern)) return &param;
@@ -227,8 +228,8 @@ std::optional<std::size_t> range_of_first_at(const Kernel& kernel) {
     return ir::range_giver(kernel.params, 0);
 }
 
-/// What stands before the declaration of a value parameter: `[[maybe_unused]] ` if no form of the kernel has a
-/// parameter that is computed from it, else nothing.
+/// What stands before the declaration of a value parameter: `[[maybe_unused]] ` if nothing in the parameter blocks of
+/// the kernel's forms (Pass::parameters) is computed from it, else nothing.
 static std::string value_mark(const Unit& unit, std::uint32_t kernel, ir::LocalId value) {
     bool used = false;
     const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];
@@ -320,7 +321,7 @@ static void print_blocks_visited(Unit& unit, Writer& out, const Kernel& kernel, 
 
 /// Prints the checks that the other visited parameters of a kernel over blocks have the same blocks as the parameter
 /// whose blocks are visited: what blocks() and block(i) read (ir::places_of_blocks) must lie in the same memories.
-/// Values that these functions use, such as extents, are not compared: those of the first parameter decide.
+/// Values that these functions use, such as extents, are not compared: those of that parameter are used.
 static void print_same_blocks(Unit& unit, Writer& out, const Kernel& kernel) {
     const auto owner_in = [&](const KernelParam& param) {
         return *ir::blocks_of(unit.program, unit.program.structures[param.structure], {});

@@ -162,8 +162,9 @@ void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, co
     out.line("};");
 }
 
-/// glift::Kernel::digest, by which the runtime finds the Vulkan pipelines of a kernel again: the FNV-1a hash of the
-/// kernel's SPIR-V and of all else that is printed about it. Empty where there is no code for Vulkan devices.
+/// glift::Kernel::digest, by which the runtime finds the Vulkan pipelines of a kernel again: a hash (as FNV-1a) of the
+/// words of the kernel's SPIR-V and of all else that is printed about it. Empty where there is no code for Vulkan
+/// devices.
 std::string digest_text(const Unit& unit, std::uint32_t kernel, const std::string& printed) {
     if (kernel >= unit.code.size() || !unit.reach.vulkan_kernels.contains(kernel)) return "";
     std::uint64_t hash = 14695981039346656037u;
@@ -205,8 +206,8 @@ bool code_adds_functions(const Unit& unit, std::uint32_t kernel) {
            std::ranges::any_of(forms.wide.functions, is_missing);
 }
 
-/// Prints, for all forms, the structs of parameters and the functions for the host device. Returns the functions' names
-/// by form.
+/// Prints, for all forms that exist, the structs of parameters and, if code for the host device is wanted, the
+/// functions for it. Returns the functions' names by form.
 static std::map<const Pass*, std::string> print_host_forms(Unit& unit, Writer& out, const ir::Lowered::Forms& forms,
                                                            std::uint32_t index) {
     std::map<const Pass*, std::string> host;

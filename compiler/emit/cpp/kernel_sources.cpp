@@ -1,5 +1,5 @@
-// The sources of kernels' code. An edit of a kernel's body changes one of them. They include neither the classes nor
-// the functions that call kernels, and so compile fast.
+// The sources of kernels' code. An edit of a kernel's body that leaves later lines at their numbers changes one of
+// them. They include neither the classes nor the functions that call kernels, and so compile fast.
 #include "emit/cpp/spirv_file.h"
 #include "emit/cpp/unit.h"
 
@@ -21,7 +21,7 @@ std::uint32_t hash_of_name(const ir::Program& program, std::uint32_t kernel) {
     return hash ^ hash >> 16;
 }
 
-/// The kernels of each source. Where there are few, the last sources have none.
+/// The kernels of each source. A source may have none; where there are few kernels, the last sources have none.
 std::vector<std::vector<std::uint32_t>> spread(const ModuleParts& parts, const std::vector<std::uint32_t>& kernels) {
     std::vector<std::vector<std::uint32_t>> sources(parts.options.shards);
     const std::size_t used =

@@ -2,7 +2,7 @@
 //
 //   <name>.glift.hpp                  what a program sees: public classes and functions, and classes of other modules
 //                                     that these name
-//   <name>.glift.types.hpp            the structs and enums that the .hpp needs
+//   <name>.glift.types.hpp            the structs and enums that the other files need
 //   <name>.glift.internal.hpp         what .glift.cpp and .glift.library.cpp see: hidden classes and functions
 //   <name>.glift.cpp                  the module's own pipelines, members of classes, and functions that call kernels
 //   <name>.glift.library.cpp          the same for other modules, except what another source defines
@@ -12,9 +12,10 @@
 // With several shards there are also .glift.kernels.2.cpp and so on, and with Options::spirv_files .spirv files beside
 // the sources of kernels.
 //
-// Several headers may define a class: an #ifndef of its name skips all definitions but the first. A function of a
-// module that has a source of its own is defined there; instances of generics and functions of other modules are weak
-// symbols, so that it does not matter how many sources define them.
+// Several headers may define a class: an #ifndef of its name skips all definitions but the first. Of the sources of one
+// run, one defines the function of a kernel or pipeline, or the members of a class (cpp::Defined); test programs share
+// nothing. Instances of generics and functions of other modules are weak symbols, so that sources of other runs may
+// define them, too.
 #include "emit/cpp/unit.h"
 
 #include <algorithm>

@@ -23,8 +23,8 @@ std::string identifier(std::string_view text) {
         if (is_letter(c) || is_digit(c)) result += c;
         else if (!result.ends_with('_')) result += '_';
     }
-    // Names that begin with '_' are reserved in C++. A '_' at the end that stands for other characters is left out, one
-    // that the source has is not.
+    // A '_' at the end that stands for other characters is left out, one that the source has is not. C++ reserves many
+    // names that begin with '_', so none begins with it.
     while (result.size() > 1 && result.ends_with('_') && !text.ends_with('_')) result.pop_back();
     if (result.empty() || is_digit(result[0]) || result[0] == '_') result.insert(0, "n");
     if (is_word(result) || is_macro(result)) result += '_';

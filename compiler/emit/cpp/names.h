@@ -12,8 +12,8 @@
 namespace gliftc::cpp {
 
 /// `text` as a C++ name: every run of '_' and of characters that a name can't have becomes one '_', which is left out
-/// at the end unless `text` ends with '_'; an 'n' is put before names that would begin with a digit or '_', and a '_'
-/// is appended to the names of is_word and is_macro (reserved.h).
+/// at the end unless `text` ends with '_'; an 'n' is put before names that would begin with a digit or '_' or be empty,
+/// and a '_' is appended to the names of is_word and is_macro (reserved.h).
 std::string identifier(std::string_view text);
 
 /// Variables that the C++ code of a kernel for the host device (the CPU) may declare itself. A variable of the source
@@ -32,8 +32,8 @@ inline constexpr const char* locals_of_groups[] = {
     "group_total", "local_id",    "local_index", "number",      "returned",
 };
 
-/// The C++ namespace of a module: laplacian stays, std.array becomes std_array. The name of a global function of C gets
-/// a '_': dup2 becomes dup2_.
+/// The C++ namespace of a module: laplacian stays, std.array becomes std_array. A global name of C or POSIX (is_global
+/// in reserved.h) gets a '_': dup2 becomes dup2_.
 std::string space_of(std::string_view module);
 
 using NameSet = std::unordered_set<std::string>;

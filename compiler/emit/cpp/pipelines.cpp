@@ -234,7 +234,8 @@ void PipelinePrinter::replace(const Stmt& stmt) {
 
 /// Prints the statement that keeps a structure's elements, to be compared between devices (glift::Test::keep), under
 /// the name `shown`. The domain of a structure that may be sparse (ir::may_be_sparse) may be too large to read. For
-/// such a structure also prints the statements that keep its memories and stored members in that case.
+/// such a structure also prints the statements that, in that case, keep its memories and those stored members that the
+/// host can read.
 void PipelinePrinter::keep(const std::string& shown, const std::string& object, std::uint32_t index) {
     const ir::Structure& made = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];
@@ -276,7 +277,7 @@ void PipelinePrinter::keep_all() {
     for (const auto& [object, index] : made) check_with_members(object, index);
 }
 
-/// Checks a structure, then its members, the last one first: a member may have been given an earlier one.
+/// Checks a structure, then the members that it made, the last one first: a member may have been given an earlier one.
 void PipelinePrinter::check_with_members(const std::string& object, std::uint32_t index) {
     check_as_made(object, index);
     const ir::Structure& structure = unit.program.structures[index];

@@ -45,13 +45,13 @@ struct ClassNames {
     /// Names of its data members.
     std::vector<std::string> argument_fields, memory_fields, member_fields, host_fields, extent_fields;
     NameSet own;  ///< names that bodies of its functions use: data members, pipelines, the structure's own functions,
-                  ///< members that every such class has
+                  ///< and fixed names that classes of its kind (ir::StructureKind) use
     NameSet all;  ///< these and its other functions: within the class they hide names of the namespace
 };
 
 /// The names of all that a program declares, each in the namespace of its module. Each list is indexed as the table of
-/// ir::Program that its comment names. A name is made of the source's name and the generic arguments of what it names;
-/// other declarations matter only where names would be equal. So all files and all runs of gliftc agree.
+/// ir::Program that its comment names. A name is made of the source's name and the generic arguments of what it names,
+/// so that all files and all runs of gliftc agree. Only where names would be equal do other declarations matter.
 struct ProgramNames {
     std::vector<std::string> spaces;                ///< of Program::modules: laplacian, std.array → std_array
     std::vector<NameSet> types;                     ///< of Program::modules: names of structs, structures, aliases
@@ -117,8 +117,8 @@ struct Printer {
     const NameSet* class_names = nullptr;  ///< within a class: names that hide those of the namespace
     std::unordered_map<ir::LocalId, std::string> local_names;
     std::unordered_map<ir::FunctionId, std::string> local_functions;  ///< names of lambdas in the printed body
-    /// Spells the operations that depend on what surrounds the body: parameters, loads, members, host operations of
-    /// pipelines.
+    /// Spells the operations that depend on what surrounds the body, such as parameters, loads, members, derivatives
+    /// and host operations of pipelines.
     std::function<Text(const ir::Expr&)> outer_expression;
     std::function<std::string(const ir::Expr&)> outer_place;  ///< the lvalue of a load, for atomic operations
     std::function<void(const ir::Stmt&)> outer_statement;     ///< prints statements that depend on the surroundings

@@ -66,8 +66,8 @@ std::uint32_t hash_of(const std::string& text) {
     return hash;
 }
 
-/// Whether generic arguments stay distinct when all but letters and digits becomes '_': `<2, grid.Cell>` do, but not
-/// `<-1>`, `<A<2>>`, `<a_b>`.
+/// Whether generic arguments stay distinct, but for rare cases, when all but letters and digits becomes '_':
+/// `<2, grid.Cell>` do, but not `<-1>`, `<A<2>>`, `<a_b>`.
 bool is_plain(std::string_view arguments) {
     return std::ranges::all_of(arguments.substr(1, arguments.size() - 2), [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ',' || c == ' ' ||

@@ -31,7 +31,7 @@ struct Collector {
     std::set<ir::FunctionId> functions{};
     Devices devices{};        ///< those on which the visited statement may run
     bool moves_all = false;   ///< a test program, which copies boxes of all structures to the host
-    std::uint32_t owner = 0;  ///< the adaptor of the visited pipeline, at which places without a local begin
+    std::uint32_t owner = 0;  ///< the visited pipeline's adaptor, at which Expr::place begins if Expr::local is absent
 
     void type(ir::TypeId id, bool visible);
     void structure_type(std::uint32_t index);
@@ -80,8 +80,9 @@ std::optional<std::uint64_t> binary_on(bool host, const ir::Program& program, co
     return ir::apply(program.types, expr.binary, type, {*a, 0}, {*b, 0}).bits;
 }
 
-/// The value of a pipeline's expression on a kind of device (`host`: the host device, else Vulkan devices), if it is
-/// computed from constants and properties whose value property_on() knows; else none.
+/// The value of a pipeline's bool or uint expression on a kind of device (`host`: the host device, else Vulkan
+/// devices), if constants and properties whose value property_on() knows determine it by `!` and binary operators; else
+/// none.
 std::optional<std::uint64_t> value_on(bool host, const ir::Program& program, ir::ExprId id) {
     const ir::Expr& expr = program.exprs[id];
     const ir::TypeKind kind = program.types.kind(expr.type);

@@ -142,7 +142,7 @@ static_assert(std::ranges::is_sorted(globals));
 static_assert(std::ranges::is_sorted(other_macros));
 
 /// For each first character, a bit for each length that some name of the table with this first character has (bit 63:
-/// 63 or more). For most names that are not in the table this alone shows it.
+/// 63 or more). For most names that are not in the table, these bits alone show that they are not.
 template <std::size_t n>
 constexpr std::array<std::uint64_t, 128> lengths_of(const std::array<std::string_view, n>& names) {
     std::array<std::uint64_t, 128> lengths{};
@@ -160,7 +160,7 @@ template <const auto& names> bool holds(std::string_view name) {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// float4, uint3x3 and the like: types of the runtime.
+/// float4, float3x3 and the like: names such as the runtime's vectors and matrices have.
 bool is_type_name(std::string_view name) {
     if (name.empty() || !is_digit(name.back())) return false;
     for (std::string_view scalar : {"bool", "int", "uint", "float", "half", "double"}) {

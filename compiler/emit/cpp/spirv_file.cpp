@@ -6,7 +6,8 @@ namespace gliftc::cpp {
 
 namespace {
 
-/// A symbol that contains a hash of the file's contents (FNV-1a), so that the source changes when the file does.
+/// A symbol that contains a hash of the file's words (as FNV-1a, word by word), so that the source changes when the
+/// file does.
 std::string symbol_of(const std::vector<std::uint32_t>& words) {
     std::uint64_t hash = 14695981039346656037u;
     for (std::uint32_t word : words) hash = (hash ^ word) * 1099511628211u;

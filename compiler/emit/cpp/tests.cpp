@@ -11,7 +11,8 @@ namespace {
 
 using ir::TypeKind;
 
-/// True if every pass that the pipeline runs gives the same bits on every device.
+/// True if every pass that the pipeline runs gives the same bits on every device. Pipelines in `seen` are left out:
+/// they have been looked at already.
 bool is_exact(const Unit& unit, std::uint32_t index, std::set<std::uint32_t>& seen) {
     if (!seen.insert(index).second) return true;
     bool exact = true;

@@ -24,7 +24,7 @@ bool is_made_of_extents(const ir::Program& program, const Structure& structure) 
 }
 
 /// The C++ expression of a value of the structure's element type, made from a number `i`, that its memory keeps
-/// exactly; empty where there is none.
+/// exactly. Empty if the elements are computed, or are structs, arrays, matrices or optionals: these are not checked.
 std::string sample_value(const Unit& unit, const Structure& structure) {
     if (ir::is_computed(unit.program, structure)) return "";
     const ir::Type& type = unit.program.types[structure.element];

@@ -19,12 +19,12 @@ struct Reach {
     std::vector<std::uint32_t> structs;     ///< types of fields come first
     std::vector<std::uint32_t> structures;  ///< members, and what the signatures of its pipelines name, come first
     std::set<std::uint32_t> in_header;      ///< structures whose classes the public header has
-    std::set<std::uint32_t> moved;          ///< structures of which boxes may be copied to the host and back
+    std::set<std::uint32_t> moved;          ///< structures of which boxes may be copied to or from the host
     std::set<std::uint32_t> pub_kernels;    ///< kernels that the public header declares
 };
 
 Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& options);
-/// Adds the structs, enums and structures that only the lowered code of kernels for the host device uses.
+/// Adds the structs, enums and structures that the lowered code of the kernels for the host device uses.
 void add_inner_structs(Reach& reach, const ir::Program& program, const ir::Lowered& lowered);
 
 /// How a test program checks the translation of one structure.
@@ -53,8 +53,8 @@ struct ModuleParts {
 };
 
 /// The code in one namespace that is made for a module. The namespace is the module's own, or that of another module
-/// that it uses. Another module's namespace gets only what the module uses and no other header or source defines:
-/// instances of generics, and everything of modules that this run makes no files for.
+/// that it uses. Another module's namespace gets only what the module uses and no other header or source of this run
+/// defines: mostly instances of generics, and what it uses of modules that this run makes no files for.
 struct Unit {
     const ir::Program& program;
     const ir::Lowered& lowered;
@@ -76,8 +76,8 @@ struct Unit {
     const std::string& class_name(std::uint32_t structure) const { return globals.structure_names[structure]; }
     /// The class's name without its namespace: as the class itself and the definitions of its members spell it.
     const std::string& own_name(std::uint32_t structure) const { return own.structures[structure]; }
-    /// What stands before a definition: GLIFT_SHARED (a weak symbol) if another module's code may have it, too, so that
-    /// the linker takes one; else nothing.
+    /// What stands before the definition of what has this key (ir::Kernel::key and so on): GLIFT_SHARED (a weak symbol)
+    /// if another module's code may define it, too, so that the linker takes one; else nothing.
     const char* linkage(const std::string& key) const;
 };
 
@@ -89,10 +89,10 @@ std::vector<std::string> printed_kernels(Unit& unit, const std::vector<std::uint
                                          bool (&adds_functions)(const Unit&, std::uint32_t),
                                          std::string (&print)(Unit&, std::uint32_t));
 
-/// The comment with which each generated file begins.
+/// The comment with which each generated C++ file begins.
 std::string begin_of_file(const std::string& stem);
 
-/// The structure at a place whose root is `root_structure`.
+/// The structure to which the path of members in `place` leads from `root_structure`.
 std::uint32_t structure_at(const ir::Program& program, std::uint32_t root_structure, const ir::Place& place);
 
 // structures.cpp
@@ -100,16 +100,17 @@ void print_class(Unit& unit, Writer& out, std::uint32_t structure);
 void print_class_members(Unit& unit, Writer& out, std::uint32_t structure);
 
 // transfers.cpp
-/// The functions that move boxes of the structure between host and device, and list the elements that are resident.
+/// The functions that move boxes of the structure between host and device, fill it, and list the resident elements:
+/// each only if the program has a kernel for it (ir::Program::transfers).
 void print_transfers(Unit& unit, Writer& out, std::uint32_t structure);
-/// In the class: the declaration of the function that lists the resident elements; nothing for a structure all of whose
-/// elements are always resident.
+/// In the class: the declaration of the function that lists the resident elements; nothing for views, and for
+/// structures without blocks whose addresses each have an element of their own (ir::has_resident_part).
 void print_list_declaration(const Unit& unit, Writer& out, std::uint32_t structure);
 
 // descriptions.cpp
 /// The function `describe` of a class, which names its parts.
 void print_description(const Unit& unit, Writer& out, std::uint32_t structure);
-/// The same of a struct.
+/// The same of a struct; nothing if it has no fields.
 void print_description(const Unit& unit, Writer& out, const std::vector<ir::StructField>& fields,
                        const std::vector<std::string>& names);
 

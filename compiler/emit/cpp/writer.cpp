@@ -159,7 +159,7 @@ void write_wrapped(Writer& writer, std::string_view text, std::string_view hang)
 
 void write_doc(Writer& writer, std::string_view doc) {
     std::string paragraph;
-    bool is_open = false, is_code = false;  // the next line may continue the paragraph; it is between ``` and ```
+    bool is_open = false, is_code = false;  // the next line may continue the paragraph; is between ``` and ```
     bool has_any = false;
     const auto finish = [&] {
         if (has_any) write_wrapped(writer, paragraph, is_item(paragraph) ? "  " : "");

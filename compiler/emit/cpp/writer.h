@@ -11,9 +11,9 @@ inline constexpr std::size_t line_width = 120;
 
 class Writer {
 public:
-    /// One line at the present depth. A line that is too long is broken after a comma or before `&&`, `||`, `?`, `:` or
-    /// `+`: of those places that are not in the first third of the room, at the last one of the lowest depth of
-    /// brackets. Comments are not broken.
+    /// One line at the present depth. A line longer than line_width is broken after a comma or before `&&`, `||`, `?`,
+    /// `:` or `+`: of those places that fit and are not in the first third of the room, at the last one of the lowest
+    /// depth of brackets. Lines without such a place, and comments, are not broken.
     void line(std::string_view text);
     /// Adds an empty line, unless there is one already, no line has been written, a block has just begun, or the last
     /// line is a label (`public:`).
@@ -48,7 +48,8 @@ std::string quoted(std::string_view text);
 std::string in_line(std::string_view text);
 
 /// `/// ` lines for a documentation comment; nothing for an empty one. The lines of a paragraph, or of an item of a
-/// list, are joined and broken anew; blank, indented and other lines stay lines.
+/// bulleted list, are joined and broken anew. Blank, indented and numbered lines, lines between ``` and lines that
+/// begin with another mark of Markdown or Doxygen are not joined.
 void write_doc(Writer& writer, std::string_view doc);
 
 }  // namespace gliftc::cpp

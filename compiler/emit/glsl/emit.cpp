@@ -31,7 +31,7 @@ void name_shared(Printer& p) {
     }
 }
 
-/// Names everything that the shader declares outside functions, except helpers and the functions themselves. This comes
+/// Names everything that the shader declares outside functions, except functions, helpers and enumerators. This comes
 /// first, so that no local gets one of these names.
 void name_globals(Printer& p) {
     for (const ir::PassParameter& parameter : p.pass.parameters)

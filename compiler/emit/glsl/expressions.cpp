@@ -46,7 +46,8 @@ Operator operator_of(BinaryOp op) {
     throw std::logic_error("emit/glsl: unknown operator");
 }
 
-/// Readers should not have to remember how shifts, bit operations and || bind: other operators in them get parentheses.
+/// Readers should not have to remember how shifts, bit operations and || bind: other operators in them, except unary
+/// ones, get parentheses.
 bool is_easily_misread(Level outer) {
     return outer == Level::shift || outer == Level::bit_and || outer == Level::bit_xor || outer == Level::bit_or ||
            outer == Level::logical_or;
@@ -272,9 +273,9 @@ std::string print_side(Printer& p, ExprId id, Level least) {
     return print(p, id, least);
 }
 
-/// The arguments of a struct's, an array's, a vector's or an optional's constructor. If that type contains a bool and
-/// is no vector, each argument that is a struct, an array or an optional in a block is composed of its parts, since
-/// glslang would pass it with the type that it has in the block, where bools are uints.
+/// The arguments of a constructor. If it makes a struct, an array or an optional that contains a bool (holds_bool),
+/// each argument that is a struct, an array or an optional in a block is composed of its parts, since glslang would
+/// pass it with the type that it has in the block, where bools are uints.
 std::string parts_of_whole(Printer& p, const Expr& expr) {
     const TypeKind kind = p.program.types.kind(expr.type);
     const bool has_parts = kind == TypeKind::struct_ || kind == TypeKind::array || kind == TypeKind::optional;

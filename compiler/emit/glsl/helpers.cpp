@@ -148,7 +148,8 @@ std::string conversion_begin(const HelperUse& use, const std::string& type, cons
            " ? " + x + " : 0.0" + suffix + ";\n";
 }
 
-/// The end of the function: `fitting` is the result where x fits.
+/// The end of the function: `fitting`, the conversion of `safe`, is the result unless x is above the integer's range
+/// or, if the integer is signed, below it.
 std::string conversion_end(const HelperUse& use, const std::string& type, const std::string& x,
                            const std::string& fitting) {
     const Conversion c = conversion_of(use.helper);

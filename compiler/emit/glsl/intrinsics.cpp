@@ -55,8 +55,8 @@ Text minimum(Printer& p, const char* name, const Expr& expr) {
     return call(p, name, expr);
 }
 
-/// `clamp` where the bounds are constants in order; else min and max, since clamp is undefined in GLSL if they are not
-/// in order.
+/// `clamp` where the bounds are scalar constants in order; else min and max, since clamp is undefined in GLSL if they
+/// are not in order.
 Text clamp(Printer& p, const Expr& expr) {
     const Expr& low = p.program.exprs[expr.operands[1]];
     const Expr& high = p.program.exprs[expr.operands[2]];
@@ -88,7 +88,7 @@ Text atomic(Printer& p, const char* name, const Expr& expr) {
 }
 
 /// Does not use GLSL's sign: NVIDIA's driver (580) fails to compile sign(x) of 64-bit integers beside other arithmetic,
-/// and sign(~x) ^ y of 32-bit integers.
+/// and sign(~x) ^ y of 32-bit integers. For NaN, GLSL leaves sign undefined; the helper gives 0.
 Text sign(Printer& p, const Expr& expr) {
     const ir::Types& types = p.program.types;
     const TypeId scalar = types.scalar_of(expr.type);

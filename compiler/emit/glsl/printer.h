@@ -182,7 +182,7 @@ std::string guarded_index(Printer& p, ir::ExprId index, std::uint32_t count);
 // blocks.cpp: structs and arrays have another type in a GLSL block (buffer, parameters) than in a variable
 /// Whether the value is read from a block, not from a variable.
 bool lies_in_block(const ir::Program& program, ir::ExprId id);
-/// Whether the type contains a bool, which is a uint in a block.
+/// Whether the type contains a bool, which is a uint in a block. The flag of an optional does not count.
 bool holds_bool(const ir::Program& program, ir::TypeId id);
 /// Whether the type contains an array of bools: glslang does not convert these between blocks and variables, so that
 /// they are copied bool by bool.
@@ -240,8 +240,9 @@ std::string order_definitions(const Printer& p);
 
 // division.cpp
 std::string division_definition(const Printer& p, const HelperUse& use);
-/// Whether the expression is a constant power of two (or, of floats, the negative of one) whose reciprocal is exact, so
-/// that quotients by it need no correction.
+/// Whether the expression is a constant power of two, or a vector of such constants. Of floats it may be negative, and
+/// its exponent is from -60 to 60 (halves: -14 to 14), so that its reciprocal is exact and quotients by it need no
+/// correction.
 bool is_power_of_two(const Printer& p, ir::ExprId expr);
 bool corrects_division(const Printer& p, ir::TypeId type);
 std::string quotient_of(Printer& p, ir::TypeId type, const std::string& a, const std::string& b);
@@ -261,7 +262,7 @@ bool is_used(const Printer& p, std::size_t binding);
 // status.cpp: how a shader reports errors
 void name_status(Printer& p);
 std::string status_definitions(Printer& p);
-std::string place_parameters(const Printer& p);  ///< `uint line, uint file` for functions that report errors
+std::string place_parameters(const Printer& p);  ///< `uint line` or `uint line, uint file`: of functions that report
 std::string place_arguments(const Printer& p, Span span);
 /// `another_round(0u, 9u)`, the condition that a loop tests before each round; empty: rounds are not counted. `place`:
 /// the arguments for place_parameters.

@@ -85,7 +85,7 @@ std::string interface_text(Printer& p) {
 }
 
 /// Prints the initial values of outputs: the size of points, and the depth if the fragment part assigns one. Where only
-/// some paths assign a depth, the others keep the depth that is interpolated from the triangle.
+/// some paths assign a depth, the others keep the depth that the rasteriser interpolated.
 void print_part_start(Printer& p) {
     if (p.options.part == Part::vertex && p.raster()->topology == ir::Topology::points) line(p, "gl_PointSize = 1.0;");
     if (p.options.part == Part::fragment && p.raster()->depth && p.raster()->depth->is_set)

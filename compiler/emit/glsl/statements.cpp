@@ -18,7 +18,8 @@ namespace {
 constexpr std::size_t line_length = 110;
 
 /// The best place to break a line before `limit`: of the spaces before an operator or behind a comma, the last one at
-/// the lowest depth of brackets. The first 12 characters after `from` are left out. npos if there is no such space.
+/// the lowest depth of brackets. Spaces at most 12 characters behind `from` do not count. npos if there is no such
+/// space.
 std::size_t break_point(const std::string& text, std::size_t from, std::size_t limit) {
     std::size_t best = std::string::npos;
     int depth = 0, best_depth = 1000;
@@ -159,8 +160,8 @@ void print_while(Printer& p, const Stmt& stmt) {
     line(p, "}");
 }
 
-/// The kinds of memory that barriers order, as GLSL's storage semantics: workgroup memory, and buffers and images if
-/// the kernel both reads and writes one.
+/// The kinds of memory that barriers order, as GLSL's storage semantics: workgroup memory; buffers, if the kernel both
+/// reads and writes one; and images, likewise.
 std::string memory_of_barriers(const Printer& p) {
     bool buffers = false, images = false;
     for (const ir::PassBinding& binding : p.pass.bindings)

@@ -5,7 +5,7 @@
 // subgroup in lockstep, so a round of one lane is a round of all: the count is the subgroup's (in draws the
 // invocation's). Each test of a loop's condition adds one to the count, plus the number of rounds that loops inside
 // that loop may run with no lane active (idle_rounds). Specialisation constant 101 is the device's limit; where it is 0
-// nothing is counted and the driver's compiler removes all of this.
+// nothing is counted and the driver's compiler can remove the code that counts.
 #include "emit/glsl/printer.h"
 #include "ir/walk.h"
 
@@ -15,7 +15,7 @@ namespace gliftc::glsl {
 
 namespace {
 
-/// The smallest subgroup size of all devices that limit the rounds of loops.
+/// The smallest subgroup size of the devices that limit the rounds of loops (lavapipe).
 constexpr std::uint32_t smallest_subgroup = 4;
 
 bool names_files(const Printer& p) { return p.pass.files.size() > 1; }
@@ -137,8 +137,8 @@ bool leaves(const Printer& p, const ir::Stmt& stmt) {
 }
 
 /// How many rounds of the loops in a body the device may run with no lane active: one for each loop that a condition or
-/// an earlier break, continue or return may leave out, one for each loop inside another loop, when that ends, and one
-/// for each loop in a called function and each addition by compare-and-swap.
+/// an earlier break, continue or return may leave out, one for each loop inside another loop (when the outer one ends),
+/// and one for each loop in a called function and each addition by compare-and-swap.
 std::uint32_t idle_rounds(const Printer& p, const std::vector<ir::StmtId>& body, bool may_be_left_out) {
     std::uint32_t rounds = 0;
     for (ir::StmtId id : body) {

@@ -163,8 +163,8 @@ void print_targets(Part& part) {
     }
 }
 
-/// Prints the depths that the fragments begin with, which are interpolated from the triangle: where only some paths
-/// assign a depth, the others keep it.
+/// Prints the depths that the fragments begin with, which the rasteriser interpolated: where only some paths assign a
+/// depth, the others keep it.
 void print_depths(Part& part) {
     part.p.out.open("for (std::uint32_t pixel = 0; pixel < glift::host::block_pixels; ++pixel)");
     part.p.out.line(part.arrays.at(part.raster.depth->value) + "[pixel] = fragments.depth[pixel];");

@@ -27,7 +27,7 @@ struct PointerEvent {
 };
 
 struct KeyEvent {
-    int key = 0;  ///< GLFW's key code: 'A' to 'Z', '0' to '9', ' ', or one of Key
+    int key = 0;  ///< GLFW's key code, such as 'A' to 'Z', '0' to '9', ' ' or one of Key
     bool is_down = false;
     Modifiers modifiers;
 };

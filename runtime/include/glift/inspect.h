@@ -50,8 +50,8 @@ namespace detail {
 
 // ---------------------------------------------------------------------------------------------------------- pictures
 
-/// A box of addresses, divided along each axis into `count` cells, `most` at most, of `cell` addresses each (the last
-/// one may have fewer).
+/// A box of addresses, divided along each axis into `count` cells of `cell` addresses each (the last one may have
+/// fewer). The constructor's `most` bounds `count`.
 struct Cells {
     Extent first{}, size{1, 1, 1, 1}, cell{1, 1, 1, 1}, count{1, 1, 1, 1};
 
@@ -141,8 +141,8 @@ public:
         : structure_(structure), bounds_(bounds), places_(places), most_(most) {}
 
     /// The planes through the middle along each pair of the first three axes; for a structure of one axis, a line.
-    /// Where the last of three or four axes is short, as an axis of levels is, there is instead one plane along the
-    /// first two axes for each address along the last one.
+    /// Where the addresses along the last of three or four axes end below 16, as along an axis of levels, there is
+    /// instead one plane along the first two axes for each address along the last one.
     std::string json() {
         constexpr unsigned last = rank - 1;
         if (rank >= 3 && bounds_.high[last] < 16) {

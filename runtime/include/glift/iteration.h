@@ -109,8 +109,8 @@ private:
     std::size_t patch_count_ = 0;
 };
 
-/// A parameter block as bytes. Every kernel has its own types of blocks, for which std::as_bytes would be the most
-/// expensive part of a call to compile.
+/// A parameter block as bytes. Not std::as_bytes, since compiling that for every kernel's types of parameter blocks
+/// takes longer.
 template <class T> std::span<const std::byte> bytes_of(const T& value) {
     return {reinterpret_cast<const std::byte*>(&value), sizeof value};
 }

@@ -48,8 +48,8 @@ enum class Access : std::uint8_t { read, write, read_write };
 /// up to Binding::radius away; `range`: any; `memory`: anything in the memory, even outside the range.
 enum class Reach : std::uint8_t { memory, range, window, element };
 
-/// How writes of several invocations to one element combine; two bindings that combine alike may alias. `coherent`:
-/// workgroups share the memory within the pass.
+/// How writes of several invocations to one element combine; two bindings whose writes combine alike, in another way
+/// than `none`, may alias. `coherent`: workgroups share the memory within the pass.
 enum class Combine : std::uint8_t { none, min, max, add, bit_and, bit_or, bit_xor, coherent };
 
 /// How a sampled image is filtered between texels.
@@ -174,13 +174,13 @@ struct Parameter {
 ///   groups.x = ceil(size.x / (group.x * items.x)), groups.y = ceil(size.y / (group.y * items.y)),
 ///   groups.z = ceil(size.z * size.w / (group.z * items.z)).
 /// The shader decides which of its group's elements an invocation takes. No groups along an axis: nothing runs. A
-/// one-dimensional iteration of more groups than the device allows along x is folded: the runtime dispatches (x, y, 1)
-/// groups with x * y >= groups.x, and a group's index is gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-/// invocations beyond the size do nothing. If of_blocks, groups along y are folded into z in the same way, and a
-/// group's index along y is gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y. Any other iteration in several
-/// dimensions beyond the device's limits (65535 groups along y and z on most) takes the wide form, and the runtime
-/// splits it into several dispatches through Form::base_offset; if its size is patched (Call::patches), it is refused
-/// (ErrorCode::too_large).
+/// one-dimensional iteration of more groups than the device allows along x, or of 2^31 invocations or more, is folded:
+/// the runtime dispatches (x, y, 1) groups with x * y >= groups.x, and a group's index is
+/// gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; invocations beyond the size do nothing. If of_blocks,
+/// groups along y beyond the device's limit are folded into z in the same way, and a group's index along y is
+/// gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y. Any other iteration in several dimensions beyond the
+/// device's limits (65535 groups along y and z on most) takes the wide form, and the runtime splits it into several
+/// dispatches through Form::base_offset; if its size is patched (Call::patches), it is refused (ErrorCode::too_large).
 struct Kernel {
     const char* name;
     const char* file;
@@ -189,10 +189,10 @@ struct Kernel {
     std::array<std::uint32_t, 3> group;  ///< workgroup size
     std::uint64_t loop_rounds;  ///< bound on the iterations of one invocation's loops in total, their last tests
                                 ///< included; UINT64_MAX if unknown. A bound beyond the device's loop_round_limit is
-                                ///< refused (ErrorCode::loop_limit). A kernel without a bound counts the iterations of
-                                ///< each subgroup (in draws of each invocation) and reports when the count reaches the
-                                ///< device's limit, which is specialisation constant 101 (a uint); where that is 0
-                                ///< there is no limit, and nothing is counted
+                                ///< refused (ErrorCode::loop_limit). A shader of a kernel without a bound counts the
+                                ///< iterations of each subgroup (in draws of each invocation) and reports when they
+                                ///< reach the device's limit, which is specialisation constant 101 (a uint); where that
+                                ///< is 0 there is no limit, and nothing is counted
     std::span<const Binding> bindings;
     Form direct, general, wide;
     std::span<const Parameter> parameters = {};      ///< what Commands::specialised can fix

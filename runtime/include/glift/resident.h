@@ -30,7 +30,7 @@ namespace detail {
 [[noreturn]] GLIFT_API void throw_not_searched(const char* type, std::uint64_t elements);
 
 /// The most addresses that are looked at one by one: about a minute at 1 ns per address. For more, `resident` throws
-/// too_large.
+/// too_large, unless the structure has blocks, whose elements alone are looked at.
 inline constexpr std::uint64_t most_searched = std::uint64_t{1} << 36;
 
 /// Structures whose elements need not all be resident. Their member `list` runs a kernel that lists the resident ones;
@@ -100,7 +100,7 @@ template <class S> ResidentOf<S> resident(const Range<S>& range, const Commands&
     ResidentOf<S> found;
     if (searched == 0) return found;
     std::uint32_t entries = list(range, commands, 0, found);
-    // Repeated if the number has changed in between, since another thread wrote to the structure.
+    // Repeated while the number changes in between, which happens where another thread writes to the structure.
     for (std::uint32_t most = 0; most != entries;) {
         most = entries;
         entries = list(range, commands, most, found);

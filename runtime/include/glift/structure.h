@@ -226,7 +226,7 @@ private:
 
     /// Calls f(origin, size, number of elements before the part) for each part of a box. Boxes are moved in parts of
     /// about 1 GiB at most, so that staging memory stays bounded. The box is split along the last axis that is longer
-    /// than one and, where that is not enough, along the axis before it.
+    /// than one and, where that is not enough, along the axes before it, too.
     template <class F> static void each_part(A origin, A size, F f, std::size_t before = 0) {
         constexpr std::uint64_t most = (std::uint64_t{1} << 30) / sizeof(T) + 1;
         const std::uint64_t elements = detail::volume_of(detail::extent_of(size));

@@ -1,4 +1,4 @@
-// Checks of translators, which `gliftc test` runs for every structure in use.
+// Checks of translators, which `gliftc test` runs for the structures in use; it names those that it cannot check.
 #pragma once
 
 #include <glift/testing.h>
@@ -27,7 +27,7 @@ template <class A> Tried<A> tried(const A& domain) {
     return result;
 }
 
-/// Thrown where a translator reads a table out of bounds: its result for that address is then not checked.
+/// Thrown where a translator reads a table out of bounds. Addresses for which `translate` does so are not checked.
 struct OutsideTable {};
 
 /// A copy of a table's elements on the host, for translators that read the table. The elements of a view are computed

@@ -13,7 +13,7 @@ namespace glift::host::detail {
 void spread(std::size_t count, std::size_t grain, void (*run)(const void* body, std::size_t, std::size_t),
             const void* body) {
     // Isolated: while this thread waits, it must not steal tasks of the program, since such a task might call another
-    // kernel.
+    // kernel, which would then run in the middle of this one.
     tbb::this_task_arena::isolate([=] {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
                           [=](const tbb::blocked_range<std::size_t>& part) { run(body, part.begin(), part.end()); });

@@ -34,7 +34,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Arg
     Conditions conditions;
     uint size[4];      // iteration size before patches: upper bounds
     uint per_group[3]; // elements that a workgroup covers
-    uint limit_x;      // most workgroups along x, beyond which one axis is folded
+    uint limit_x;      // most workgroups along x, beyond which an iteration of rank 1 is folded into x and y
     uint rank;
     uint size_word;    // index of the size in the parameter block
     uint patch_count;

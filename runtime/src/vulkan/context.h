@@ -44,7 +44,7 @@ public:
 
     DrawLimits draw_limits() const;
 
-    /// Shown by debuggers and in validation messages.
+    /// Names a Vulkan object for debuggers and validation messages.
     void set_name(VkObjectType type, std::uint64_t handle, const char* name) const;
 
     std::unique_ptr<Instance> instance;

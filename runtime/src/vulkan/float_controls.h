@@ -16,8 +16,8 @@ struct FloatMode {
 };
 
 struct FloatControls {
-    /// The modes that the device can set: keep subnormals; keep signed zeros, infinities and NaN; round to nearest
-    /// even.
+    /// The modes to set, of those that the device has: keep subnormals; keep signed zeros, infinities and NaN; round to
+    /// nearest even (on NVIDIA's driver not for 32 bits: float_controls.cpp says why).
     std::vector<FloatMode> modes;
     bool hides_zeros = false;  ///< the driver simplifies constant zeros in spite of the modes: see hidden_zeros.h
     bool keeps_sums = false;   ///< the driver rounds differences of constants wrongly: see kept_sums.h

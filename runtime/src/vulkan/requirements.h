@@ -1,4 +1,5 @@
-// Features that a shader needs beyond those that Glift requires of every device.
+// Some of the features that a shader needs beyond those that Glift requires of every device: 16-bit and 64-bit floats,
+// 64-bit integers, subgroup operations.
 #pragma once
 
 #include <glift/device.h>
@@ -9,8 +10,8 @@
 
 namespace glift::detail {
 
-/// Features that the shader uses and the device lacks, as text: `subgroup shuffles, 64-bit integers`. Found from the
-/// module's capabilities and the types of its subgroup operations. Empty if none.
+/// Those of these features that the shader uses and the device lacks, as text: `subgroup shuffles, 64-bit integers`.
+/// Found from the module's capabilities and the types of its subgroup operations. Empty if the device lacks none.
 std::string lacking(std::span<const std::uint32_t> spirv, const DeviceProperties& properties);
 
 }  // namespace glift::detail

@@ -1,5 +1,5 @@
-// SPIR-V modules as words: numbers of instructions, a function that visits all instructions of a module, and a function
-// that appends an instruction.
+// SPIR-V modules as words: opcodes, a function that visits all instructions of a module, and a function that appends an
+// instruction.
 #pragma once
 
 #include <cstddef>

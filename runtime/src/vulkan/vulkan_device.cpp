@@ -36,7 +36,8 @@ VulkanDevice::VulkanDevice(std::unique_ptr<Context> context)
 }
 
 VulkanDevice::~VulkanDevice() {
-    // No memory, recording or download is left, so commands not yet submitted have no effect that anyone could see.
+    // No memory, recording or download is left, so commands not yet submitted have no effect that anyone could see,
+    // except on images of the user's (adopt_image): for these the program has to call flush or wait before.
     try {
         if (!context_->lost) timeline_->wait(timeline_->submitted());
     } catch (const Error&) {

@@ -67,9 +67,9 @@ template <class T> T mirrored(T x) {
     else return static_cast<T>(~x);
 }
 
-/// A structure that has `values` in its part, in the form of the round. Pipelines take three structures: `dense`, from
-/// which they also make the views of the forms strided and mapped, `folded` and `tiled`. Those that the form of the
-/// round does not use have one element.
+/// A structure that has `values` in its part, in the form of the round. Pipelines take up to three structures: `dense`,
+/// from which they also make the views of the forms strided and mapped, `folded` and `tiled`. Those that the form of
+/// the round does not use have one element.
 template <class Dense, class Folded, class Tiled, class Line> struct Input {
     using T = typename Dense::Element;
 

@@ -45,7 +45,8 @@ public:
 
     std::uint32_t below(std::uint64_t bound);  ///< from 0 to bound - 1; 0 if the bound is 0
     bool chance(std::uint32_t one_in) { return below(one_in) == 0; }
-    /// A size up to `most`: logarithmically distributed, or close to 0, to a power of two or to a tile size.
+    /// A size up to `most`: logarithmically distributed, or close to 0, to a power of two or to one to three times a
+    /// tile size; where such a size exceeds `most`, close to `most` or uniformly distributed.
     std::uint32_t size(std::uint32_t most = limit());
     double real();  ///< from -1 to less than 1
     std::mt19937_64& engine() { return engine_; }

@@ -1,5 +1,5 @@
-// The range of a light's depths (examples/shadows/fitted_light.h): it begins nearer to the light than all triangles in
-// sight, and not much nearer than the nearest one.
+// The range of a light's depths (examples/shadows/fitted_light.h): it begins no farther from the light than any
+// triangle in sight, and not much nearer than the nearest one.
 #include "shadow_scenes.h"
 
 #include <glift/host/math.h>

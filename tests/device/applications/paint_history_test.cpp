@@ -1,4 +1,5 @@
-// The history of strokes: many are undone and done again bit by bit, and one that changes nothing counts, too.
+// The history of strokes: many are undone and done again, which gives back every bit, and one that changes nothing
+// counts, too.
 #include "paint_model.h"
 #include "support/process.h"
 #include "tests/device/guards/on_every_device.h"

@@ -130,7 +130,7 @@ TEST_P(ShadowChanges, OfAsmDegradeByCoarserLevelsAlone) {
     }
 }
 
-/// No page is kept from one frame to the next where the scene or the light has changed between them.
+/// After a change of the scene or the light, a frame of a cached case has the light of one that is drawn anew.
 TEST_P(ShadowChanges, AreNotKeptWhereSceneOrLightMoves) {
     Settings settings = small();
     settings.cached = true;

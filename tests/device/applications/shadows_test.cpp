@@ -100,8 +100,8 @@ TEST_P(Shadows, HaveNoSeamsAtTheEdgesOfACube) {
     EXPECT_THAT(faces, testing::ElementsAre(0, 1, 2, 3, 4, 5));
 }
 
-/// A point light and a spot at the same place: the faces of the cube point in other directions than the spot, but a
-/// pixel that both reach has the same light, except for 1 in 500.
+/// A point light and a spot at the same place: the faces of the cube point in other directions than the spot, but of
+/// the pixels that the spot can light and that are not at the edge of a shadow, at most 1 in 500 has different light.
 TEST_P(Shadows, OfAPointLightAreThoseOfASpot) {
     Settings settings = small();
     std::array<Compared, 2> found;

@@ -18,7 +18,8 @@ GLIFT_PROPERTY_SUITE(Elements);
 
 constexpr Number background = 5, page_volume = 8, page_x = 4, page_y = 2;
 
-/// A field most of whose pages have a frame, in random order, and a list of some of its pages, each once.
+/// A field; a page table most of whose entries name a frame, in random order, some beyond the pool; and a list of some
+/// of the field's pages, each once.
 class Sheet {
 public:
     Sheet(const glift::Device& device, Round& round)

@@ -84,7 +84,7 @@ struct OfNumbers {
     static Key key(Round&, Number kind) { return hash(kind); }
 };
 
-/// Random keys, of which at most `kinds` are different, so that many are equal.
+/// Random keys: each is the key of a random number below `kinds`, so that keys repeat where `kinds` is small.
 template <class Kind> std::vector<typename Kind::Key> keys(Round& round, Number kinds) {
     std::vector<typename Kind::Key> all(1 + round.below(round.chance(3) ? 600 : 60));
     for (auto& key : all) key = Kind::key(round, round.below(kinds));

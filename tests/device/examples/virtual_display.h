@@ -25,7 +25,8 @@ public:
 
     const std::string& name() const { return name_; }  ///< for DISPLAY
 
-    /// Whether there is a window of this title. The other calls are about the last window that was found.
+    /// Whether there is a window of this title. The calls below, except end(), are about the last window that this
+    /// found.
     bool has_window(const std::string& title);
     Seen seen() const;
     void move_to(int x, int y) const;

@@ -122,7 +122,7 @@ TEST(Library, BesideADraw) {
     prove(text, "#define LINE_BINDING 0\n", "Line_write(id.x, Line_read(id.y));\n");
 }
 
-// A translator with a loop is a separate function, declared before its callers.
+// `translate` is not inlined, since it has a `while` loop: it is a separate function, declared before its callers.
 TEST(Library, OfATranslatorWithALoop) {
     std::string text = library(
         "module own;\ntranslator Halved : uint -> uint {\n    n: uint;\n    domain() { return n; }\n"

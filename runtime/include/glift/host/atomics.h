@@ -12,7 +12,7 @@
 
 namespace glift::host {
 
-// Writes through `scatter` parameters. They are relaxed, since nothing in the pass depends on their order.
+// Writes through `scatter` parameters. They are relaxed, since no other access of the pass is ordered by them.
 
 template <class T> void atomic_replace(T& target, T value) {
     std::atomic_ref<T>(target).store(value, std::memory_order_relaxed);

@@ -1,5 +1,6 @@
-// The built-in functions of the language for scalars and vectors, with the semantics of GLSL where GLSL defines the
-// result. Those that compiler/ir/intrinsics.def marks as exact give the same bits as on a GPU.
+// The built-in functions of the language for scalars, vectors and matrices, with the semantics of GLSL where GLSL
+// defines the result. Those that compiler/ir/intrinsics.def marks as exact give the same bits as on a GPU, but for what
+// docs/language.md, Accuracy, excepts (the bits of a NaN, the sign of a zero).
 #pragma once
 
 #include <glift/vector.h>

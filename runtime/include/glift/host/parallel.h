@@ -277,8 +277,8 @@ template <class T, std::size_t N> struct Scratch {
     const T& operator[](std::size_t i) const { return values[i]; }
 };
 
-/// Copies N consecutive numbers from memory to an array. memcpy is at least as fast as any loop, whatever the compiler
-/// knows of the addresses.
+/// Copies N consecutive numbers from memory to an array. By memcpy, since a loop would be vectorised only with a proof,
+/// or a check at run time, that the two do not overlap.
 template <std::size_t N, class T> void copy_row(const T* from, T* to) {
     std::memcpy(static_cast<void*>(to), from, N * sizeof(T));
 }

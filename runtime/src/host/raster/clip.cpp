@@ -15,8 +15,9 @@ Clipper::Clipper(const Window& window)
     : layout_(window.layout), band_x_(guard_band / std::max(1.0f, 0.5f * static_cast<float>(window.end.x))),
       band_y_(guard_band / std::max(1.0f, 0.5f * static_cast<float>(window.end.y))) {}
 
-/// Distance to a plane, not negative inside. Inside both depth planes w >= z >= 0; so, of the vertices that clipping
-/// leaves, only those with w = 0 have no position in the window.
+/// A linear function of the vertex that is zero on a plane and not negative inside; from plane 6 on, a clip distance of
+/// the program. Inside both depth planes w >= z >= 0; so, of the vertices that clipping leaves, only those with w = 0
+/// have no position in the window.
 float Clipper::distance(unsigned plane, const float* corner) const {
     const float x = corner[0], y = corner[1], z = corner[2], w = corner[3];
     switch (plane) {

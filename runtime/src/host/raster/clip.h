@@ -1,5 +1,6 @@
 // Clipping, in clip coordinates, of triangles and lines against the depth range, the guard band (a square around the
-// viewport in which fixed-point coordinates are exact) and the program's clip distances.
+// viewport's centre, in which the fixed-point arithmetic of the rasteriser does not overflow) and the program's clip
+// distances.
 #pragma once
 
 #include "host/raster/triangle.h"
@@ -9,8 +10,8 @@
 
 namespace glift::host::raster {
 
-/// The most vertices of a polygon. Each plane that cuts a polygon adds one vertex: there are six planes, and up to
-/// eight clip distances. Rounding may add some more.
+/// The most vertices of a polygon. Each plane that cuts a polygon adds one vertex at most: there are six planes, and up
+/// to eight clip distances. Rounding may add some more.
 inline constexpr unsigned max_polygon = 32;
 
 /// Vertices made by clipping. Their addresses are stable.
@@ -27,12 +28,13 @@ public:
     explicit Clipper(const Window& window);
 
     /// Moves each end of a line that lies outside a plane to where the line meets that plane; false where nothing of
-    /// the line is left.
+    /// the line is left, or an end is left with w <= 0.
     bool clip_line(const float*& from, const float*& to, MadeCorners& made) const;
     /// Whether a vertex lies inside all planes, with w > 0.
     bool is_inside(const float* corner) const;
 
-    /// The part of a triangle inside all planes: the triangle itself, a polygon with new vertices, or an empty polygon.
+    /// The part of a triangle inside all planes: the triangle itself, a polygon with new vertices, or an empty polygon
+    /// (also where a vertex of the part does not have w > 0).
     Polygon clipped(const float* corner0, const float* corner1, const float* corner2, MadeCorners& made) const;
 
 private:
