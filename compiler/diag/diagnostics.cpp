@@ -88,16 +88,18 @@ Diagnostic& Diagnostics::report(Diag id, Span span, std::initializer_list<std::s
     return keep({id, severity, span, fill(text_of(id), arguments), {}});
 }
 
+/// Whether the diagnostic is an error, and not a warning that -Werror made one.
+static bool is_own_error(const Diagnostic& one) { return severity_of(one.id) == Severity::error; }
+
 Diagnostic& Diagnostics::keep(Diagnostic&& made) {
     // Compared with the latest 100 only: a duplicate comes soon after the first, and thousands of warnings must not
     // take quadratic time.
     auto latest = all_.size() > 100 ? all_.end() - 100 : all_.begin();
     bool repeated = std::any_of(latest, all_.end(), [&](const Diagnostic& earlier) {
         bool same_place = made.span && earlier.span == made.span;
-        return same_place &&
-               (earlier.id == made.id || (made.severity == Severity::error && earlier.severity == Severity::error));
+        return same_place && (earlier.id == made.id || (is_own_error(earlier) && is_own_error(made)));
     });
-    if (!repeated && severity_of(made.id) == Severity::error) ++own_errors_;
+    if (!repeated && is_own_error(made)) ++own_errors_;
     if (repeated || (made.severity == Severity::error && at_limit())) {
         dropped_ = {};
         return dropped_;
@@ -107,6 +109,8 @@ Diagnostic& Diagnostics::keep(Diagnostic&& made) {
 }
 
 void Diagnostics::append(Diagnostics&& others) {
+    const auto kept = static_cast<std::size_t>(std::ranges::count_if(others.all_, is_own_error));
+    own_errors_ += others.own_errors_ - kept;  // those that were dropped because of the limit
     for (Diagnostic& one : others.all_) keep(std::move(one));
 }
 

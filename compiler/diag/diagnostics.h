@@ -41,8 +41,9 @@ struct Diagnostic {
 };
 
 /// Collects diagnostics in the order reported. One mistake gives one error: an error is dropped if one of the latest
-/// hundred diagnostics is an error at the same span, and any diagnostic is dropped if one of them has the same id and
-/// span. Diagnostics without a location are not compared. Errors beyond the limit are dropped, too.
+/// hundred diagnostics is an error at the same span, neither of them a warning that -Werror made one; and any
+/// diagnostic is dropped if one of them has the same id and span. Diagnostics without a location are not compared.
+/// Errors beyond the limit are dropped, too.
 class Diagnostics {
 public:
     /// Reports `id` at `span`. Notes can be added to the diagnostic returned, until the next report.
@@ -64,8 +65,8 @@ public:
     Diagnostics emptied() const;
 
     bool has_errors() const { return errors_ > 0; }
-    /// How many errors were reported other than warnings that -Werror made errors, with those that were dropped since
-    /// they exceed the limit.
+    /// How many errors were reported, without repeated ones and without warnings that -Werror made errors. Errors that
+    /// were dropped because of the limit count, too.
     std::size_t own_error_count() const { return own_errors_; }
     bool has_own_errors() const { return own_errors_ > 0; }
     std::size_t error_count() const { return errors_; }

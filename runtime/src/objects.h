@@ -120,10 +120,12 @@ private:
 
 /// A device's limits on draws.
 struct DrawLimits {
-    /// The size of the viewport. At most 16384 along each axis: as far as the host's rasteriser goes (host/raster.h).
+    /// The size of the viewport. At most 16384 along each axis: the limit of the host's rasteriser
+    /// (<glift/host/raster.h>).
     uint2 viewport = {16384, 16384};
-    uint2 target = {UINT32_MAX, UINT32_MAX};  ///< the size of an image that is drawn to, and of any level of it
-    std::uint32_t colours = UINT32_MAX;       ///< colour targets
+    /// The size of the whole image (its level 0), even if only a level of it is drawn to.
+    uint2 target = {UINT32_MAX, UINT32_MAX};
+    std::uint32_t colours = UINT32_MAX;  ///< colour targets
 };
 
 class DeviceObject : public std::enable_shared_from_this<DeviceObject> {

@@ -37,7 +37,8 @@ NameSet members_of_class(ir::StructureKind kind) {
     return names;
 }
 
-/// Names that no type may have: members and variables of generated code have them, and would hide the type.
+/// Names that no struct, class or alias may have: members and variables of generated code have them, and would hide the
+/// type. Enums may have them: as types they are printed as uint.
 const NameSet& not_for_types() {
     static const NameSet names = [] {
         NameSet all = members_of_class(ir::StructureKind::stored);
@@ -52,8 +53,8 @@ const NameSet& not_for_types() {
     return names;
 }
 
-/// Whether the structure's memory is a structure that has another name as a member (`memory frames = pool;`): then the
-/// class has an accessor for each of the two names.
+/// Whether the class needs an accessor for the memory's name beside those of its members. So if the memory is a member
+/// with another name (`memory frames = pool;`), or a member of a member (`memory frames = pool.frames;`).
 bool has_named_base(const ir::Structure& structure) {
     if (structure.base.empty()) return false;
     return structure.base.size() > 1 || structure.members[structure.base[0]].name != structure.base_name;

@@ -5,8 +5,8 @@
 
 namespace gliftc::cpp {
 
-/// Whether a translator's function calls a function that uses the translator's state. Only functions that it calls
-/// itself are looked at, not those that they call. If so, print_method cannot print it.
+/// Whether a translator's function calls a function that uses the translator's state: print_method cannot print such a
+/// function. Only direct calls are looked at.
 bool uses_state_elsewhere(const ir::Program& program, ir::FunctionId function);
 
 /// Declares the scalar state of a stage (one translator of `via`), in terms of the structure that `object` reaches

@@ -119,7 +119,8 @@ struct HostTargets {
 
 /// The arguments of one call on the host device.
 struct HostCall {
-    const void* parameters;                ///< the parameter block, laid out as the form says, patches applied
+    const void* parameters;                ///< the parameter block of the form that is called, with the values that
+                                           ///< come from the device (Call::patches, pass.h) already written into it
     std::span<const HostMemory> memories;  ///< in binding order
     std::array<std::uint32_t, 4> size;     ///< elements to iterate over along each axis; unused axes are 1
     StatusRecord* status = nullptr;        ///< kernels that report: never null
@@ -151,12 +152,15 @@ struct Form {
     Spirv fragment = {};
     void (*host)(const HostCall&) = nullptr;  ///< null: this form does not exist on the host device
     std::uint32_t parameter_bytes = 0;
-    bool push_constants = false;    ///< parameters are push constants, else the buffer at binding 0
-    bool uniform_buffer = false;    ///< draws: that buffer is a uniform buffer, else a storage buffer
-    std::uint32_t size_offset = 0;  ///< byte offset, in the parameters, of the iteration size: `rank` uints
+    bool push_constants = false;  ///< parameters are push constants, else the buffer at binding 0
+    bool uniform_buffer = false;  ///< draws: that buffer is a uniform buffer, else a storage buffer
+    /// Byte offset, in the parameters, of the iteration size: `rank` uints. Used only where a call has patches
+    /// (Call::patches); most direct forms have no such parameter.
+    std::uint32_t size_offset = 0;
     /// Wide, rank 2 to 4: byte offset, in the parameters, of three uints that the shader adds to gl_GlobalInvocationID.
     /// The caller sets them to zero; where the runtime splits the iteration, it sets them to each part's first
-    /// invocation. UINT32_MAX: there are none, and iterations beyond the device's limits are refused (too_large).
+    /// invocation. UINT32_MAX: there are none, and the runtime does not split the iteration; one that is beyond the
+    /// device's limits after folding (see Kernel) is refused (too_large).
     std::uint32_t base_offset = UINT32_MAX;
 };
 
@@ -178,9 +182,10 @@ struct Parameter {
 /// the runtime dispatches (x, y, 1) groups with x * y >= groups.x, and a group's index is
 /// gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; invocations beyond the size do nothing. If of_blocks,
 /// groups along y beyond the device's limit are folded into z in the same way, and a group's index along y is
-/// gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y. Any other iteration in several dimensions beyond the
-/// device's limits (65535 groups along y and z on most) takes the wide form, and the runtime splits it into several
-/// dispatches through Form::base_offset; if its size is patched (Call::patches), it is refused (ErrorCode::too_large).
+/// gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y. Other iterations in several dimensions may exceed the
+/// device's limits, too (65535 groups along y and z on most). If the kernel's source declares no workgroup size, they
+/// take the wide form, and the runtime splits them into several dispatches through Form::base_offset. They are refused
+/// (ErrorCode::too_large) if the source declares a workgroup size, or if the iteration size is patched (Call::patches).
 struct Kernel {
     const char* name;
     const char* file;
@@ -204,8 +209,9 @@ struct Kernel {
     SourceLine longest_loop = {};                   ///< the loop with the most iterations, for errors
     std::span<const char* const> other_files = {};  ///< files that reports may name, beside `file`
     const Drawing* drawing = nullptr;  ///< of a kernel that draws (drawing.h); its rank is 2: corners, instances
-    std::uint64_t digest = 0;  ///< hash of those members that pipelines and reports depend on: kernels of equal digest
-                               ///< share both. 0: the runtime computes it at each call, which takes microseconds
+    std::uint64_t digest = 0;  ///< hash of all that pipelines and reports depend on, and perhaps of more: kernels of
+                               ///< equal digest share both. 0: the runtime computes a hash of these members at each
+                               ///< call, which takes microseconds
 };
 
 }  // namespace glift

@@ -41,8 +41,8 @@ public:
         }
     }
 
-    /// The address counts from the box's origin. Throws wrong_argument for an address outside the box. This and
-    /// values() also throw it after unmap().
+    /// The address counts from the box's origin. Throws wrong_argument for an address outside the box. Both
+    /// operator[] and values() also throw it after unmap(), and after the object was moved from.
     Element& operator[](Address address) {
         const Extent a = detail::extent_of(address, 0), n = detail::extent_of(size_);
         const detail::Box box{S::type_name, detail::Axes<Address>::count, a, {1, 1, 1, 1}, n};
