@@ -245,8 +245,8 @@ void agree(const Program& program, std::span<Pass* const> forms) {
     const Span loop = longest.longest_loop;
     const bool has_reports = std::ranges::any_of(forms, &Pass::has_reports);
     const bool is_exact = std::ranges::all_of(forms, &Pass::exact);
-    // All forms share one description of the kernel's bindings (glift::Kernel::bindings), of which descriptors are made.
-    // So an image is bound as a combined image sampler in all forms, or as a storage image in all.
+    // All forms share one description of the kernel's bindings (glift::Kernel::bindings), of which descriptors are
+    // made. So an image is bound as a combined image sampler in all forms, or as a storage image in all.
     for (std::size_t i = 0; i < forms[0]->bindings.size(); ++i) {
         const bool is_sampled = std::ranges::all_of(forms, [&](Pass* pass) { return pass->bindings[i].sampled; });
         for (Pass* pass : forms) pass->bindings[i].sampled = is_sampled;
