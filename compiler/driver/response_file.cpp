@@ -32,7 +32,7 @@ std::string append(const std::string& word, std::vector<std::string>& words, con
         words.push_back(word);
         return {};
     }
-    if (depth == deepest) return "'" + word + "' names itself, or files within files too deeply";
+    if (depth == deepest) return "'" + word + "' names itself, or files that name files, more than 16 deep";
     ReadResult read = files.read(word.substr(1));
     if (!read.error.empty()) return "cannot read '" + word.substr(1) + "': " + read.error;
     for (const std::string& each : words_of(read.text))

@@ -71,20 +71,13 @@ ExprId Merging::visit(ExprId id) {
 }
 
 std::vector<StmtId> Merging::run(const std::vector<StmtId>& body) {
-    std::vector<StmtId> result;
-    result.reserve(body.size());
-    for (StmtId id : body) {
-        const Stmt& stmt = cx.p.stmts[id];
-        Make::Parts parts = visited_parts(stmt, [&](ExprId part) { return visit(part); });
-        if (is_merged(stmt, parts.value)) {
-            values_[stmt.local] = parts.value;
-            continue;
-        }
-        parts.body = run(stmt.body);
-        parts.otherwise = run(stmt.otherwise);
-        result.push_back(cx.make.again(id, std::move(parts)));
-    }
-    return result;
+    const auto visited = [&](ExprId part) { return visit(part); };
+    const auto take = [&](const Stmt& stmt, ExprId value, std::vector<StmtId>&) {
+        if (!is_merged(stmt, value)) return false;
+        values_[stmt.local] = value;
+        return true;
+    };
+    return rebuilt(cx, body, visited, take);
 }
 
 }  // namespace

@@ -95,20 +95,13 @@ StmtId Narrowing::narrowed(const Stmt& stmt, ExprId value) {
 }
 
 std::vector<StmtId> Narrowing::run(const std::vector<StmtId>& body) {
-    std::vector<StmtId> result;
-    result.reserve(body.size());
-    for (StmtId id : body) {
-        const Stmt stmt = cx.p.stmts[id];
-        Make::Parts parts = visited_parts(stmt, [&](ExprId part) { return visit(part); });
-        if (is_narrowed(stmt)) {
-            result.push_back(narrowed(stmt, parts.value));
-            continue;
-        }
-        parts.body = run(stmt.body);
-        parts.otherwise = run(stmt.otherwise);
-        result.push_back(cx.make.again(id, std::move(parts)));
-    }
-    return result;
+    const auto visited = [&](ExprId part) { return visit(part); };
+    const auto take = [&](const Stmt& stmt, ExprId value, std::vector<StmtId>& result) {
+        if (!is_narrowed(stmt)) return false;
+        result.push_back(narrowed(stmt, value));
+        return true;
+    };
+    return rebuilt(cx, body, visited, take);
 }
 
 }  // namespace

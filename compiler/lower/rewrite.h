@@ -25,4 +25,22 @@ template <class Visit> Make::Parts visited_parts(const ir::Stmt& stmt, Visit&& v
     return parts;
 }
 
+/// The statements with each expression replaced by visit(expression), also inside of statements. take(stmt, value,
+/// result) may deal with a statement itself, whose visited value it gets: it then returns true, and has put what
+/// replaces the statement, if anything, into `result`.
+template <class Visit, class Take>
+std::vector<StmtId> rebuilt(Context& cx, const std::vector<StmtId>& body, Visit& visit, Take& take) {
+    std::vector<StmtId> result;
+    result.reserve(body.size());
+    for (StmtId id : body) {
+        const ir::Stmt stmt = cx.p.stmts[id];
+        Make::Parts parts = visited_parts(stmt, visit);
+        if (take(stmt, parts.value, result)) continue;
+        parts.body = rebuilt(cx, stmt.body, visit, take);
+        parts.otherwise = rebuilt(cx, stmt.otherwise, visit, take);
+        result.push_back(cx.make.again(id, std::move(parts)));
+    }
+    return result;
+}
+
 }  // namespace gliftc::lower

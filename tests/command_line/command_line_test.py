@@ -96,6 +96,47 @@ says(ran, 0,
 explained = json.loads(here.run("explain", "--json", "properties.glift").stdout)
 expect({s["name"] for s in explained["structures"]} >= {"Snake", "Halves", "Wrong", "Places"}, "explain --json", explained)
 expect(all(t["location"] == "GPU and CPU" for s in explained["structures"] for t in s["via"]), "properties in JSON")
+# Not affine: a field that is assigned hides what depends on the address. As slow as its table: also as the memory of that.
+here.write("folded.glift", """module folded;
+use std.array;
+struct Two { a: uint; b: uint; }
+translator Folded : uint -> uint {
+    extent: uint;
+    domain() { return extent; }
+    translate(va) {
+        var t: Two;
+        t.a = va % 4u;
+        return t.a;
+    }
+}
+pub structure Fours(n: uint) { memory data = buffer<float>[4]; via Folded(n); }
+translator Searched : uint -> uint {
+    n: uint;
+    domain() { return n; }
+    translate(va) {
+        var x = va;
+        while x * x > n { x = x / 2u; }
+        return x;
+    }
+}
+structure Slow(n: uint) { memory data = Array<1, uint>(n); via Searched(n); }
+structure Over(n: uint) { memory data = Slow(n); }
+translator Through<Table: Structure<uint, uint>> : uint -> uint {
+    n: uint;
+    table: Table;
+    domain() { return n; }
+    translate(va) { return table[va]; }
+}
+pub structure ByTable(n: uint) {
+    memory data = Array<1, float>(n);
+    structure table = Over(n);
+    via Through(n, table);
+}
+""")
+folded = {t["name"]: t for s in json.loads(here.run("explain", "--json", "folded.glift").stdout)["structures"] for t in s["via"]}
+expect(not folded["Folded"]["affine"], "a translator that assigns to a field is not affine", folded["Folded"])
+through = next(t for name, t in folded.items() if name.startswith("Through"))
+expect(through["access_complexity"] == "not known" and through["access_consistency"] == "not uniform", "a table's memory counts", through)
 # `explain --made`: the bytes that a structure or adaptor takes.
 here.write("grids.glift", """module grids;
 use std.array;
