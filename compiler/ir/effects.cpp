@@ -78,15 +78,16 @@ const Translator* many_to_one_stage(const Program& program, std::uint32_t struct
     }
 }
 
-bool has_depth_format(const Structure& structure) {
-    return structure.kind == StructureKind::stored && !structure.memories.empty() &&
-           structure.memories[structure.via_memory].format == Format::d32;
+bool has_depth_format(const Program& program, const Structure& structure) {
+    const Structure& root = root_structure(program, structure);
+    return root.kind == StructureKind::stored && !root.memories.empty() &&
+           root.memories[root.via_memory].format == Format::d32;
 }
 
 bool is_written_in_boxes(const Program& program, std::uint32_t structure) {
     const Structure& written = program.structures[structure];
     return written.kind == StructureKind::stored && !many_to_one_stage(program, structure) &&
-           !has_depth_format(written);
+           !has_depth_format(program, written);
 }
 
 }  // namespace gliftc::ir

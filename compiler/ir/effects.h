@@ -67,8 +67,8 @@ DepthOrder depth_order(const Program& program, const Pass& pass);
 /// null if there is none.
 const Translator* many_to_one_stage(const Program& program, std::uint32_t structure);
 
-/// Whether the structure's own memory has the format d32.
-bool has_depth_format(const Structure& structure);
+/// Whether the memory that has the structure's elements has the format d32.
+bool has_depth_format(const Program& program, const Structure& structure);
 
 /// Whether C++ may write and fill boxes of the structure. False for views; for structures with a translator that is
 /// declared @many_to_one, which only kernels write, by scatter or coherent access; and for depths, which only draws

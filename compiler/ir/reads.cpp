@@ -125,14 +125,18 @@ void for_each_read(const Program& p, const Kernel& kernel, const std::function<v
                                 .is_own = true});
         structures.push_back(param.structure);
     }
-    for_each_expression(p, kernel.body, [&](ExprId id) {
-        const Expr& node = p.exprs[id];
-        for (const Place& place : reads.of(node, structures, coherent)) visit(place, node.span);
-    });
-    for_each_statement(p, kernel.body, [&](const Stmt& stmt) {
-        if (stmt.op != StmtOp::write && stmt.op != StmtOp::set_element) return;
-        for (const Place& place : reads.of_write(structures, stmt.place)) visit(place, stmt.span);
-    });
+    const auto visit_body = [&](const std::vector<StmtId>& body) {
+        for_each_expression(p, body, [&](ExprId id) {
+            const Expr& node = p.exprs[id];
+            for (const Place& place : reads.of(node, structures, coherent)) visit(place, node.span);
+        });
+        for_each_statement(p, body, [&](const Stmt& stmt) {
+            if (stmt.op != StmtOp::write && stmt.op != StmtOp::set_element) return;
+            for (const Place& place : reads.of_write(structures, stmt.place)) visit(place, stmt.span);
+        });
+    };
+    visit_body(kernel.body);
+    if (kernel.raster) visit_body(kernel.raster->fragment);
 }
 
 }  // namespace gliftc::ir

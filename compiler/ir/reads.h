@@ -7,7 +7,7 @@
 
 namespace gliftc::ir {
 
-/// Calls `visit` for each memory that an expression or write in Kernel::body (of a draw: the vertex part only) reads:
+/// Calls `visit` for each memory that an expression or write of the kernel (of a draw: both parts) reads:
 /// with the place of the structure that has the memory (root_of() of chain.h), and the span of the access in the body.
 /// Left out are reads of memory that the kernel or function that reads it declares coherent, and reads of the kernel's
 /// arguments that are values on the device.

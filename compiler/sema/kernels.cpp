@@ -74,14 +74,6 @@ void check_exclusive(Context& c, const ast::Param& param, const ir::KernelParam&
     note(diagnostic, param.pattern_span, "scatter<S, op> combines writes to one element: min, max, add, and, or, xor");
 }
 
-/// Reports a parameter other than a target that writes a structure of a depth format: shaders cannot store depths.
-void check_depth_written(Context& c, const ast::Param& param, const ir::KernelParam& made) {
-    if (made.direction == ir::Direction::in || made.pattern == ir::Pattern::target) return;
-    if (!ir::has_depth_format(c.program.structures[made.structure])) return;
-    note(c.error(Diag::depth_written, param.name.span, {c.text(param.name.name)}), param.name.span,
-         "a raster writes depths, to an 'inout target<S, always>' for instance; clear_depth of std.image fills all");
-}
-
 /// Whether a kernel can access a parameter of this type by this pattern; reports one that it cannot. An adaptor has no
 /// elements: `any` reads its members, `calls` calls its functions.
 bool is_touched(Context& c, const ast::Param& param, ir::Pattern pattern, ir::TypeId type) {
@@ -143,7 +135,8 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
     check_exclusive(c, param, made);
     const bool writes = made.direction != ir::Direction::in && made.pattern != ir::Pattern::calls;
     if (writes) check_stored(c, param.name.span, made.structure);
-    check_depth_written(c, param, made);
+    const bool stores = writes && made.pattern != ir::Pattern::target && made.pattern != ir::Pattern::coherent;
+    if (stores) check_depth_written(c, param.name, made.structure);
     if (ir::visits(made.pattern) && !structure.domain) c.error(Diag::no_domain, param.name.span, {structure.display});
     if (made.pattern == ir::Pattern::coherent) {
         check_coherent(c, param.name, made.structure);

@@ -239,7 +239,7 @@ void add_target(Body& body, const ast::Param& param, const ir::KernelParam& made
     }
     if (param.extra.size() > 1) c.error(Diag::pattern_arguments, c[param.extra[1]].span);
     const ir::LocalId value = add_local(c.program, param.name.name, structure.element, param.name.span, true);
-    if (ir::has_depth_format(structure)) add_depth(body, param, made, index, value);
+    if (ir::has_depth_format(c.program, structure)) add_depth(body, param, made, index, value);
     else add_colour(body, param, made, structure, index, value);
 }
 

@@ -155,12 +155,19 @@ void check_stored(Context& c, Span span, std::uint32_t index) {
              "its memory is the view " + ir::root_structure(c.program, structure).display + ", which is computed");
 }
 
+void check_depth_written(Context& c, ast::Identifier name, std::uint32_t index) {
+    if (!ir::has_depth_format(c.program, c.program.structures[index])) return;
+    note(c.error(Diag::depth_written, name.span, {c.text(name.name)}), name.span,
+         "a raster writes depths, to an 'inout target<S, always>' for instance; clear_depth of std.image fills all");
+}
+
 void declare_writing(Body& body, const ast::Param& param, ir::KernelParam made, ir::Place place,
                      ir::Function& function) {
     Context& c = body.context;
     const bool is_old_form = made.pattern == ir::Pattern::coherent && param.direction == ast::Direction::none;
     if (!is_old_form) check_direction(c, param, made);
     if (made.pattern != ir::Pattern::calls) check_stored(c, param.name.span, made.structure);
+    if (made.pattern == ir::Pattern::scatter) check_depth_written(c, param.name, made.structure);
     if (made.pattern == ir::Pattern::coherent) check_coherent(c, param.name, made.structure);
     if (made.pattern == ir::Pattern::scatter && !param.extra.empty())
         made.combine = check_combine(c, param.extra[0], made.structure);
@@ -217,6 +224,7 @@ void declare_with(Body& body, const ast::Function& written, ir::Function& functi
         }
         ir::Combine combine = ir::Combine::replace;
         if (made != ir::Pattern::calls) check_stored(c, pattern.member.span, symbol->structure);
+        if (made == ir::Pattern::scatter) check_depth_written(c, pattern.member, symbol->structure);
         if (made == ir::Pattern::coherent) check_coherent(c, pattern.member, symbol->structure);
         const bool takes_operation = made == ir::Pattern::scatter && pattern.extra.size() <= 1;
         if (!pattern.extra.empty() && !takes_operation) c.error(Diag::pattern_arguments, c[pattern.extra[0]].span);

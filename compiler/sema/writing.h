@@ -22,6 +22,9 @@ void check_coherent(Context&, ast::Identifier name, std::uint32_t structure);
 /// Reports a view, which has no elements to write.
 void check_stored(Context&, Span, std::uint32_t structure);
 
+/// Reports a written structure whose memory has the format d32: shaders cannot store depths.
+void check_depth_written(Context&, ast::Identifier name, std::uint32_t structure);
+
 /// Declares a parameter of a function with a pattern that writes, and adds the effect that this gives the function
 /// (`calls` gives none).
 void declare_writing(Body&, const ast::Param&, ir::KernelParam made, ir::Place, ir::Function&);

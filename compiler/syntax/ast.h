@@ -303,6 +303,7 @@ struct Raster {
     std::vector<RasterState> states;
     std::vector<Varying> varyings;
     std::vector<StmtId> fragment;
+    Span vertex_span;    ///< the word `vertex`
     Span fragment_span;  ///< the word `fragment`; absent if there is no fragment part
 };
 

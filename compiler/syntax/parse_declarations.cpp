@@ -47,17 +47,28 @@ ast::Function Parser::parse_function() {
     return function;
 }
 
-/// struct = "struct" name [ generic-parameters ] ( "{" { field } "}" | "from" string ";" ) ;
+/// extern-struct = "extern" "struct" name "from" string ";" ;
+ast::Struct Parser::parse_extern_struct() {
+    ast::Struct structure;
+    if (!accept_word(Word::from)) {
+        fail_expected("'from'", "the fields of an 'extern struct' are read from a C++ header: 'from \"file.h\";'");
+        return structure;
+    }
+    structure.extern_span = here();
+    if (at(TokenKind::string)) {
+        structure.extern_header = decode_string(advance());
+        end_statement();
+    } else {
+        fail_expected("the header's name in quotes");
+    }
+    return structure;
+}
+
+/// struct = "struct" name [ generic-parameters ] "{" { field } "}" ;
 ast::Struct Parser::parse_struct() {
     ast::Struct structure;
-    if (accept_word(Word::from)) {
-        structure.extern_span = here();
-        if (at(TokenKind::string)) {
-            structure.extern_header = decode_string(advance());
-            end_statement();
-        } else {
-            fail_expected("the header's name in quotes");
-        }
+    if (at_word(Word::from)) {
+        fail_expected("'{'", "a struct that is read from a C++ header is an 'extern struct'");
         return structure;
     }
     std::uint32_t open = cursor_;

@@ -113,8 +113,6 @@ std::vector<ast::Attribute> Parser::parse_attributes() {
 /// declaration = attributes [ "pub" ] [ "extern" (* only before a struct *) ]
 ///               ( function | struct | enum | interface | const | type-alias | translator | structure | view | adaptor
 ///               | kernel | raster | pipeline | test ) ;
-/// Generic parameters are accepted after the name of every declaration, also of an enum or const, whose rules have
-/// none.
 ast::DeclId Parser::parse_declaration() {
     Nesting nesting(*this);
     if (!nesting.ok) return {};
@@ -154,15 +152,17 @@ void Parser::parse_declaration_body(Decl& decl) {
     advance();
     decl.name = parse_name("a name");
     if (lost_) return;
-    decl.generics = parse_generic_params();
-    parse_body_after_name(decl, Token(tokens_[keyword]));
+    const Token what = tokens_[keyword];
+    const bool is_generic = what.kind != kw_enum && what.kind != kw_const && !decl.is_extern;
+    if (is_generic) decl.generics = parse_generic_params();
+    parse_body_after_name(decl, what);
 }
 
 /// Parses what follows the name, depending on the keyword before it.
 void Parser::parse_body_after_name(Decl& decl, const Token& keyword) {
     using enum TokenKind;
     if (keyword.kind == kw_fn) decl.body = parse_function();
-    if (keyword.kind == kw_struct) decl.body = parse_struct();
+    if (keyword.kind == kw_struct) decl.body = decl.is_extern ? parse_extern_struct() : parse_struct();
     if (keyword.kind == kw_enum) decl.body = parse_enum();
     if (keyword.kind == kw_interface) decl.body = parse_interface();
     if (keyword.kind == kw_const) decl.body = parse_const();

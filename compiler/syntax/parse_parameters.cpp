@@ -97,7 +97,6 @@ void Parser::parse_pattern(ast::Param& param) {
 }
 
 /// result = "->" ( "range" "<" generic-argument "," generic-argument ">" | type ) ;
-/// More arguments of `range` are accepted and ignored.
 void Parser::parse_pipeline_result(ast::Pipeline& pipeline) {
     if (!accept(TokenKind::arrow)) return;
     if (pattern_here() != Pattern::range) {
@@ -108,10 +107,11 @@ void Parser::parse_pipeline_result(ast::Pipeline& pipeline) {
     parse_pattern(result);
     pipeline.result_pattern = Pattern::range;
     pipeline.result = result.type;
-    if (!result.extra.empty()) {
+    if (result.extra.size() == 1) {
         pipeline.result_extra = result.extra.front();
     } else {
-        fail_expected("'range<N, T>'");
+        fail(Diag::expected, result.pattern_span,
+             {"'range<N, T>'", concat("'range' of ", std::to_string(1 + result.extra.size()), " arguments")});
     }
 }
 

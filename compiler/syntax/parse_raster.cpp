@@ -4,7 +4,7 @@
 namespace gliftc {
 
 /// raster = "raster" name [ generic-parameters ] parameters "{" { state | varying | vertex | fragment } "}" ;
-/// A vertex part is required. Of several vertex parts the last one counts, and so of fragment parts.
+/// One vertex part, and at most one fragment part.
 ast::Kernel Parser::parse_raster() {
     ast::Kernel kernel;
     kernel.raster.emplace();
@@ -12,19 +12,29 @@ ast::Kernel Parser::parse_raster() {
     if (at(TokenKind::arrow)) fail_expected("'{'", "a raster returns nothing: it writes through its targets");
     std::uint32_t open = cursor_;
     if (lost_ || !expect(TokenKind::open_brace)) return kernel;
-    bool has_vertex = false;
     while (!list_ends()) {
         std::uint32_t before = cursor_;
         if (accept(TokenKind::semicolon)) continue;
-        has_vertex = has_vertex || at_word(Word::vertex);
         parse_raster_item(kernel);
         if (lost_) recover_in_list();
         if (cursor_ == before) advance();
     }
     const bool is_whole = at(TokenKind::close_brace);
     close_list(open);
-    if (is_whole && !has_vertex && !lost_) diagnostics_.report(Diag::raster_without_vertex, span_of(tokens_[open]));
+    if (is_whole && !kernel.raster->vertex_span && !lost_)
+        diagnostics_.report(Diag::raster_without_vertex, span_of(tokens_[open]));
     return kernel;
+}
+
+/// Consumes the word that begins a part, and reports a second part of one name. `first`: where the first one began.
+void Parser::begin_raster_part(Span& first) {
+    const Span here = span_of(advance());
+    if (!first) {
+        first = here;
+        return;
+    }
+    Diagnostic& error = diagnostics_.report(Diag::raster_repeated, here, {sources_.text(here)});
+    error.notes.push_back({first, "this is the first one"});
 }
 
 /// vertex = "vertex" block ;    fragment = "fragment" block ;
@@ -32,13 +42,12 @@ void Parser::parse_raster_item(ast::Kernel& kernel) {
     ast::Raster& raster = *kernel.raster;
     const bool is_part = peek(1).kind == TokenKind::open_brace;
     if (at_word(Word::vertex) && is_part) {
-        advance();
+        begin_raster_part(raster.vertex_span);
         kernel.body = parse_block();
         return;
     }
     if (at_word(Word::fragment) && is_part) {
-        raster.fragment_span = here();
-        advance();
+        begin_raster_part(raster.fragment_span);
         raster.fragment = parse_block();
         return;
     }

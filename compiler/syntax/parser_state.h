@@ -152,6 +152,7 @@ private:
     std::vector<ast::MemberPattern> parse_with();
     ast::Function parse_function();
     ast::Struct parse_struct();
+    ast::Struct parse_extern_struct();
     ast::Field parse_field();
     ast::Enum parse_enum();
     ast::Interface parse_interface();
@@ -160,6 +161,7 @@ private:
     ast::Kernel parse_kernel();
     ast::Kernel parse_raster();
     void parse_raster_item(ast::Kernel& kernel);
+    void begin_raster_part(Span& first);
     void parse_raster_state(ast::Raster& raster);
     void parse_varying(ast::Raster& raster);
     ast::Pipeline parse_pipeline();

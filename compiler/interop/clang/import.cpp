@@ -125,6 +125,8 @@ private:
         const std::string name = "'" + record.getQualifiedNameAsString() + "'";
         if (!record.isStruct() && !record.isClass()) {
             fail(record.getLocation(), name + " is a union; only structs can be imported");
+        } else if (isa<ClassTemplateSpecializationDecl>(record)) {
+            fail(record.getLocation(), name + " is an instance of a template; make it a struct of its own");
         } else if (record.getNumBases() != 0) {
             fail(record.getLocation(), name + " has a base class; put its members into the struct");
         } else if (record.isDynamicClass()) {

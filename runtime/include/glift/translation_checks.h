@@ -27,7 +27,8 @@ template <class A> Tried<A> tried(const A& domain) {
     return result;
 }
 
-/// Thrown where a translator reads a table out of bounds. Addresses for which `translate` does so are not checked.
+/// Thrown where a translator reads a table out of bounds. Addresses for which `translate` does so are not checked;
+/// where only `invert` does so, the address that it gives is not compared.
 struct OutsideTable {};
 
 /// A copy of a table's elements on the host, for translators that read the table. The elements of a view are computed
@@ -106,9 +107,11 @@ auto check_translator(Test& test, const std::string& name, const Tried<A>& from,
         }
         all.push_back({detail::extent_of(*physical, 0), detail::extent_of(address, 0)});
         if constexpr (!std::is_same_v<Invert, std::nullptr_t>) {
-            const Extent back = detail::extent_of(A(invert(*physical)), 0);
-            if (back != all.back().address && test.failures.size() <= 3)
-                detail::fail_inverse(test, name, rank, all.back().address, back, from.domain);
+            try {
+                const Extent back = detail::extent_of(A(invert(*physical)), 0);
+                if (back != all.back().address && test.failures.size() <= 3)
+                    detail::fail_inverse(test, name, rank, all.back().address, back, from.domain);
+            } catch (const OutsideTable&) {}
         }
     }
     const bool one_to_one =

@@ -84,6 +84,7 @@ TEST_F(Interop, says_where_a_struct_cannot_be_imported) {
     expect_error(import("Derived"), "'sim::Derived' has a base class", 38);
     expect_error(import("WithBits"), "bit field", 43);
     expect_error(import("Base"), "may be 'sim::Base' or 'other::Base'", 49);
+    expect_error(import("WithInstance"), "'sim::Pair' is an instance of a template", 56);
     expect_error(import("Missing"), "there is no struct 'Missing'", 0);
     expect_error(import("Broken", "broken.hpp"), "unknown type name 'flota'", 4);
     expect_error(import("Any", "absent.hpp"), "cannot read", 0);

@@ -50,3 +50,15 @@ struct Base {
     float a;
 };
 }  // namespace other
+
+namespace sim {
+
+template <class T> struct Pair {
+    T first, second;
+};
+
+struct WithInstance {
+    Pair<float> both;
+};
+
+}  // namespace sim
