@@ -1,5 +1,6 @@
 #include "driver/load.h"
 
+#include "emit/cpp/names.h"
 #include "syntax/parser.h"
 
 #include <algorithm>
@@ -144,10 +145,18 @@ private:
 
     void check_unique(const ast::Module& module) {
         if (!module.name.name) return;
-        auto [earlier, is_new] = by_name_.try_emplace(module.name.name, module.name.span);
+        const std::string& name = names_[module.name.name];
+        auto [earlier, is_new] = by_namespace_.try_emplace(cpp::space_of(name), module.name);
         if (is_new) return;
-        auto& error = diagnostics_.report(Diag::duplicate_name, module.name.span, {names_[module.name.name]});
-        error.notes.push_back({earlier->second, "another file holds this module: give one of them another name"});
+        const ast::Identifier& other = earlier->second;
+        if (other.name == module.name.name) {
+            auto& error = diagnostics_.report(Diag::duplicate_name, module.name.span, {name});
+            error.notes.push_back({other.span, "another file holds this module: give one of them another name"});
+        } else {
+            auto& error = diagnostics_.report(Diag::module_namespace, module.name.span,
+                                              {name, names_[other.name], earlier->first});
+            error.notes.push_back({other.span, "this is the other one: give one of them another name"});
+        }
     }
 
     void report_cycle(Span use, const std::string& name) {
@@ -203,7 +212,7 @@ private:
     std::string library_;
     LoadedModules loaded_;
     std::unordered_map<std::string, File> known_;
-    std::unordered_map<Name, Span> by_name_;
+    std::unordered_map<std::string, ast::Identifier> by_namespace_;  ///< the module in each C++ namespace
     std::vector<Span> under_way_;
 };
 

@@ -41,7 +41,7 @@ void Text::break_line() {
 
 void Text::quote(std::string_view string) {
     const bool is_plain =
-        std::ranges::all_of(string, [](char c) { return c >= ' ' && c != '"' && c != '\\' && c != '\x7f'; });
+        std::ranges::all_of(string, [](char c) { return c >= ' ' && c < '\x7f' && c != '"' && c != '\\'; });
     if (is_plain) {
         text_ += '"';
         text_ += string;
