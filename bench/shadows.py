@@ -18,7 +18,7 @@ THESIS = {"asm / rmsm": "2 to 10", "rmsm / standard": "2 to 4", "asm / rmsm stat
 # kernel after which the named part begins. All other kernels count for the part that began last, so that library kernels, which several
 # parts call, count for the right one. WITHIN: in "fill", these kernels of std.draw_pages count for two parts of their own.
 ENDS = {"project": "look", "find_surface": "standard map", "draw_light": "ask", "ask_all": "allocate", "ask_at_edges": "allocate",
-        "put_all": "allocate", "find_lit": "ask"}
+        "ask_coarse": "allocate", "find_lit": "ask"}
 BEGINS = {"mark": "fill", "find_lit": "find_lit", "shade": "shade"}
 WITHIN = {("fill", name): part for part, names in {"fill: walk": ("begin", "go_down"), "fill: draw": ("draw_pairs", "draw_rows")}.items() for name in names}
 PARTS = ["project", "look", "standard map", "ask", "allocate", "fill: walk", "fill: draw", "fill", "find_lit", "shade"]

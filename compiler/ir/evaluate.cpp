@@ -517,14 +517,19 @@ Lane apply(const Types& types, BinaryOp op, TypeId type, Lane a, Lane b) {
     return types.is_floating(type) ? apply_floating(types, op, type, a, b) : apply_integer(types, op, type, a, b);
 }
 
+/// An integer as a floating number of the type. Rounded once: to a double first would round an int64 twice.
+double floating(const Types& types, TypeId from, TypeId to, std::uint64_t bits) {
+    const auto number = static_cast<std::int64_t>(bits);
+    if (types.kind(to) == TypeKind::float_)
+        return types.is_signed(from) ? static_cast<float>(number) : static_cast<float>(bits);
+    return types.is_signed(from) ? static_cast<double>(number) : static_cast<double>(bits);
+}
+
 Lane convert(const Types& types, TypeId from, TypeId to, Lane lane) {
     bool floating_from = types.is_floating(from), floating_to = types.is_floating(to);
     if (types.kind(to) == TypeKind::bool_) return of_bool(floating_from ? lane.number != 0 : lane.bits != 0);
     if (floating_from && floating_to) return normalize(types, to, lane);
-    if (floating_to)
-        return normalize(types, to,
-                         {.number = types.is_signed(from) ? static_cast<double>(static_cast<std::int64_t>(lane.bits))
-                                                          : static_cast<double>(lane.bits)});
+    if (floating_to) return normalize(types, to, {.number = floating(types, from, to, lane.bits)});
     if (!floating_from) return normalize(types, to, lane);
     // Saturates; NaN gives zero: docs/language.md, "What is defined".
     double low = types.is_signed(to) ? (types.kind(to) == TypeKind::int64 ? -0x1p63 : -0x1p31) : 0;

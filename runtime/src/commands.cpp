@@ -142,7 +142,7 @@ Memory Commands::allocate(const MemoryDescription& description) const {
     if (is_filled_there) whole.zeroed = false;
     const Memory memory = stream.allocate(whole);
     if (whole.zeroed && stream.is_recording()) stream.clear(memory);
-    if (is_filled_there) stream.fill_where(memory, 0, whole.bytes / 4 * 4, 0, *conditions_);
+    if (is_filled_there) stream.fill_where(memory, 0, (whole.bytes + 3) / 4 * 4, 0, *conditions_);
     if (!zeroes_ && poisons() && whole.kind == MemoryKind::buffer && whole.bytes >= 4)
         stream.fill(memory, 0, whole.bytes / 4 * 4, device().is_host() ? 0x7fa5a5a5u : 0x7fc3c3c3u);
     return memory;

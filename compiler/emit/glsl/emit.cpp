@@ -2,6 +2,7 @@
 #include "emit/glsl/emit.h"
 
 #include "emit/glsl/printer.h"
+#include "emit/glsl/signs.h"
 #include "layout/layout.h"
 
 #include <algorithm>
@@ -80,6 +81,7 @@ std::string function_text(Printer& p, ir::FunctionId id) {
     mark_line(p, function.span);
     line(p, type_text(p, function.result) + " " + p.function_names.at(id) + "(" + parameters + ") {");
     p.indent = 1;
+    find_choices(p, function.params, function.body);
     print_body(p, function.body);
     p.indent = 0;
     line(p, "}");
@@ -123,6 +125,7 @@ std::string main_text(Printer& p) {
     const ir::Variant& variant = variant_for(p.pass, ir::Devices::shaders);
     const bool is_coarsened = variant.assumes.elements != p.pass.plain().assumes.elements;
     if (is_coarsened && p.options.lines == LineMarks::comments) line(p, elements_text(p.pass));
+    find_choices(p, {}, p.body());
     print_body(p, p.body());
     p.indent = 0;
     p.names.leave();

@@ -1,6 +1,7 @@
 // Expressions, with parentheses only where GLSL or a careful reader needs them.
 #include "base/concat.h"
 #include "emit/glsl/printer.h"
+#include "emit/glsl/signs.h"
 #include "ir/levels.h"
 
 #include <cstdio>
@@ -135,7 +136,12 @@ Text print_shift(Printer& p, const Expr& expr) {
     return {left + sign + "(" + operand_text(p, b, Level::bit_and, false) + " & " + mask + ")", Level::shift};
 }
 
+Text print_negative(Printer& p, ExprId value) {
+    return {need(p, Helper::negative, p.program.exprs[value].type) + "(" + print_any(p, value) + ")"};
+}
+
 Text print_binary(Printer& p, const Expr& expr) {
+    if (const ExprId value = negated_choice(p, expr)) return print_negative(p, value);
     const ir::Types& types = p.program.types;
     TypeId a = p.program.exprs[expr.operands[0]].type, b = p.program.exprs[expr.operands[1]].type;
     switch (expr.binary) {
@@ -164,7 +170,15 @@ Text print_binary(Printer& p, const Expr& expr) {
     return plain_binary(p, expr.binary, expr.operands[0], expr.operands[1]);
 }
 
+/// The negative of the choice between the negated constants.
+Text print_negative_choice(Printer& p, const Expr& expr) {
+    const auto negated = [&](ExprId side) { return literal(p, expr.type, 0, -p.program.exprs[side].number); };
+    return {need(p, Helper::negative, expr.type) + "(" + print(p, expr.operands[0], Level::logical_or) + " ? " +
+            negated(expr.operands[1]) + " : " + negated(expr.operands[2]) + ")"};
+}
+
 Text print_unary(Printer& p, const Expr& expr) {
+    if (const ExprId value = negated_choice(p, expr)) return print_negative(p, value);
     const char* sign = expr.unary == ir::UnaryOp::minus ? "-" : expr.unary == ir::UnaryOp::logical_not ? "!" : "~";
     if (expr.unary == ir::UnaryOp::logical_not && p.program.types.is_vector(expr.type))
         return {"not(" + print_any(p, expr.operands[0]) + ")"};
@@ -309,6 +323,7 @@ Text print_node(Printer& p, ExprId id) {
     case Op::unary: return print_unary(p, expr);
     case Op::binary: return print_binary(p, expr);
     case Op::select:
+        if (is_choice_of_negative_zero(p, expr)) return print_negative_choice(p, expr);
         return {print(p, expr.operands[0], Level::logical_or) + " ? " +
                     print_side(p, expr.operands[1], Level::logical_or) + " : " +
                     print_side(p, expr.operands[2], Level::ternary),

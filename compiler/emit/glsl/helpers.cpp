@@ -29,6 +29,7 @@ const char* name_of(Helper helper) {
     case Helper::smooth_step: return "smooth_step";
     case Helper::fraction: return "fraction";
     case Helper::sign_of: return "sign_of";
+    case Helper::negative: return "negative";
     case Helper::reflection: return "reflection";
     case Helper::matrix_vector:
     case Helper::vector_matrix:
@@ -304,6 +305,9 @@ std::string arithmetic(Printer& p, const HelperUse& use) {
         return "int64_t sign_of(int64_t x) {\n    int high = int(x >> 32l);\n"
                "    return high < 0 ? -1l : (high | int(x)) != 0 ? 1l : 0l;\n}\n";
     }
+    case Helper::negative:
+        return "// Drivers may drop the sign of zero where they negate a choice between 0.0 and 1.0.\n" +
+               one_line(t + " negative(" + t + " x)", "uintBitsToFloat(floatBitsToUint(x) ^ 0x80000000u)");
     case Helper::reflection:
         return one_line(t + " reflection(" + t + " i, " + t + " n)",
                         "i - (" + type_text(p, p.program.types.scalar_of(use.a)) + "(2.0) * ordered_dot(n, i)) * n");
@@ -350,6 +354,7 @@ std::string definition(Printer& p, const HelperUse& use) {
     case Helper::smooth_step:
     case Helper::fraction:
     case Helper::sign_of:
+    case Helper::negative:
     case Helper::reflection: return arithmetic(p, use);
     case Helper::pack_unorm:
     case Helper::unpack_unorm:
@@ -442,6 +447,7 @@ void need_inner(Printer& p, const HelperUse& use) {
     case Helper::cross_product:
     case Helper::blend:
     case Helper::fraction:
+    case Helper::negative:
     case Helper::pack_unorm:
     case Helper::extract_bits:
     case Helper::insert_bits:

@@ -1,6 +1,7 @@
 #include "emit/glsl/library.h"
 
 #include "emit/glsl/printer.h"
+#include "emit/glsl/signs.h"
 #include "ir/walk.h"
 
 #include <algorithm>
@@ -86,6 +87,7 @@ std::string print_function(Printer& p, const LibraryFunction& wanted, const std:
     }
     line(p, type_text(p, wanted.result) + " " + name + "(" + parameters + ") {");
     p.indent = 1;
+    find_choices(p, wanted.pass.params, p.pass.plain().body);
     for (StmtId id : p.pass.plain().body) {
         const Stmt& stmt = p.program.stmts[id];
         if (stmt.op == StmtOp::evaluate) line(p, "return " + print_any(p, stmt.value) + ";");

@@ -38,6 +38,7 @@ const std::unordered_set<std::string_view>& reserved_words() {
         "smooth_step",
         "fraction",
         "sign_of",
+        "negative",
         "reflection",
         "product",
         "pack_unorm",

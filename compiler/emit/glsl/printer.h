@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace gliftc::glsl {
 
@@ -52,6 +53,7 @@ enum class Helper : std::uint8_t {
     smooth_step,
     fraction,
     sign_of,
+    negative,
     reflection,
     matrix_vector,
     vector_matrix,
@@ -140,6 +142,7 @@ struct Printer {
     std::string function_prefix;  ///< put before these names, in files that shaders include beside others
     std::unordered_map<ir::LocalId, std::string> local_names;
     std::unordered_map<ir::LocalId, Bounds> bounds;
+    std::unordered_set<ir::LocalId> choices;  ///< locals that may hold a choice between constants (signs.h)
     bool in_range_is_known = false;  ///< the shader has returned already if in_range is false
 
     std::set<std::string> extensions;

@@ -212,7 +212,7 @@ private:
         std::optional<ImportedScalar> scalar;
         std::uint64_t components = 0;
         for (const TemplateArgument& argument : vec->getTemplateArgs().asArray()) {
-            if (argument.getKind() == TemplateArgument::Type) scalar = scalar_of(argument.getAsType());
+            if (argument.getKind() == TemplateArgument::Type && !scalar) scalar = scalar_of(argument.getAsType());
             if (argument.getKind() == TemplateArgument::Integral && components == 0)
                 components = argument.getAsIntegral().getZExtValue();
         }

@@ -27,6 +27,19 @@ TEST_P(Memories, StartAsZeros) {
     }
 }
 
+TEST_P(Memories, StartAsZerosUnderAConditionThatHolds) {
+    const auto is_set = buffer(device, "set", 4);
+    device.commands().fill(is_set, 0, 4, 1);
+    const glift::Commands commands = device.commands().where({is_set});
+    const std::vector<std::byte> ones(7, std::byte(0xff));
+    for (int round = 0; round < 3; ++round) {  // from the second round on, memory is reused
+        const auto f = commands.allocate({.name = "f", .bytes = 7});
+        EXPECT_EQ(read<std::byte>(device, f, 7), std::vector<std::byte>(7)) << round;
+        device.commands().upload(f, 0, ones);
+        device.wait();
+    }
+}
+
 TEST_P(Memories, OddSizesAreKept) {
     for (const std::uint64_t bytes : {0, 1, 3, 5, 17}) {
         const auto f = buffer(device, "f", bytes);

@@ -66,6 +66,13 @@ TEST_F(Interop, reads_scalars_vectors_arrays_and_nested_structs) {
     EXPECT_EQ(field(particle, "mass").line, 19u);
 }
 
+TEST_F(Interop, takes_the_first_type_of_a_vector_for_its_scalar) {
+    const ImportResult result = import("tagged::Body");
+    ASSERT_EQ(result.error, "");
+    EXPECT_EQ(field(result.structs.front(), "position").type.scalar, ImportedScalar::Float);
+    EXPECT_EQ(field(result.structs.front(), "position").type.components, 3u);
+}
+
 TEST_F(Interop, names_the_headers_it_read) {
     const ImportResult result = import("sim::Particle");
     ASSERT_EQ(result.read_files.size(), 2u);

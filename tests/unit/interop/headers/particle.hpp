@@ -62,3 +62,15 @@ struct WithInstance {
 };
 
 }  // namespace sim
+
+namespace tagged {
+
+template <class T, int N, class Tag> struct vec {
+    T parts[N];
+};
+
+struct Body {
+    vec<float, 3, int> position;
+};
+
+}  // namespace tagged
