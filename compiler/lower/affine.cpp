@@ -44,6 +44,7 @@ private:
     }
     bool run(const std::vector<StmtId>& body);
     bool run_if(const Stmt& stmt);
+    bool run_for(const Stmt& stmt);
     void assign(ExprId target, const Parts& value);
     std::optional<std::uint64_t> index_of(const Expr& node);
 
@@ -61,7 +62,8 @@ Degree highest(const Parts& parts) {
 
 Parts Degrees::call(FunctionId id, std::vector<Parts> arguments) {
     const Function& function = p.functions[id];
-    if (++depth_ > 32) return all(function.result, Degree::other);
+    if (depth_ >= 32) return all(function.result, Degree::other);
+    ++depth_;
     Frame frame;
     for (std::size_t i = 0; i < function.params.size() && i < arguments.size(); ++i)
         frame[function.params[i]] = std::move(arguments[i]);
@@ -146,6 +148,7 @@ Parts Degrees::of(ExprId id) {
         for (Part& part : parts) {
             if (!keeps && part.degree == Degree::affine) part.degree = Degree::other;
             if (!keeps) part.value.reset();
+            if (part.value) part.value = convert(p.types, from, to, {.bits = *part.value}).bits;
         }
         return parts;
     }
@@ -236,6 +239,23 @@ bool Degrees::run_if(const Stmt& stmt) {
     return true;
 }
 
+/// Interprets each round of a loop with constant bounds.
+bool Degrees::run_for(const Stmt& stmt) {
+    const std::optional<std::uint64_t> first = of(stmt.value)[0].value, limit = of(stmt.limit)[0].value;
+    if (!first || !limit) return false;
+    const bool is_signed = p.types.is_signed(p.locals[stmt.local].type);
+    const bool runs =
+        is_signed ? static_cast<std::int64_t>(*first) < static_cast<std::int64_t>(*limit) : *first < *limit;
+    if (!runs) return true;
+    const std::uint64_t rounds = *limit - *first;
+    if (rounds > unroll_limit || leaves_loop(p, stmt.body)) return false;
+    for (std::uint64_t i = 0; i < rounds && !returned_; ++i) {
+        (*frame_)[stmt.local] = {Part{Degree::uniform, *first + i}};
+        if (!run(stmt.body)) return false;
+    }
+    return true;
+}
+
 /// Interprets the statements, up to a return; false if it cannot follow one of them.
 bool Degrees::run(const std::vector<StmtId>& body) {
     for (StmtId id : body) {
@@ -254,16 +274,10 @@ bool Degrees::run(const std::vector<StmtId>& body) {
             if (!run(stmt.body)) return false;
             if (returned_) return true;
             break;
-        case StmtOp::for_: {
-            Parts first = of(stmt.value), limit = of(stmt.limit);
-            if (!first[0].value || !limit[0].value || *limit[0].value > *first[0].value + unroll_limit) return false;
-            for (std::uint64_t i = *first[0].value; i < *limit[0].value; ++i) {
-                (*frame_)[stmt.local] = {Part{Degree::uniform, i}};
-                if (leaves_loop(p, stmt.body) || !run(stmt.body)) return false;
-                if (returned_) return true;
-            }
+        case StmtOp::for_:
+            if (!run_for(stmt)) return false;
+            if (returned_) return true;
             break;
-        }
         default: return false;
         }
     }

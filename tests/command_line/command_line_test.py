@@ -110,6 +110,28 @@ translator Folded : uint -> uint {
     }
 }
 pub structure Fours(n: uint) { memory data = buffer<float>[4]; via Folded(n); }
+translator Looped : uint -> uint {
+    extent: uint;
+    domain() { return extent; }
+    translate(va) {
+        const low = -1;
+        var x = va;
+        for i in low..2 { x = x ^ 1u; }
+        return x;
+    }
+}
+pub structure InALoop(n: uint) { memory data = buffer<float>[n]; via Looped(n); }
+translator Converted : uint -> uint {
+    extent: uint;
+    domain() { return extent; }
+    translate(va) {
+        const low = -1;
+        var x = va;
+        if uint(low) == 4294967295u { x = x ^ 1u; }
+        return x;
+    }
+}
+pub structure ByAConversion(n: uint) { memory data = buffer<float>[n]; via Converted(n); }
 translator Searched : uint -> uint {
     n: uint;
     domain() { return n; }
@@ -135,6 +157,8 @@ pub structure ByTable(n: uint) {
 """)
 folded = {t["name"]: t for s in json.loads(here.run("explain", "--json", "folded.glift").stdout)["structures"] for t in s["via"]}
 expect(not folded["Folded"]["affine"], "a translator that assigns to a field is not affine", folded["Folded"])
+expect(not folded["Looped"]["affine"], "a loop from a negative bound is followed", folded["Looped"])
+expect(not folded["Converted"]["affine"], "constants are converted as at run time", folded["Converted"])
 through = next(t for name, t in folded.items() if name.startswith("Through"))
 expect(through["access_complexity"] == "not known" and through["access_consistency"] == "not uniform", "a table's memory counts", through)
 # `explain --made`: the bytes that a structure or adaptor takes.

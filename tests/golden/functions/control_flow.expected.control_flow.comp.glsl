@@ -38,6 +38,11 @@ bool another_round(uint idle_rounds, uint line) {
     return false;
 }
 
+// Drivers may drop the sign of zero where they negate a choice between 0.0 and 1.0.
+float negative(float x) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ 0x80000000u);
+}
+
 // halves<3>
 // control_flow.glift:18
 float halves(float x) {
@@ -91,7 +96,7 @@ void main() {
     if (found_found) {
         x += float(found);
     } else {
-        x = -x;
+        x = negative(x);
     }
     // control_flow.glift:44
     f_data[address] = mode_value_0 ? x : sqrt(abs(x));

@@ -106,6 +106,23 @@ TEST(Division, OfFloatsIsCorrectedWhereTheDeviceIsNotExact) {
     EXPECT_THAT(corrected(matrices), HasSubstr("divide(a[0][0], b)"));
 }
 
+// Drivers may drop the sign of zero where they negate a choice between 0.0 and 1.0 (emit/glsl/signs.h).
+TEST(Negation, OfAChoiceBetweenConstantsIsAFunction) {
+    const auto chosen = [](Builder& b, ExprId a, double yes, double no) {
+        return b.make(Op::select, b.types().float_, {b.less(a, b.u(3)), b.f(yes), b.f(no)});
+    };
+    const auto negated = [&](Builder& b, ExprId a) { return b.unary(UnaryOp::minus, chosen(b, a, 0.0, 1.0)); };
+    EXPECT_THAT(stored(negated), HasSubstr("= negative(address < 3u ? 0.0 : 1.0);"));
+    const auto factor = [&](Builder& b, ExprId a) { return b.times(b.f(-1.0), chosen(b, a, 0.0, 1.0)); };
+    EXPECT_THAT(stored(factor), HasSubstr("= negative(address < 3u ? 0.0 : 1.0);"));
+    const auto difference = [&](Builder& b, ExprId a) { return b.minus(b.f(-0.0), chosen(b, a, 0.0, 1.0)); };
+    EXPECT_THAT(stored(difference), HasSubstr("= negative(address < 3u ? 0.0 : 1.0);"));
+    const auto negative_zero = [&](Builder& b, ExprId a) { return chosen(b, a, -0.0, 1.0); };
+    EXPECT_THAT(stored(negative_zero), HasSubstr("= negative(address < 3u ? 0.0 : -1.0);"));
+    const auto others = [&](Builder& b, ExprId a) { return b.unary(UnaryOp::minus, as_float(b, a)); };
+    EXPECT_THAT(stored(others), HasSubstr("= -float(address);"));
+}
+
 TEST(Shift, IsMaskedWhereTheAmountIsNotKnown) {
     EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::shift_left, a, b.u(31)); }),
                 HasSubstr("= address << 31u;"));
