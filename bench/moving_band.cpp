@@ -1,7 +1,8 @@
 // bench_moving_band [--seconds S] [--steps N] [--runs N] [--json FILE]: the pages around a moving spherical shell
 // (examples/narrow_band), for three domain sizes with the same shell, and for 1024^3 with a shell whose radius is in
-// proportion to the domain. A "change" of topology allocates and releases pages; a step is a change and two stencils
-// over the resident pages. Times are of replayed recordings, by device timestamps.
+// proportion to the domain. The shell shrinks for 32 steps, then grows again for 32: a period. A "change" of topology
+// allocates and releases pages; a step is a change and two stencils over the resident pages. Times are of replayed
+// recordings, by device timestamps.
 //
 // Costs that grow with the domain are measured apart: `tables` is a change without `ask` in a domain in which no page
 // is requested, which leaves only the bit sets and scans over all pages. `ask`, part of each change, requests the pages

@@ -1,5 +1,6 @@
-// How long a dab of paint takes, from the touch until the paint is on the device: a dab that allocates its pages, and
-// one whose pages are mostly resident; and how long the coarser levels take at the end of the stroke.
+// How long a dab of paint takes, from its submission until the device has painted it: a dab that allocates its pages,
+// and one whose pages are mostly resident; and how long computing the octree's coarser levels takes at the end of the
+// stroke.
 #pragma once
 
 #include "examples/paint/canvas.h"

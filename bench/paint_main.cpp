@@ -14,8 +14,8 @@
 #include "examples/paint/canvas.h"
 #include "examples/paint/model.h"
 
-// After canvas.h: the first generated header that is included defines the octree's class, and this one would define it
-// without functions that the others call.
+// After canvas.h: the first generated header that is included defines the octree's class, and paint_draws.glift.hpp
+// would define it without member functions that canvas.h calls.
 #include "paint_draws.glift.hpp"
 
 #include <glift/host/math.h>

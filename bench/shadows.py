@@ -82,7 +82,7 @@ def times(scenes, end, runs):
 
 
 def pages(scenes):
-    """Medians and maxima over the frames. An ASM frame asks for pages and fills them in several rounds: "asked" is the sum over them."""
+    """Medians and maxima over the frames. An ASM frame asks for pages and fills them in rounds: "asked" counts all rounds."""
     def spread(values):
         return f"{statistics.median(values):.0f}, {max(values)}" if values else ""
     rows = []

@@ -35,8 +35,8 @@ struct Place {
     }
 };
 
-/// The coefficient of the unknown before or after, for circles of confusion of some 20 pixels (20^2 / 32); zero at the
-/// ends.
+/// The coefficient of the unknown before or after: minus the conductivity for circles of confusion of 20 pixels,
+/// 20^2 / 32 (`conductivity` of examples/depth_of_field/dof.glift); zero at the ends.
 struct Off {
     Place place;
     bool after;

@@ -1,9 +1,9 @@
 #version 460
 #extension GL_EXT_scalar_block_layout : require
-// Samples a quadtree of pages of 16^2 cells. Their frames of 17^2 texels are in an image with 2^bits frames along x.
-// Also writes, for the node at or before the point, the index of its texel within its page; zeros where no page is
-// resident. One lookup: for each page of level 0, `best` holds the frame + 1 of the finest resident page that covers it,
-// and that page's level from bit 27 on.
+// Samples a quadtree of pages of 16^2 cells, whose values lie at the corners of the cells, the nodes. A page's 17^2 nodes
+// are the texels of its frame; frames are in an image, 2^bits of them along x. Also writes, for the node at or before the
+// point, the index of its texel within its page; zeros where no page is resident. One lookup: for each page of level 0,
+// `best` holds the frame + 1 of the finest resident page that covers it, and that page's level from bit 27 on.
 
 layout(local_size_x = 256) in;
 

@@ -12,8 +12,8 @@
 
 namespace gliftc {
 
-/// A counter shared by threads: take() gives each number below `count` once, to whichever thread asks, and nothing
-/// when all have been given.
+/// A counter shared by threads: take() returns each number below `count` once, whichever thread calls it, and nothing
+/// afterwards.
 class Tickets {
 public:
     explicit Tickets(std::size_t count) : count_(count) {}

@@ -30,7 +30,7 @@ std::string if_there(const FileSystem& files, const fs::path& path) {
     return files.exists(name) ? name : std::string();
 }
 
-/// The name that a module in a file should have: my_file for my-file.glift, given without its extension. Dots stay.
+/// The module name that fits a file: my_file for my-file.glift. `stem` is the file's name without .glift. Dots stay.
 std::string module_of_stem(std::string stem) {
     for (char& c : stem) {
         const bool fits = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.';

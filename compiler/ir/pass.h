@@ -110,8 +110,8 @@ struct Pass {
                                      ///< UINT64_MAX: not known at compile time. The same in all forms
     Span longest_loop;
     bool has_reports = false;          ///< some statement is a `report`. The same in all forms
-    std::vector<std::uint32_t> files;  ///< source files that messages of the shaders name, the kernel's first. The same
-                                       ///< in all forms
+    std::vector<std::uint32_t> files;  ///< source files that errors reported by shaders (has_status()) name, the
+                                       ///< kernel's first. The same in all forms
     bool exact = true;                 ///< devices agree bit for bit: no intrinsic that is inexact for its operands, no
                                        ///< sum of floats by atomic operations, no sampler that filters or compares, no
                                        ///< image of format r8, rg8 or rgba8, no rasterisation. The same in all forms

@@ -69,7 +69,7 @@ private:
     std::unordered_map<LocalId, std::string> locals_;
     std::unordered_map<FunctionId, std::string> functions_;
     std::unordered_map<std::uint32_t, std::string> structs_, enums_;
-    std::unordered_map<std::string, unsigned> taken_;  ///< how often each name was asked for
+    std::unordered_map<std::string, unsigned> taken_;  ///< how many things have each name so far
     std::unordered_set<std::uint32_t> declared_;       ///< ids of the types whose structs and enums have been printed
 };
 

@@ -1,9 +1,10 @@
 // Expander: neighbour reads across block borders, in kernels over blocks (blocks.h). A neighbour at a constant offset
 // that is along no axis longer than a block lies in the invocation's own block or in an adjacent one. The neighbour's
 // physical address is computed for each of these blocks, and the access selects one of the addresses. This is done only
-// if all loads that compute them, such as look-ups in a page table, depend on the block alone (the translators'
-// divisions by the block size fold, see quotients.cpp), and if the structure can have no neighbours outside of its
-// domain. It needs no barrier and no copy, and also works for memory that the pass writes.
+// if all loads that compute the addresses, such as look-ups in a page table, depend on the block alone (where they are
+// at an address divided by the block size, quotients.cpp folds that to the block's number), and if the structure can
+// have no neighbours outside of its domain. Unlike a halo (halos.cpp) this makes no copy, for which shaders would need
+// a barrier, and also works for memory that the pass writes.
 #include "ir/effects.h"
 #include "lower/blocks.h"
 #include "lower/expand.h"
@@ -155,7 +156,7 @@ std::optional<Pair> Expander::beside(const Place& place, const std::vector<std::
     const auto axes = std::ranges::count_if(offset, [](std::int64_t part) { return part != 0; });
     if (axes > 1 && elements_in_block(*block_volume(cx)) == 1) return std::nullopt;
     centre(place.root);  // so that its statements come before those of this neighbour, which may use them
-    // Asked after the call of `centre`, so that bindings are added in the same order whatever the answer is.
+    // Called after `centre`, so that bindings are added in the same order whatever may_map_outside returns.
     if (may_map_outside(place.root)) return std::nullopt;
     Ways ways;
     for (std::uint32_t axis = 0; axis < offset.size(); ++axis)

@@ -120,8 +120,8 @@ private:
     void give_up();
 
     const ir::Program& p;
-    const ir::Structure* whole_;       ///< the structure that is asked about
-    const ir::Structure* s;            ///< the structure whose expressions are being followed: it or a member
+    const ir::Structure* whole_;       ///< the structure given to the constructor
+    const ir::Structure* s;            ///< the structure whose expressions are being followed: whole_ or a member of it
     std::vector<std::uint32_t> path_;  ///< from member to member, from `whole_` to `s`
     const ir::Stage* stage_ = nullptr;
     Frame* frame_ = nullptr;

@@ -59,8 +59,8 @@ Sum Following::opaque(std::uint32_t operation, std::vector<Sum> operands, TypeId
 
 /// Whether the program's wrapping arithmetic is known to give the same number as the sum. It is known if the sum is a
 /// single unknown, which stands for one value of the program; if it is part of a size that the runtime checks
-/// (is_checked_); or if it has an upper bound that is no larger than 2^32 - 1, a constructor's argument or one of
-/// sizes_.
+/// (is_checked_); or if it has an upper bound that is no larger than 2^32 - 1, than a constructor's argument, or than
+/// one of sizes_.
 bool Following::fits(const Sum& sum) {
     if (is_checked_ && !symbols.varies(sum)) return true;
     if (sum.size() == 1 && sum.begin()->first.size() == 1 && sum.begin()->second == 1) return true;

@@ -211,8 +211,8 @@ private:
     }
 
     /// Replaces the second element's guards of reads at positive y by those of the first element's reads one row
-    /// further. Where there is no second element, its code has the first one's address, and these guards ask for one
-    /// row more than it reads. That is harmless, since it then stores nothing.
+    /// further. Where there is no second element, its code has the first one's address, and these guards test the row
+    /// after the one that is read. That is harmless, since this code then stores nothing.
     void share_guards(StatementCopy& second, const std::vector<Expander::RowGuard>& guards) {
         for (const Expander::RowGuard& guard : guards) {
             const ExprId distance = cx.make.uint(static_cast<std::uint64_t>(guard.distance + 1));

@@ -2,9 +2,9 @@
 // need no bounds check.
 //
 // Translators and extents are interpreted over symbolic sums of the constructor's arguments (lower/symbolic.h), and the
-// largest address is compared with the memory's extent. Sizes of memories and arguments of made members do not wrap
-// around, since the runtime makes no structure for which they would; other sums may (Following::fits). Where code
-// cannot be followed or compared, each access is checked.
+// largest address is compared with the memory's extent. Sizes of memories, and arguments of members that the structure
+// makes, do not wrap around, since the runtime makes no structure for which they would; other sums may
+// (Following::fits). Where code cannot be interpreted, or the sums cannot be compared, each access is checked.
 #pragma once
 
 #include "ir/ir.h"

@@ -67,7 +67,7 @@ ExprId in_range_condition(Context& cx) {
 namespace {
 
 /// The address in a one-dimensional range. Where there are more workgroups than a device allows along x, they continue
-/// in rows along y. Several elements of an invocation are consecutive if the kernel asks for them (at<S, n>), else a
+/// in rows along y. Several elements of an invocation are consecutive if the kernel declares them (at<S, n>), else a
 /// workgroup's width apart.
 ExprId line_address(Context& cx, std::uint32_t elements) {
     Make& make = cx.make;

@@ -462,7 +462,7 @@ private:
     std::vector<ExprId> made_again_;                       ///< scratch: copies of an address form's nodes
     bool compares_extents_ = false;                        ///< see divisors.cpp
     unsigned depth_ = 0;
-    LocalId window_;       ///< in fragment parts: the pixel's centre from the viewport's origin, depth, 1 / w
+    LocalId window_;       ///< in fragment parts: the pixel's centre relative to the viewport's origin, depth, 1 / w
     unsigned within_ = 0;  ///< how many translators, views and functions of blocks enclose the code that is expanded
 };
 

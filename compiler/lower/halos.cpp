@@ -1,8 +1,8 @@
 // Expander: neighbour reads in kernels over blocks, on the host device. The elements that are read by `near` from a
 // block and around it are copied to a local array once per block, and the code for an element reads this copy, at
 // constant distances from the element's own index in it. Each adjacent block that the offsets reach is looked up once,
-// if translating its addresses only takes loads that depend on the block alone (the translators' divisions by the block
-// size fold, see quotients.cpp).
+// if translating its addresses only takes loads that depend on the block alone (where they are at an address divided by
+// the block size, quotients.cpp folds that to the block's number).
 // This is known as ghost cells in block-structured grids, and as block-local storage in Taichi.
 #include "lower/halos.h"
 

@@ -9,8 +9,8 @@
 
 namespace gliftc::lower {
 
-/// Sizes of functions as straight-line code. They include the functions called that can be inlined, too, so that nested
-/// calls are inlined only as far as the result stays small.
+/// Sizes of functions as straight-line code. A size includes those of the called functions that can be inlined, too, so
+/// that nested calls are inlined only as far as the result stays small.
 class InlineSizes {
 public:
     explicit InlineSizes(const ir::Program& program) : p(program) {}

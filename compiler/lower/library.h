@@ -1,7 +1,7 @@
-// Functions of structures for the user's own shaders, each for one address. Every structure and view has read. It has
-// write, unless a view computes the elements or an image of depths (d32) has them. It has translate, if it has a
-// translator or its memory is a structure; then it has is_mapped, too, unless its memory is no structure, no translator
-// is partial, and no address leads outside the memory.
+// Functions of structures for the user's own shaders, each for one address. Every structure and view has `read`. It has
+// `write`, unless a view computes the elements or an image of depths (d32) has them. It has `translate`, if it has a
+// translator or its memory is a structure; then it has `is_mapped`, too, unless its memory is no structure, no
+// translator is partial, and no address leads outside the memory.
 #pragma once
 
 #include "diag/diagnostics.h"

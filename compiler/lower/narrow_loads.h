@@ -1,5 +1,5 @@
-// Where a local holds a vector loaded from a buffer of which only one component is used, only that component is loaded.
-// The vector may be an element or a field of one.
+// Where a local holds a vector that is loaded from a buffer, and only one component of the vector is used, only that
+// component is loaded. The vector may be an element or a field of one.
 //
 // This is not left to drivers' compilers: from some shaders that load a vec<4, int64> of which only 32 bits are used,
 // and that also divide, NVIDIA's (driver 580, seen on an H100) makes code that never ends.

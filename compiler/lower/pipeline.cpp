@@ -53,8 +53,8 @@ void check([[maybe_unused]] const Context& cx, [[maybe_unused]] const std::vecto
 #endif
 }
 
-/// Called after each pass: validates its result in development builds, writes it to the trace if that asks for it, and
-/// notes whether lowering stops here (--stop-after).
+/// Called after each pass: validates its result in development builds, writes it to the trace if --dump-after names
+/// this pass, and notes whether lowering stops here (--stop-after).
 void finished(Context& cx, std::string_view pass, const std::vector<Variant>& variants,
               const std::vector<ExprId>& facts, std::string_view what) {
     for (const Variant& variant : variants) check(cx, statements_of(variant), pass);

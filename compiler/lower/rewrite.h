@@ -26,8 +26,8 @@ template <class Visit> Make::Parts visited_parts(const ir::Stmt& stmt, Visit&& v
 }
 
 /// The statements with each expression replaced by visit(expression), also inside of statements. take(stmt, value,
-/// result) may deal with a statement itself, whose visited value it gets: it then returns true, and has put what
-/// replaces the statement, if anything, into `result`.
+/// result), where `value` is visit(stmt.value), may replace or drop a statement: it then puts what replaces the
+/// statement, if anything, into `result`, and returns true.
 template <class Visit, class Take>
 std::vector<StmtId> rebuilt(Context& cx, const std::vector<StmtId>& body, Visit& visit, Take& take) {
     std::vector<StmtId> result;

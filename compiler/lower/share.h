@@ -1,9 +1,9 @@
 // Common subexpression elimination: expressions that are used more than once in a scope become named locals before
 // their first use, and uses of a `let` whose value an earlier local has use that local.
 //
-// Needs: statements of memory operations, whose expressions may share nodes. Guarantees: a value that is used more than
-// once is in a local, unless it is short (is_trivial), uniform, or may not be computed once for all its uses, so that
-// expressions can be printed as trees; nothing is moved past a write that it depends on, and no load is moved out of a
+// Needs: statements of memory operations, whose expressions may share nodes. Guarantees: expressions can be printed as
+// trees, since a value that is used more than once is in a local, unless it is short (is_trivial), uniform, or may not
+// be computed once for all its uses; nothing is moved past a write that it depends on, and no load is moved out of a
 // condition.
 #pragma once
 

@@ -1,5 +1,5 @@
 // Multivariate polynomials with integer coefficients ("sums" of products of unknowns), and proofs that they are not
-// negative. lower/bounds.h compares addresses with the size of a memory by them, for all sizes at once.
+// negative. lower/contained.cpp uses them to compare addresses with the extent of a memory, for all sizes at once.
 //
 // An unknown is a size, which has a lower bound and is the same for all addresses; or a number that varies with the
 // address; or the result of an operation on unknowns. Numbers are mathematical integers: callers have to handle

@@ -32,7 +32,7 @@ template <class Asks> Pair Expander::chained(const Place& place, ExprId address,
         at = {next.value, make.both(at.has, next.has)};
         const bool leads_to_view = structure.kind == StructureKind::view && structure.base.empty();
         if (!is_contained(p, structure) && !leads_to_view) {
-            // In kernels over blocks components stay separate: some depend on the block alone.
+            // Not in kernels over blocks: some components depend on the block alone, a local of the vector would not.
             if (!cx.kernel.space) at.value = named(at_link + "_place", at.value);
             at.has = make.both(at.has, asks(link, at.value));
         }
@@ -205,7 +205,7 @@ ExprId Expander::centre_address(std::uint32_t root) {
 /// The physical address of a parameter's current element, and the condition that it has one. Both are put into named
 /// locals before the kernel's body, unless they are short or uniform (see named()).
 Pair Expander::centre(std::uint32_t root) {
-    // Structures with equal state share addresses, unless tables are read, which each has for itself.
+    // Structures with equal state share addresses, unless translation reads tables: each may have another table.
     const std::uint32_t shared = canonical_root(root);
     const bool is_there = !cx.kernel.raster || cx.kernel.params[shared].pattern == cx.kernel.params[root].pattern;
     if (!translates_by_tables(p, cx.structure_at({root, {}})) && is_there) root = shared;

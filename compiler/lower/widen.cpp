@@ -511,7 +511,7 @@ Copy Widener::copied(FunctionId id, const std::vector<Width>& params) {
     Copy result;
     for (const auto& [stmt, returned] : frame.returns) {
         if (returned.wide) result.result = Width::wide;
-        // What a translator as a whole gives is an address: nothing is added to it.
+        // Not for the translator itself (`outer` is null): its result is an address, to which nothing is added.
         else if (outer != nullptr && result.result == Width::narrow && wraps(p.exprs[returned.narrow]))
             result.result = Width::exact;
     }

@@ -1,4 +1,4 @@
-// Paint on any mesh, kept in an octree by its rest position: paint.glift from C++.
+// Paint on any mesh, kept in an octree by positions on the mesh at rest: paint.glift from C++.
 #include "at_window.h"
 #include "canvas.h"
 #include "command_line.h"

@@ -77,7 +77,7 @@ struct Contents {
 };
 
 Contents read(const std::string& path, std::size_t most_words) {
-    // A folder can be opened, and says that it has the greatest number of bytes that there is.
+    // A folder can be opened, and its length is then reported as the largest offset that there is.
     if (std::filesystem::is_directory(path)) refuse(path, "is a folder");
     std::ifstream file(path, std::ios::binary);
     if (!file) refuse(path, "cannot be opened");

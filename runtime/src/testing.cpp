@@ -93,7 +93,7 @@ Test run_on(const Device& device, const TestCase& test) {
     return run;
 }
 
-/// Runs tests on all devices and prints what became of them.
+/// Runs tests on all devices and prints their results.
 class TestRunner {
 public:
     explicit TestRunner(std::vector<Device> devices) : devices_(std::move(devices)) {}

@@ -9,7 +9,7 @@ namespace glift::detail {
 
 namespace {
 
-constexpr std::uint64_t granularity = 256;  // keeps temporaries in separate cache lines, and makes gaps easier to reuse
+constexpr std::uint64_t granularity = 256;  // bytes: temporaries get separate cache lines; gaps are easier to reuse
 
 }  // namespace
 

@@ -3,7 +3,7 @@
 
     consumer_test.py subdirectory SOURCE_TREE          Glift by add_subdirectory
     consumer_test.py prebuilt SOURCE_TREE GLIFTC       the same, with a gliftc that is built already
-    consumer_test.py package SOURCE_TREE BUILD_TREE    Glift by find_package and by pkg-config, from an install tree made of BUILD_TREE
+    consumer_test.py package SOURCE_TREE BUILD_TREE    Glift by find_package and by pkg-config, from an installation of BUILD_TREE
 """
 import os
 import pathlib

@@ -96,7 +96,8 @@ says(ran, 0,
 explained = json.loads(here.run("explain", "--json", "properties.glift").stdout)
 expect({s["name"] for s in explained["structures"]} >= {"Snake", "Halves", "Wrong", "Places"}, "explain --json", explained)
 expect(all(t["location"] == "GPU and CPU" for s in explained["structures"] for t in s["via"]), "properties in JSON")
-# Not affine: a field that is assigned hides what depends on the address. As slow as its table: also as the memory of that.
+# Folded is not affine: its result depends on the address by way of a field that is assigned. The access of Through is not known to
+# be O(1): it reads a table, Over, whose memory, Slow, has a translator with a loop.
 here.write("folded.glift", """module folded;
 use std.array;
 struct Two { a: uint; b: uint; }

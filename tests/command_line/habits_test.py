@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Tests every hint for users of other languages (compiler/syntax/habits.cpp): what it tells them to write compiles, and the word that it
-explains is not a word of Glift: habits_test.py GLIFTC"""
+"""Tests every hint for users of other languages (compiler/syntax/habits.cpp): the code that it suggests compiles, and the word that
+it explains is not a word of Glift: habits_test.py GLIFTC"""
 import re
 
 from gliftc import Folder, expect, finish, says, sources

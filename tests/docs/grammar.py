@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Checks docs/grammar.ebnf against the tables of the lexer: it lists the same keywords and contextual keywords (words), uses each of
-them in a rule except those that are reserved for later, uses every punctuation, and defines each rule that it uses exactly once."""
+"""Checks docs/grammar.ebnf against the tables of the lexer: it lists the same keywords and contextual keywords (words), uses each
+of them in a rule except those that are reserved for later, uses every punctuation, and defines each rule that it uses exactly
+once."""
 import pathlib
 import re
 import sys

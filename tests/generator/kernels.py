@@ -206,7 +206,7 @@ class Kernels:
         return Node("gt(sum % 3u == 0u, ", value, ", ", self.expressions.of(t, scope, 3), ")", type=t)
 
     def combined_structures(self):
-        """Structures whose elements `scatter` can combine, in buffers and in images: structures whose element is one int, uint or float."""
+        """Structures in buffers and images whose elements `scatter` can combine: their element is one int, uint or float."""
         return [s for s in self.structures.all if s.element in (INT, UINT, FLOAT)]
 
     def add_scatter(self, kernel, name):
@@ -423,8 +423,8 @@ class Kernels:
         return value
 
     def arms(self, kernel, values, calls):
-        """The kernel's calls: some under a condition on the device, in a loop with such a condition, or over a slice whose end lies on
-        the device."""
+        """The kernel's calls: some under a condition on the device, in a loop with such a condition, or over a slice whose end lies
+        on the device."""
         if kernel.axes == 1 and not any("at<Line, " in p.text for p in kernel.params):
             calls.append(self.call(kernel, values, f"[0..min(d[{self.random.below(8)}], {kernel.extent[0]}u)]"))
         condition = f"d[{self.random.below(8)}] % 2u == {self.random.below(2)}u"

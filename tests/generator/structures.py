@@ -92,7 +92,7 @@ class Structure:
         self.capacity = capacity  # structures with a page table: the page's size along each axis; else None
         self.buffer = buffer
         self.folds = folds  # an address outside the domain leads to an element: by an edge mode
-        self.owns = owns    # no two addresses of the domain lead to one element, not even where a translator leads beyond its memory
+        self.owns = owns    # with `each`: no two addresses of the domain lead to one element, not even by the memory's edge mode
 
     def make(self, extent):
         size = extent_text(extent)

@@ -16,7 +16,7 @@ TEST_P(Passes, DoWhatTheyDid) {
     EXPECT_EQ(run_pass(GetParam(), expected.before), expected.after);
 }
 
-/// share/loads.ir becomes share_loads.
+/// share/texels.ir becomes share_texels.
 std::string case_name(const testing::TestParamInfo<std::filesystem::path>& info) {
     return info.param.parent_path().filename().string() + "_" + info.param.stem().string();
 }

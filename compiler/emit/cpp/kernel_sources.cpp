@@ -1,5 +1,6 @@
-// The sources of kernels' code. An edit of a kernel's body that leaves later lines at their numbers changes one of
-// them. They include neither the classes nor the functions that call kernels, and so compile fast.
+// The sources of kernels' code. An edit of a kernel's body that keeps the number of lines changes only one of them
+// (their code has the line numbers of the .glift file). They include neither the classes nor the functions that call
+// kernels, and so compile fast.
 #include "emit/cpp/spirv_file.h"
 #include "emit/cpp/unit.h"
 

@@ -13,9 +13,9 @@
 // the sources of kernels.
 //
 // Several headers may define a class: an #ifndef of its name skips all definitions but the first. Of the sources of one
-// run, one defines the function of a kernel or pipeline, or the members of a class (cpp::Defined); test programs share
-// nothing. Instances of generics and functions of other modules are weak symbols, so that sources of other runs may
-// define them, too.
+// run, one defines the function of a kernel or pipeline, or the members of a class (cpp::Defined); the sources of a
+// test program define all that it uses. Instances of generics and functions of other modules are weak symbols, so that
+// sources of other runs may define them, too.
 #include "emit/cpp/unit.h"
 
 #include <algorithm>

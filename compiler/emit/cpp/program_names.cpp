@@ -53,7 +53,7 @@ const NameSet& not_for_types() {
     return names;
 }
 
-/// Whether the class needs an accessor for the memory's name beside those of its members. So if the memory is a member
+/// Whether the class needs an accessor for the memory's name beside those of its members: if the memory is a member
 /// with another name (`memory frames = pool;`), or a member of a member (`memory frames = pool.frames;`).
 bool has_named_base(const ir::Structure& structure) {
     if (structure.base.empty()) return false;

@@ -29,7 +29,7 @@ float split(float x, out int exponent) {
 )";
 
 constexpr const char* quotient_text =
-    R"(// r, but for a mantissa of b of all ones: then r, a power of two, is one unit in the last place less than 1 / b rounded.
+    R"(// r is 1 / b rounded, unless b's mantissa is all ones: then r is a power of two, one unit in the last place too small.
 float rounded_reciprocal(float b, float r) {
     return uintBitsToFloat(floatBitsToUint(r) | uint((floatBitsToUint(b) & 0x007fffffu) == 0x007fffffu));
 }

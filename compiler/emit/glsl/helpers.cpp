@@ -364,8 +364,8 @@ std::string definition(Printer& p, const HelperUse& use) {
         return "// A function, since GLSL refuses constant indices from 2^31 on.\nuint far_index(uint i) { return i; "
                "}\n";
     case Helper::whole_vector:
-        return "// Keeps Mesa from combining this load with one of a single component by address, which gives the "
-               "first.\n" +
+        return "// Keeps Mesa from combining this load with one of a single component by address, which would give "
+               "component 0.\n" +
                one_line(type_text(p, use.a) + " whole_vector(" + type_text(p, use.a) + " v)", "v");
     case Helper::split_float: return division_definition(p, use);
     case Helper::divide:

@@ -65,8 +65,8 @@ std::string image_prefix(const Printer& p, TypeId element) {
     return p.program.types.kind(scalar) == TypeKind::uint ? "u" : "";
 }
 
-/// Whether the binding is `coherent` in GLSL: the kernel asks for it, or reads and writes it and the body has barriers.
-/// What one invocation writes and another reads after a barrier must not stay in a cache.
+/// Whether the binding is `coherent` in GLSL: the kernel accesses it by the pattern coherent<S>, or reads and writes it
+/// and the body has barriers. What one invocation writes and another reads after a barrier must not stay in a cache.
 bool is_coherent(const Printer& p, const PassBinding& binding) {
     if (binding.coherent) return true;
     return binding.access == ir::Access::read_write && ir::has_any_barrier(p.program, p.body());

@@ -2,7 +2,7 @@
 // coherent memory, which workgroups share, and barriers of a subgroup.
 //
 // On lavapipe (Mesa 22.3) the memory fence of such an operation is a barrier of the workgroup: where only some
-// subgroups reach it, the others are ended silently. There no fences are needed: read-modify-write operations are
+// subgroups reach it, the others are ended silently. But lavapipe needs no fences: its read-modify-write operations are
 // sequentially consistent and so order everything by themselves, and the lanes of a subgroup run in lockstep. The
 // runtime sets specialisation constant 102 on such devices.
 #include "emit/glsl/printer.h"

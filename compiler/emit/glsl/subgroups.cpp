@@ -1,5 +1,5 @@
 // Subgroup operations. GLSL exchanges scalars and vectors between lanes; other types are exchanged part by part, in a
-// function for each type. A lane that asks for the value of a lane which is not in the subgroup gets its own.
+// function for each type. If the source lane is not in the subgroup, the result is the lane's own value.
 #include "emit/glsl/printer.h"
 
 #include <stdexcept>
@@ -18,7 +18,7 @@ struct Exchange {
     const char* function;
     const char* extension;
     const char* argument;   ///< name of the second parameter; empty: there is none
-    const char* inside;     ///< condition: the lane that is asked is in the subgroup; empty: it always is
+    const char* inside;     ///< condition: the source lane is in the subgroup; empty: it always is
     const char* lane = "";  ///< without a parameter: a comma and the second argument of `function`, or empty
 };
 

@@ -47,8 +47,8 @@ struct NamedVector {
     std::uint32_t components;
 };
 
-/// The vector type that a C++ name means, in whatever namespace it is declared: float2 or half4, as the runtime calls
-/// them, or int64_2 or uint64_4, which only a user's type can be called. import_record() checks the size.
+/// The vector type that a C++ name means, in whatever namespace it is declared: float2 or half4, which the runtime
+/// declares, too, or int64_2 or uint64_4, which it does not. import_record() checks the size.
 std::optional<NamedVector> vector_named(llvm::StringRef name) {
     static const std::pair<llvm::StringRef, ImportedScalar> stems[] = {
         {"float", ImportedScalar::Float},  {"int", ImportedScalar::Int},        {"uint", ImportedScalar::Uint},

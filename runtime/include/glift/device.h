@@ -79,8 +79,9 @@ class GLIFT_API Device {
 public:
     /// `host`, in lower case; or, in upper or lower case, `gpu`, `lavapipe` or part of a device's name. Without an
     /// argument the environment variable GLIFT_DEVICE decides, with the same values; without that, the best GPU, else a
-    /// CPU that runs Vulkan, which is logged once (log.h). Never the host unless asked. Throws no_loader, no_device,
-    /// unsupported_version, missing_feature, missing_layer, or wrong_argument for an invalid environment variable.
+    /// CPU that runs Vulkan, which is logged once (log.h). Never the host unless `host` is given. Throws no_loader,
+    /// no_device, unsupported_version, missing_feature, missing_layer, or wrong_argument for an environment variable
+    /// with an invalid value.
     ///
     /// Other environment variables: GLIFT_VALIDATE=1 turns on the validation layer; GLIFT_CACHE_DIR says where
     /// compiled pipelines are kept (default: $XDG_CACHE_HOME/glift or ~/.cache/glift; empty: nowhere);
@@ -109,7 +110,7 @@ public:
     /// The bytes of temporary memory that a recording of what body(const Commands&) does would take: what
     /// Recording::workspace_bytes() of that recording returns. Nothing is allocated and nothing runs: in the body,
     /// structures made from its Commands have no storage. So it throws wrong_argument where the body waits for the
-    /// device or asks for what is there (`await` in a pipeline, downloads, timestamps). See recording.h.
+    /// device or reads from it (`await` in a pipeline, downloads, timestamps). See recording.h.
     template <class Body> std::uint64_t workspace_bytes(Body&& body) const;
 
     void wait() const;  ///< Commands::wait of the device's own stream

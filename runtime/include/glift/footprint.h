@@ -67,7 +67,7 @@ struct Footprint {
 };
 
 /// Whether one memory (or images with texels in common) is bound twice and written through at least one of the
-/// bindings. Cheap: every call asks.
+/// bindings. Cheap, since it runs at each call of a kernel.
 GLIFT_API bool is_shared(const Kernel& kernel, std::span<const Memory> memories);
 
 /// How the parameters overlap in the memories that they share. `footprints` are those of the parameters that are

@@ -9,7 +9,7 @@
 
 namespace glift::detail {
 
-/// Throws wrong_argument. `call` names the handle and what was asked of it: `Recording::submit`.
+/// Throws wrong_argument. `call` names the handle's class and the function called: `Recording::submit`.
 [[noreturn]] GLIFT_API void throw_empty_handle(const char* call);
 
 /// A shared pointer; access by `in` throws where it is null.

@@ -9,7 +9,7 @@
 //   wide      like general, for larger sizes: physical addresses are computed in 64 bits, buffers are accessed by
 //             device address (without descriptors), and iterations may be split into several dispatches.
 //
-// Generated code chooses the form. It asks Commands::needs_wide(kernel, memories, size, sharing) before it packs the
+// Generated code chooses the form. It calls Commands::needs_wide(kernel, memories, size, sharing) before it packs the
 // parameters, and packs those of the wide form where the answer is true. On Vulkan devices it is true for a buffer
 // larger than a descriptor can cover, for more buffers than the device has descriptors, for an iteration in several
 // axes of more workgroups than one dispatch may have (not over blocks, not of draws), and for elements that are reached

@@ -63,7 +63,7 @@ enum class Sharing : std::uint8_t {
     apart,      ///< no element that an invocation writes is accessed by another invocation, or by the same one through
                 ///< another binding
     one_place,  ///< no element that an invocation writes is accessed by another invocation, but some elements are
-                ///< accessed by their own invocation through two bindings: not in the direct form
+                ///< accessed by their own invocation through two bindings: the form must not be direct
 };
 
 /// One call of a kernel. Spans need to live only until Commands::dispatch returns.
@@ -72,7 +72,7 @@ struct Call {
     std::span<const Memory> memories;       ///< in binding order
     std::span<const std::byte> parameters;  ///< the parameter block of this form, iteration size included
     std::array<std::uint32_t, 4> size;      ///< host-known iteration size; where patches set it, an upper bound
-    std::span<const Patch> patches = {};    ///< non-empty: not the direct form, unless Kernel::of_blocks
+    std::span<const Patch> patches = {};    ///< if any: the form must not be direct, unless of_blocks
     std::span<const FixedWord> fixed = {};  ///< of the direct form; ignored on the host device
     Sharing sharing = Sharing::unknown;
     std::span<const Condition> conditions = {};  ///< all must hold

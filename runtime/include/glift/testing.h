@@ -138,7 +138,7 @@ private:
     static constexpr std::uint64_t largest_compared = std::uint64_t{4} << 30;  ///< bytes of an array in a buffer
 
     GLIFT_API void expect_numbers_near(double a, double b, double tolerance, const char* place);
-    /// As above; keeps the check's failures in `translations` instead of `failures`.
+    /// What the template above calls. The check's failures go into `translations`, not into `failures`.
     GLIFT_API void check_as_made(const char* title, void (*check)(const void* body), const void* body);
 
     template <class S> static KeptStructure record(const char* name, const S& structure, std::string_view scalars) {

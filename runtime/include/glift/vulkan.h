@@ -67,11 +67,11 @@ struct Extensions {
 GLIFT_API Device open(const Extensions& extensions, std::string_view which = {});
 
 /// Records into the user's command buffer, which is in the recording state. A barrier against everything earlier on the
-/// queue comes first; `finish` records a barrier that makes the results visible to everything later. Both submit the
-/// device's own pending commands, among them those that zero new memories: submit the command buffer after `finish`.
-/// The returned Commands holds memories and parameters: keep it until the command buffer has run. download, timestamp,
-/// flush and wait throw wrong_argument there. So does record_into for the host device or a null command buffer, and
-/// finish for commands that are not from record_into.
+/// queue comes first; `finish` records a barrier that makes the results visible to everything later. Both functions
+/// submit the device's own pending commands, among them those that zero new memories: submit the command buffer after
+/// `finish`. The returned Commands holds memories and parameters: keep it until the command buffer has run. download,
+/// timestamp, flush and wait throw wrong_argument there. So does record_into for the host device or a null command
+/// buffer, and finish for commands that are not from record_into.
 GLIFT_API Commands record_into(const Device& device, VkCommandBuffer commands);
 GLIFT_API void finish(const Commands& commands);
 

@@ -19,7 +19,7 @@ struct Block;
 struct Allocation {
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkDeviceSize offset = 0, bytes = 0;
-    std::byte* mapped = nullptr;  ///< null where the host cannot reach it
+    std::byte* mapped = nullptr;  ///< null: not mapped (images, and memory that is not host-visible)
     Block* block = nullptr;
 };
 
@@ -56,7 +56,7 @@ private:
     Context& context_;
     std::vector<std::unique_ptr<Pool>> pools_;
     std::uint64_t used_ = 0, reserved_ = 0, limit_;
-    bool is_cpu_;  ///< its memory is the machine's
+    bool is_cpu_;  ///< the device is a CPU: its memory is the machine's
 };
 
 }  // namespace glift::detail

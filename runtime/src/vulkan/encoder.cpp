@@ -108,7 +108,7 @@ bool Encoder::needs_wide(const Kernel& kernel, std::span<const Memory> memories,
     check_memories(&device_, kernel, memories);
     const bool is_aliased = sharing == Sharing::one_place && !kernel.wide.spirv.empty();
     if (is_aliased || needs_addresses(kernel, memories)) return true;
-    if (kernel.drawing || kernel.of_blocks) return false;  // draws have no workgroups; those of blocks are folded
+    if (kernel.drawing || kernel.of_blocks) return false;  // draws have no workgroups; those over blocks are folded
     return kernel.rank > 1 && !count_groups(kernel, size).within(context_.properties.max_workgroups);
 }
 
@@ -252,7 +252,7 @@ void Encoder::dispatch_split(const Pipeline& pipeline, const Call& call, const G
                     start[axis] = static_cast<std::uint32_t>(base[axis] * pipeline.kernel->group[axis]);
                 std::memcpy(block.data + pipeline.form->base_offset, start, sizeof start);
                 if (!call.patches.empty() || !call.conditions.empty()) {
-                    // Preparing may take a barrier, after which the pass's accesses are to be noted again.
+                    // `prepare` may record a barrier, after which the pass's accesses must be noted again.
                     const std::array<std::uint32_t, 3> covered = covered_by_group(*pipeline.kernel);
                     const Slice command = prepare(
                         pipeline, call, block, {part(0) * covered[0], part(1) * covered[1], part(2) * covered[2], 1});

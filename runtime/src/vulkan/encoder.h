@@ -88,7 +88,7 @@ private:
     VkPipeline bound_ = VK_NULL_HANDLE;
     Hazards hazards_;
     /// The list of passes that the last preparing pass prepares (prepare_indirect.comp). Passes are added to the list
-    /// as long as it has room and no command has written the values that they take since prepared_at_.
+    /// as long as it has room and, since prepared_at_, no command has written the values that the added pass needs.
     Slice prepared_;
     std::uint32_t prepared_count_ = 0;
     std::uint64_t prepared_at_ = 0;  ///< Hazards::writes() when the preparing pass was recorded

@@ -26,14 +26,13 @@ struct FeatureChain {
     VkPhysicalDeviceShaderAtomicFloatFeaturesEXT atomic_float = {};
     VkPhysicalDeviceShaderAtomicFloat2FeaturesEXT atomic_float2 = {};
 
-    /// Whether the device's Vulkan is older than 1.3. Then only `properties` is filled in, and nothing else is asked of
-    /// the device.
+    /// Whether the device's Vulkan is older than 1.3. Then only `properties` is filled in; nothing else is queried.
     bool old() const { return properties.apiVersion < VK_API_VERSION_1_3; }
     std::string missing() const;  ///< names of required features that are absent, empty if none
     void require() const;         ///< throws unsupported_version or missing_feature
 };
 
-/// The names of those extensions that the physical device lacks; empty if none.
+/// The names of the wanted extensions that the physical device lacks; empty if none.
 std::string lacking_extensions(const Instance& instance, VkPhysicalDevice physical,
                                std::span<const std::string> wanted);
 

@@ -38,7 +38,7 @@ FloatControls FloatControls::of(const VkPhysicalDeviceVulkan12Properties& proper
                            .hides_zeros = properties.driverID == VK_DRIVER_ID_MESA_LLVMPIPE,
                            .keeps_sums = properties.driverID == VK_DRIVER_ID_NVIDIA_PROPRIETARY};
     // NVIDIA's driver has DenormPreserve for 16 bits only, but with it keeps subnormal numbers of 32 bits, too. Without
-    // it, comparisons, `sign` and conversions take them for zeros (seen on an H200, driver 580).
+    // it, comparisons, `sign` and conversions treat them as zeros (seen on an H200, driver 580).
     add(controls.modes, denorm_preserve,
         allowed(has(properties.shaderDenormPreserveFloat16, properties.shaderDenormPreserveFloat32,
                     properties.shaderDenormPreserveFloat64),

@@ -46,7 +46,8 @@ inline std::uint32_t limit_along_x(const Kernel& kernel, std::uint32_t limit) {
 }
 
 /// Folds a one-dimensional iteration with too many groups along x into two dimensions. The number of rows is a power of
-/// two, so that even the surplus groups of the last row begin below 2^32, if a group covers a power of two.
+/// two: if a group covers a power of two elements, too, all groups, the surplus ones of the last row included, cover at
+/// most 2^32 elements, so that no element's number wraps around.
 inline void fold(Groups& groups, std::uint32_t limit) {
     if (groups.count[0] <= limit) return;
     groups.count[1] = std::bit_ceil(div_ceil(groups.count[0], limit));

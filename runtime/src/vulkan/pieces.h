@@ -1,4 +1,4 @@
-// Buffers larger than one allocation: bound from several, at one address (sparse binding).
+// Buffers larger than one allocation: bound to several, but contiguous in device addresses (sparse binding).
 #pragma once
 
 #include "context.h"

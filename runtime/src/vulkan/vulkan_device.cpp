@@ -155,7 +155,7 @@ std::vector<Allocation> VulkanDevice::allocate_pieces(const VkMemoryRequirements
 }
 
 void VulkanDevice::throw_out_of_memory(std::uint64_t bytes, const MemoryDescription& description) const {
-    // Both sizes are given, since some drivers allocate more than the heap that they report.
+    // What Glift holds and the reported heap are both given, since some drivers allocate more than they report.
     std::string why = size_text(bytes) + " asked for; Glift holds " + size_text(allocator_->reserved()) + " (" +
                       size_text(allocator_->used()) + " in use), on the device and for staging; " +
                       context_->properties.name + " reports a heap of " + size_text(context_->properties.memory_bytes);

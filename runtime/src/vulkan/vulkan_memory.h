@@ -16,8 +16,8 @@ struct MemoryParts {
     VkImageUsageFlags usage = 0;                ///< of the image
     bool is_users = false;                      ///< an adopted image, which the user destroys
     bool is_mutable = false;                    ///< a user's image, which may have views of other formats
-    VkImageView sampled_view = VK_NULL_HANDLE;  ///< all mips; null where the usage lacks it
-    VkImageView storage_view = VK_NULL_HANDLE;  ///< mip 0; null where the usage lacks it
+    VkImageView sampled_view = VK_NULL_HANDLE;  ///< all mips; null where `usage` has no sampling
+    VkImageView storage_view = VK_NULL_HANDLE;  ///< mip 0; null where `usage` has no storage
     /// Views of levels and faces that have been drawn to.
     struct AttachmentView {
         std::uint32_t mip, face;
@@ -40,7 +40,7 @@ struct MemoryParts {
     };
     std::vector<BitsView> bits_views;
     Allocation allocation;
-    std::vector<Allocation> pieces;  ///< of a buffer larger than one allocation, in place of it
+    std::vector<Allocation> pieces;  ///< of a buffer larger than one allocation, in place of `allocation`
 };
 
 class VulkanMemory final : public MemoryObject {

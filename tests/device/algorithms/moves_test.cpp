@@ -60,7 +60,7 @@ TEST_P(Moves, Gather) {
         const Values values = arbitrary_values<std::uint32_t>(round, placed.count);
         const Uints in(device(), round, placed, values);
         Values places(std::max(round.size(), 1u)), expected;
-        // Beyond the part a view still computes elements, so that the indices into views stay inside.
+        // Beyond the part, a view still computes elements, where other forms give 0: so indices into views stay inside.
         const bool view = round.form() == Form::strided || round.form() == Form::mapped;
         if (view && placed.count == 0) return;
         for (std::uint32_t& place : places) {

@@ -13,8 +13,8 @@ namespace edges {
 enum class Rule {
     exact,   ///< devices round vertices to the same positions: only clipping, which makes new vertices, explains
              ///< differences
-    rounded  ///< vertices are rounded to the same grid after other arithmetic: a centre within 1/256 pixel of an edge
-             ///< may differ, too
+    rounded  ///< devices compute vertices differently before they round them to the same grid: pixels whose centres are
+             ///< within 1/256 pixel of an edge may differ, too
 };
 
 struct Difference {

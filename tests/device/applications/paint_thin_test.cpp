@@ -72,7 +72,7 @@ strokes::Stroke dab_on(const Plate& plate, float beside) {
     stroke.camera.target = plate.centre;
     stroke.camera.up = plate.up;
     stroke.brush.hardness = stroke.brush.flow = 1;
-    stroke.brush.cells = 20;  // level 0
+    stroke.brush.cells = 20;  // so many that the dab paints on level 0, the finest
     stroke.brush.colour = {1, 0, 1};
     return stroke;
 }

@@ -28,7 +28,7 @@ inline scenes::Scene posts() {
     return scene;
 }
 
-/// The light between the posts, and a ceiling: light and shadow on all sides of a point light.
+/// The posts under a ceiling, with the light between them: light and shadow on all sides of a point light.
 inline scenes::Scene room() {
     scenes::Scene scene = posts();
     add_quad(scene.mesh, {-4, 1.4f, -4}, {8, 0, 0}, {0, 0, 8});

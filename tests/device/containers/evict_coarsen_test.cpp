@@ -1,4 +1,4 @@
-// Quadtrees with the policy evict_coarsen. After random requests and dismissals, at times of many more pages than fit,
+// Quadtrees with the policy evict_coarsen. After random requests and dismissals, sometimes of many more pages than fit,
 // they are compared with a model on the host (maps and sets of pages: model.h, tree_model.h): which pages are resident
 // and in which frames, the counts, all values, and samples, also where a coarser page stands for the requested one.
 #include "model.h"

@@ -64,7 +64,8 @@ TEST_P(Loops, OfWhichEachInvocationRunsFew) {
     }
 }
 
-// A device that runs both sides of every branch executes the inner loop's iterations, too, and they count.
+// A device that runs both sides of every branch evaluates the inner loop's condition once per outer iteration, which
+// counts as an iteration.
 TEST_P(Loops, ThatNoInvocationEnters) {
     expect("rarely", "loops.glift:93", false, 64, 30000, [&](Line& line) { loops::rarely(device, line, 30000); });
     expect("rarely", "loops.glift:93", true, 64, 40000, [&](Line& line) { loops::rarely(device, line, 40000); });

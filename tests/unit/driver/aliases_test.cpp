@@ -25,7 +25,7 @@ const std::map<std::string, std::string> texts = {
 };
 
 /// The outputs of a compilation by their names, without SPIR-V. Files are those of `texts`, else of the disk; the
-/// standard library is that of the sources.
+/// standard library is that of the source tree.
 std::map<std::string, std::string> outputs_of(std::vector<std::string> files) {
     Options options;
     options.files = std::move(files);

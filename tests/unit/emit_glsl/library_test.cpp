@@ -114,7 +114,8 @@ TEST(Library, OfAViewOfIntegers) {
     prove(texts[0], "#define DOUBLED_BINDING 0\n#define DOUBLED_READONLY\n", "if (Doubled_read(id.xy) > 1u) return;\n");
 }
 
-// The program's first kernel is a draw, whose parts declare only what they use.
+// The functions must not be printed as part of the program's first kernel: that is a draw here, whose parts declare
+// only what they use.
 TEST(Library, BesideADraw) {
     std::string text = library("module own;\nuse std.array;\nuse std.image;\npub structure Line = Array<1, float3>;\n"
                                "raster draw(c: in each<Line>, t: out target<Image<rgba8>>) {\n"

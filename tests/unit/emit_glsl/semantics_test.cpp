@@ -208,7 +208,7 @@ TEST(Atomics, OfFloatsAreThoseOfTheirBitsOrLoopsOfCompareAndSwap) {
     auto sums = b.buffer("sums", b.types().float_, Access::read_write);
     auto counts = b.buffer("counts", b.types().uint, Access::read_write);
     for (const auto slot : {out, sums, counts}) b.pass.bindings[slot].atomic = true;
-    b.pass.bindings[out].ordered = true;  // lowering says so where minima or maxima are combined
+    b.pass.bindings[out].ordered = true;  // as lowering sets it for minima and maxima of floats
     Stmt stmt = b.statement(StmtOp::atomic);
     stmt.slot = out;
     stmt.target = address;

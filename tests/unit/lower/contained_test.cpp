@@ -120,7 +120,8 @@ TEST(Contained, SumsOfSizesMayWrap) {
     EXPECT_FALSE(is_guarded("buffer<float>[" + large + " + 1u]", "return va.x < " + large + " ? va.x : 0u;"));
 }
 
-/// Whether accesses are bounds-checked in a structure that has these members, a line as memory and this translator.
+/// Whether accesses are bounds-checked in a structure with these members, a memory of `extent` floats, and this
+/// translator.
 bool is_guarded_line(const std::string& members, const std::string& extent, const std::string& translator) {
     const Lowering lowering(
         "translator Same : uint -> uint { n: uint; domain() { return n; } translate(va) { return va; } }\n"

@@ -4,8 +4,8 @@
 // Coverage is that of Vulkan with 8 bits of subpixel precision: window coordinates are rounded to 1/256 of a pixel, a
 // pixel is covered if its centre lies inside a triangle or on a top or left edge. A line is a rectangle one pixel wide
 // (Vulkan's strict lines), a point a square of one pixel; both are drawn as two triangles, which are front-facing.
-// Batches of vertices follow each other. In each, chunks of vertices are shaded in parallel, then tiles of the viewport
-// are drawn in parallel; within a tile, triangles keep their order.
+// Vertices are drawn in batches, one after the other. In each, chunks of vertices are shaded in parallel, then tiles of
+// the viewport are drawn in parallel; within a tile, triangles keep their order.
 #pragma once
 
 #include <glift/api.h>

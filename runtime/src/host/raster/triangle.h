@@ -48,7 +48,7 @@ struct Point {
     std::int32_t x, y;
 };
 
-/// A vertex and a point in the window: its own, or one beside it, where a line or a point is widened to triangles.
+/// A vertex, and a point in the window: where the vertex lies, or beside it for a line or a point widened to triangles.
 struct Corner {
     Point point;
     float inverse_w;
