@@ -445,7 +445,8 @@ struct Kernel {
     /// Pairs of parameters declared @disjoint(read, written): no element that is read through the first one is written
     /// through the second one in the same pass.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> disjoint;
-    std::optional<Raster> raster;  ///< of a kernel that draws: `body` is then the vertex part
+    bool accesses_outside = false;  ///< @accesses_outside: checked builds report no accesses outside structures
+    std::optional<Raster> raster;   ///< of a kernel that draws: `body` is then the vertex part
     /// The parameter whose blocks the kernel visits (see Blocks); none: it visits a whole range.
     std::optional<std::uint32_t> space;
     std::vector<std::uint32_t> same_space;  ///< other parameters whose blocks must be those of `space` in every call

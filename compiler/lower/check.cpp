@@ -4,8 +4,8 @@
 // (or range) of a structure that does not define what lies outside. A structure defines that by an `otherwise`, its own
 // or that of a structure in its chain of memories (ir/chain.h), or by a first translator that is partial (a border, a
 // page table). Not reported are accesses by translators, views and functions of blocks, which may rely on reading zeros
-// outside, nor `load`, `near`, `sample`, `gather`, `compare`, `find` and `contains`, which are meant for addresses that
-// may be outside.
+// outside, those of kernels declared @accesses_outside, and `load`, `near`, `sample`, `gather`, `compare`, `find` and
+// `contains`, which are meant for addresses that may be outside.
 #include "ir/chain.h"
 #include "lower/expand.h"
 
@@ -15,7 +15,8 @@ using namespace ir;
 
 bool Expander::checks_range(const Place& place) {
     const Structure& structure = cx.structure_at(place);
-    return cx.checks == Checks::ranges && within_ == 0 && is_total(structure) && !says_otherwise(p, structure, place);
+    return cx.checks == Checks::ranges && within_ == 0 && !cx.kernel.accesses_outside && is_total(structure) &&
+           !says_otherwise(p, structure, place);
 }
 
 void Expander::check_range(const Place& place, ExprId address, Access access, Span span) {

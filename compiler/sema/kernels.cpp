@@ -244,29 +244,38 @@ std::optional<std::uint32_t> parameter_named(const Context& c, const ir::Kernel&
     return std::nullopt;
 }
 
-/// Reads the attributes of a kernel. There is only `@disjoint(read, written)`; reports any other.
+/// Reads `@disjoint(read, written)`.
+void read_disjoint(Context& c, const ast::Attribute& attribute, ir::Kernel& kernel) {
+    std::optional<std::uint32_t> read, written;
+    if (attribute.arguments.size() == 2) {
+        read = parameter_named(c, kernel, attribute.arguments[0]);
+        written = parameter_named(c, kernel, attribute.arguments[1]);
+    }
+    const auto accesses = [&](const std::optional<std::uint32_t>& param, bool writes) {
+        if (!param) return false;
+        const ir::KernelParam& named = kernel.params[*param];
+        const bool is_accessed =
+            ir::traits_of(named.pattern).reach != ir::Reach::nothing || named.pattern == ir::Pattern::calls;
+        return is_accessed && (named.direction != ir::Direction::in) == writes;
+    };
+    if (accesses(read, false) && accesses(written, true)) kernel.disjoint.emplace_back(*read, *written);
+    else
+        note(c.error(Diag::disjoint_names, attribute.span), attribute.span,
+             "the first is an 'in' parameter of a structure, the second one that is 'out' or 'inout'");
+}
+
+/// Reads the attributes of a kernel: `@disjoint(read, written)` and `@accesses_outside`; reports any other.
 void read_attributes(Context& c, const ast::Decl& decl, ir::Kernel& kernel) {
     for (const ast::Attribute& attribute : decl.attributes) {
-        if (c.text(attribute.name.name) != "disjoint") {
-            c.error(Diag::unknown_attribute, attribute.span, {c.text(attribute.name.name)});
-            continue;
+        const std::string& name = c.text(attribute.name.name);
+        if (name == "disjoint") {
+            read_disjoint(c, attribute, kernel);
+        } else if (name == "accesses_outside") {
+            kernel.accesses_outside = true;
+            if (!attribute.arguments.empty()) c.error(Diag::attribute_alone, attribute.span, {name});
+        } else {
+            c.error(Diag::unknown_attribute, attribute.span, {name});
         }
-        std::optional<std::uint32_t> read, written;
-        if (attribute.arguments.size() == 2) {
-            read = parameter_named(c, kernel, attribute.arguments[0]);
-            written = parameter_named(c, kernel, attribute.arguments[1]);
-        }
-        const auto accesses = [&](const std::optional<std::uint32_t>& param, bool writes) {
-            if (!param) return false;
-            const ir::KernelParam& named = kernel.params[*param];
-            const bool is_accessed =
-                ir::traits_of(named.pattern).reach != ir::Reach::nothing || named.pattern == ir::Pattern::calls;
-            return is_accessed && (named.direction != ir::Direction::in) == writes;
-        };
-        if (accesses(read, false) && accesses(written, true)) kernel.disjoint.emplace_back(*read, *written);
-        else
-            note(c.error(Diag::disjoint_names, attribute.span), attribute.span,
-                 "the first is an 'in' parameter of a structure, the second one that is 'out' or 'inout'");
     }
 }
 

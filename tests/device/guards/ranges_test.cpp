@@ -63,6 +63,11 @@ TEST_P(Ranges, WhatTheStructureDefinesIsNot) {
     EXPECT_EQ(to.read({0, 0}, {1, 1})[0], 1.5f);
 }
 
+TEST_P(Ranges, WhatAKernelDeclaresIsNot) {
+    expect_silence([&] { ranges::shifted_on_purpose(device, from, {3, 3}, to); });
+    EXPECT_EQ(to.read({4, 3}, {1, 1})[0], 1.0f);
+}
+
 TEST_P(Ranges, WhatIsAskedForIsNot) {
     expect_silence([&] { ranges::asked(device, from, {3, 3}, to); });
     EXPECT_EQ(to.read({4, 3}, {1, 1})[0], -1.0f);
