@@ -143,7 +143,7 @@ struct Printer {
     std::unordered_map<ir::LocalId, std::string> local_names;
     std::unordered_map<ir::LocalId, Bounds> bounds;
     std::unordered_set<ir::LocalId> choices;  ///< locals that may hold a choice between constants (signs.h)
-    bool in_range_is_known = false;  ///< the shader has returned already if in_range is false
+    bool in_range_is_known = false;           ///< the shader has returned already if in_range is false
 
     std::set<std::string> extensions;
     std::vector<ir::TypeId> struct_types;  ///< structs and optionals used, each after those in it

@@ -130,7 +130,8 @@ TEST_P(ShadowChanges, OfAsmDegradeByCoarserLevelsAlone) {
     }
 }
 
-/// After a change of the scene or the light, a frame that keeps pages (`cached`) has the light of one that is drawn anew.
+/// After a change of the scene or the light, a frame that keeps pages (`cached`) has the light of one that is drawn
+/// anew.
 TEST_P(ShadowChanges, AreNotKeptWhereSceneOrLightMoves) {
     Settings settings = small();
     settings.cached = true;
