@@ -119,7 +119,7 @@ struct Body {
     /// device may stand in it (sema/values.h).
     bool is_open = false;
     std::vector<ir::ExprId> leaves;  ///< pipelines: nodes Op::device_value made for the expression being checked since
-                                     ///< keep_leaves() (values.cpp) last emptied the list
+                                     ///< a function of values.cpp last emptied the list
     /// Pipelines: the prefix of the keys (ir::Kernel::key) of the kernels that compute values on the device for this
     /// pipeline. Each run of gliftc gives the same kernel the same key.
     std::string key;

@@ -47,7 +47,7 @@ std::optional<Operand> call_builtin(Body& body, const std::string& name, const a
     if (name == "position" && body.kernel) {
         if (!arguments_of(call).empty())
             body.context.error(Diag::argument_count, call.span, {name, "0", std::to_string(call.operands.size() - 1)});
-        if (!body.kernel->domain_type) return error_operand(call.span);  // nothing to run over: already reported
+        if (!body.kernel->domain_type) return error_operand(call.span);  // no valid `each` or `at` parameter: reported
         return value_operand(body, add(body.program(), ir::Op::position, body.kernel->domain_type, call.span),
                              call.span);
     }

@@ -22,8 +22,8 @@ struct Settings {
     /// then instantiated also for the structures that translators read, and for those that are the memory of another;
     /// the kernels that list which elements are there are not.
     bool looks_into_tables = false;
-    /// Gives the name of a module that could be imported and declares this public name, or "". For messages; asked
-    /// where no loaded module declares the name as public.
+    /// Gives the name of a module that could be imported and declares this public name, or "". For messages; called
+    /// only if no loaded module declares the name as public.
     std::function<std::string(std::string_view name)> module_with;
 };
 

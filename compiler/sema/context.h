@@ -110,7 +110,7 @@ struct Context {
     const ast::Decl& operator[](ast::DeclId id) const { return tree.decls[id]; }
 
     /// Reports an error or warning, with a note for each instantiation in progress that has generic arguments,
-    /// innermost first. An instantiation that was asked for at the same place as the message before it gets no note.
+    /// innermost first. A note is left out if it would stand at the place of the error or note before it.
     Diagnostic& error(Diag id, Span span, std::initializer_list<std::string_view> arguments = {});
     /// A new environment, without bindings, that lives as long as the context.
     Env& new_env(std::uint32_t module);

@@ -151,7 +151,7 @@ Operand check_name(Body& body, ast::ExprId id) {
     return error_operand(expr.span);
 }
 
-/// `{ a, b }` as a value of the wanted type, such as an array, struct or vector. Of an optional: as its value.
+/// `{ a, b }` as a value of the wanted type, such as an array, struct or vector; where `T?` is wanted, of type T.
 Operand check_tuple(Body& body, const ast::Expr& expr, ir::TypeId wanted) {
     if (wanted && body.types().kind(wanted) == ir::TypeKind::optional) wanted = body.types()[wanted].element;
     if (!wanted || wanted == body.types().error) {

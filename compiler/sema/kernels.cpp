@@ -54,8 +54,8 @@ void check_extra(Context& c, const Env& env, const ast::Param& param, ir::Kernel
         made.radius = window_radius(c, env, param);
         return;
     }
-    if (made.pattern == ir::Pattern::at) return;      // its argument is for the whole kernel: read_items
-    if (made.pattern == ir::Pattern::target) return;  // its argument is the blending or depth test: add_target
+    if (made.pattern == ir::Pattern::at) return;      // read_items() reads its argument, which is for the whole kernel
+    if (made.pattern == ir::Pattern::target) return;  // add_target() reads its argument, the blending or the depth test
     if (made.pattern != ir::Pattern::scatter) {
         if (!param.extra.empty()) c.error(Diag::pattern_arguments, c[param.extra[0]].span);
         return;

@@ -451,7 +451,7 @@ std::string to_text(const Context& c, const Meta& meta) {
 
 std::string to_qualified_text(const Context& c, const Meta& meta) {
     if (meta.kind == MetaKind::type) return ir::to_qualified_text(c.program, meta.type);
-    if (meta.kind == MetaKind::value && meta.value.lanes.size() != 1)  // as of a vector: the text begins with the type
+    if (meta.kind == MetaKind::value && meta.value.lanes.size() != 1)  // ir::to_text() begins with the unqualified type
         return ir::to_qualified_text(c.program, meta.value.type) + ir::to_text(c.program, meta.value);
     if (meta.kind != MetaKind::translator) return to_text(c, meta);
     std::string text;

@@ -72,7 +72,7 @@ struct Pair {
     ir::ExprId left, right;
 };
 
-/// Checks both operands; the type of one is the hint for literals and inferred calls in the other. The expected result
+/// Checks both operands; the type of one is the hint for literals and generic calls in the other. The expected result
 /// type is only a hint: in `scale * normal`, of vector type, one operand may be a scalar.
 Pair check_sides(Body& body, const ast::Expr& expr, ir::TypeId wanted) {
     ast::ExprId l = expr.operands[0], r = expr.operands[1];

@@ -53,9 +53,9 @@ void look(const ir::Program& program, ir::FunctionId id, Flow& flow) {
     look(program, program.functions[id].body, flow);
 }
 
-/// A structure that the translator reads is read through its own translators, those of the structures that are its
-/// memory, and the functions of a view at their end: weakens `uniform` and the complexity of access where one of these
-/// has weaker properties. What a view reads is not known in detail: all its members count.
+/// A structure that the translator reads is read through its own translators, through those of the structures that are
+/// its memory and, if the last of these is a view, through the view's `at`: weakens `uniform` and the complexity of
+/// access where one of these has weaker properties. All members of the view count as read by `at`.
 void add_table(const ir::Program& program, std::uint32_t table, ir::Properties& properties,
                std::set<std::uint32_t>& seen) {
     if (!seen.insert(table).second) return;

@@ -180,8 +180,8 @@ void check_methods(Context& c, std::uint32_t index) {
         const auto function = instantiate_function(c, item.decl, env, {index}, decl.name.span);
         if (!function) return;
         const ir::Function& made = c.program.functions[*function];
-        // Functions that write are called in kernels alone, there also by other functions. Methods in C++ cannot return
-        // optionals.
+        // Functions that write are called only by kernels, and by functions that kernels call. Methods in C++ cannot
+        // return optionals.
         if (!made.effects.empty() || c.types().kind(made.result) == ir::TypeKind::optional) return;
         if (made.reads_memory && type_not_for_passes(c.program, made)) return;
         ir::Method method{*function, std::nullopt};

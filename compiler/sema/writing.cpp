@@ -299,7 +299,7 @@ bool add_effects(Body& body, ir::FunctionId id, const std::vector<Operand>& give
     const ir::Function called = body.program().functions[id];
     for (ir::Effect effect : called.effects) {
         const Operand& through = given[effect.place.root];
-        // The callee has this effect through a parameter of its own. fits_writing() has checked that the caller
+        // If the callee has this effect through one of its parameters, fits_writing() has checked that the caller
         // declares the same pattern for the structure that it passes. So the caller has the effect already, or is a
         // kernel whose own parameter has that pattern.
         const bool is_param = effect.place.members.empty() && !(is_method && effect.place.root == 0);

@@ -208,7 +208,7 @@ private:
     std::vector<std::uint16_t> heights_;  // height of the tree of each expression from first_expr_ on; limited by add()
     std::uint32_t unclosed_at_ =
         0xffffffffu;  // the token where a missing `}` was reported, so that enclosing braces do not report it again
-    std::uint32_t badly_indented_ = 0xffffffffu;  // first `{` whose `}` is indented differently: its own may be missing
+    std::uint32_t badly_indented_ = 0xffffffffu;  // first `{` whose `}` is indented differently: a `}` may be missing
 };
 
 }  // namespace gliftc
