@@ -363,6 +363,7 @@ Operand check_unary(Body& body, ast::ExprId id, ir::TypeId wanted) {
     if (!right) {
         const char* sign = expr.unary == ast::UnaryOp::logical_not ? "!"
                            : expr.unary == ast::UnaryOp::bit_not   ? "~"
+                           : expr.unary == ast::UnaryOp::plus      ? "+"
                                                                    : "-";
         note_optional(body, c.error(Diag::unary_operand, expr.span, {sign, c.text(type)}), expr.span, type);
         return error_operand(expr.span);

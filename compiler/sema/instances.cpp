@@ -148,6 +148,7 @@ static void declare_params(Body& body, const std::vector<ast::Param>& params, ir
             else function.params.push_back(local);
             continue;
         }
+        check_extra_count(c, param);
         if (writes && c.types().kind(type) != ir::TypeKind::structure) {
             if (type != c.types().error) c.error(Diag::pattern_needs_structure, c[param.type].span, {c.text(type)});
             function.params.push_back(declare_local(body, param.name, c.types().error, true, false));

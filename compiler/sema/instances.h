@@ -21,6 +21,10 @@ std::optional<std::uint32_t> instantiate_kernel(Context&, ast::DeclId, const Env
 
 /// The radius of a parameter `near<S, r>`; reports one that is missing (then 1) or out of range.
 std::uint32_t window_radius(Context&, const Env&, const ast::Param&);
+
+/// Reports the first argument of a parameter's pattern after the structure and the one that the pattern may take.
+void check_extra_count(Context&, const ast::Param&);
+
 /// The three extents after `group`: 1 for each that is not written, all 1 after an error; all 0 if there is no `group`.
 std::array<std::uint32_t, 3> group_of(Context&, const Env&, const std::vector<ast::ExprId>& written);
 

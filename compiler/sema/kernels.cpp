@@ -47,21 +47,24 @@ std::uint32_t window_radius(Context& c, const Env& env, const ast::Param& param)
     return radius.value_or(1);
 }
 
+void check_extra_count(Context& c, const ast::Param& param) {
+    const bool takes_one = param.pattern == ast::Pattern::near || param.pattern == ast::Pattern::scatter ||
+                           param.pattern == ast::Pattern::at || param.pattern == ast::Pattern::target;
+    const std::size_t taken = takes_one ? 1 : 0;
+    if (param.extra.size() > taken) c.error(Diag::pattern_arguments, c[param.extra[taken]].span);
+}
+
 namespace {
 
+/// Reads the radius of `near` and the operation of `scatter`. The argument of `at` is for the whole kernel:
+/// read_items(); that of `target` is the blending or depth test: add_target().
 void check_extra(Context& c, const Env& env, const ast::Param& param, ir::KernelParam& made) {
-    if (made.pattern == ir::Pattern::near) {
-        made.radius = window_radius(c, env, param);
-        return;
-    }
-    if (made.pattern == ir::Pattern::at) return;      // read_items() reads its argument, which is for the whole kernel
-    if (made.pattern == ir::Pattern::target) return;  // add_target() reads its argument, the blending or the depth test
-    if (made.pattern != ir::Pattern::scatter) {
-        if (!param.extra.empty()) c.error(Diag::pattern_arguments, c[param.extra[0]].span);
-        return;
-    }
-    if (!param.extra.empty()) made.combine = check_combine(c, param.extra[0], made.structure);
+    check_extra_count(c, param);
+    if (made.pattern == ir::Pattern::near) made.radius = window_radius(c, env, param);
+    if (made.pattern == ir::Pattern::scatter && !param.extra.empty())
+        made.combine = check_combine(c, param.extra[0], made.structure);
 }
+
 /// Reports `out each` and `inout each` over a many-to-one translator: two invocations, which run in no order, could
 /// write one element.
 void check_exclusive(Context& c, const ast::Param& param, const ir::KernelParam& made) {

@@ -163,7 +163,11 @@ void add_varying(Body& body, const ast::Varying& written) {
 void check_iteration(Context& c, const ast::Kernel& written, ir::Kernel& kernel) {
     kernel.domain_type = c.types().vector(c.types().uint, 2);
     bool has_corners = false;
-    for (const ast::Param& param : written.params) has_corners = has_corners || param.pattern == ast::Pattern::each;
+    for (const ast::Param& param : written.params) {
+        has_corners = has_corners || param.pattern == ast::Pattern::each;
+        const bool takes_several = param.pattern == ast::Pattern::at && !param.extra.empty();
+        if (takes_several) c.error(Diag::pattern_arguments, c[param.extra[0]].span);
+    }
     for (std::uint32_t i = 0; i < kernel.params.size(); ++i) {
         const ir::KernelParam& param = kernel.params[i];
         const bool is_counted = param.pattern == ir::Pattern::each || param.pattern == ir::Pattern::instance;
@@ -237,7 +241,6 @@ void add_target(Body& body, const ast::Param& param, const ir::KernelParam& made
              "std.image.Image do");
         return;
     }
-    if (param.extra.size() > 1) c.error(Diag::pattern_arguments, c[param.extra[1]].span);
     const ir::LocalId value = add_local(c.program, param.name.name, structure.element, param.name.span, true);
     if (ir::has_depth_format(c.program, structure)) add_depth(body, param, made, index, value);
     else add_colour(body, param, made, structure, index, value);
