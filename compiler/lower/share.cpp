@@ -118,8 +118,8 @@ bool Counting::assume(ValueNumber number, bool holds) {
     return true;
 }
 
-/// Walks a body in which the condition is known to hold, or known not to. A condition that may change within the pass
-/// is not noted, nor is a constant.
+/// Walks a body in which the condition is known to hold, or known not to. Not noted is a constant, or a condition that
+/// may change while the kernel runs (Numbers::is_fixed).
 void Counting::run_knowing(const std::vector<StmtId>& body, ExprId condition, bool holds) {
     if (body.empty()) return;
     const bool is_new =
@@ -179,8 +179,8 @@ void Counting::visit_target(ExprId id) {
 }
 
 /// Drops a `let` whose value was computed before: uses then name the local of the earlier one. Otherwise later uses of
-/// the value name the local of this `let`, unless the value needs no local (is_leaf). Mutable locals and values with
-/// effects are kept as they are.
+/// the value name the local of this `let`, unless the value needs no local (is_leaf). A condition that is known to
+/// hold, or not to, becomes a constant. The `let` of a mutable local, or of a value that is not pure (number.h), stays.
 void Counting::let_(const Stmt& stmt) {
     const Local& local = cx.p.locals[stmt.local];
     if (!stmt.value || local.is_mutable || !numbers_.is_pure(stmt.value)) {

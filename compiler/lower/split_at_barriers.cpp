@@ -112,7 +112,8 @@ std::vector<StmtId> regions_between_barriers(Context& cx, const std::vector<Stmt
 std::vector<StmtId> split_at_barriers(Context& cx, const std::vector<StmtId>& body) {
     std::vector<StmtId> whole = cx.pass.prologue;
     whole.insert(whole.end(), body.begin(), body.end());
-    // drop_dead removes the prologue's address where the body uses only builtins such as local_index().
+    // drop_dead leaves out the statements of the prologue that compute the address of `at`, where the body does not use
+    // it.
     return regions_between_barriers(cx, drop_dead(cx, whole));
 }
 

@@ -178,7 +178,8 @@ std::optional<std::uint32_t> owner_of(const ir::Program& p, const ir::KernelPara
     return owner;
 }
 
-/// The parameters whose ranges decide what the kernel visits.
+/// The parameters whose ranges decide what the kernel visits. A `near` is never before an `each`: its range may be
+/// larger than the visited one, which is that of the first parameter here.
 std::vector<std::uint32_t> deciding(const ir::Kernel& kernel) {
     const auto chosen = [&](const auto& decides) {
         std::vector<std::uint32_t> found;
@@ -195,6 +196,7 @@ std::vector<std::uint32_t> deciding(const ir::Kernel& kernel) {
         found = chosen([](const ir::KernelParam& param) {
             return param.pattern == Pattern::each || param.pattern == Pattern::near;
         });
+    std::ranges::stable_partition(found, [&](std::uint32_t i) { return kernel.params[i].pattern != Pattern::near; });
     return found;
 }
 

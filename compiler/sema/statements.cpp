@@ -182,7 +182,8 @@ std::vector<ir::StmtId> check_branch(Body& body, const std::vector<ast::StmtId>&
 }
 
 /// Checks the branch that never runs of an `if` with a constant condition, in a pipeline. Even in an arm (sema/arms.h)
-/// it may wait for the device or return, and what it needs of the host is not recorded in Body::host_needed.
+/// it may wait for the device or return, and Body::host_needed, the first statement that only the host can execute,
+/// stays as it was.
 std::vector<ir::StmtId> check_dead_branch(Body& body, const std::vector<ast::StmtId>& branch) {
     const Span host_needed = body.host_needed;
     auto arms = std::exchange(body.arms, {});
