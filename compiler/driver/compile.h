@@ -44,8 +44,8 @@ struct Result {
     std::vector<StageTime> times;
 };
 
-/// Runs the stages that the options ask for; stops after the first that reports an error (after sema, if only names of
-/// modules are wrong).
+/// Runs the stages that the options ask for; stops after the first that reports an error (after sema, if the only
+/// errors are names of modules that do not match their files).
 Result compile(const Options& options, const FileSystem& files, Compilation& compilation);
 
 /// Compiles one text as the only file that exists, for fuzzers; returns what was reported.
