@@ -36,7 +36,12 @@
 // path from a kernel's parameter through nested members, such as f.table; "given" is a local that a draw exchanges with
 // the rasteriser; intrinsic is also "some", "has_value" or "value", for optionals. A primary "(" expr ":" type ")"
 // gives the type of an expression whose operands do not imply it (ir/implied_type.h). "fact" is a condition that is
-// known to hold throughout the body; tests and --dump-after write it. "…" stands for what print.h writes there.
+// known to hold throughout the body; tests and --dump-after write it. "member" n is the n-th argument of the
+// structure's constructor, "memory" n the extent of its n-th memory, "host" n the n-th host state of an adaptor,
+// "state" n the n-th field of a translator; "of" place n names the n-th memory of the structure at the place, and each
+// word before it sets a member of PassBinding (read_pass.cpp). "loops", "reports", "inexact" set members of Pass;
+// "keep" marks locals whose values cross a barrier; the section "block" is Variant::block. "…": as print_statements.cpp
+// and print_expressions.cpp write it.
 #pragma once
 
 #include "ir/pass.h"
@@ -53,11 +58,11 @@ struct ReadError : std::runtime_error {
 };
 
 struct ReadPass {
-    Pass pass;  ///< pass.kernel is a kernel of the program with the parameters that the text names
+    Pass pass;  ///< pass.kernel: a kernel that is added to the program, with the parameters that the text names
     std::vector<ExprId> facts;
 };
 
-/// Reads the passes of a text, and adds their nodes to the program.
+/// Reads the passes of a text, and adds their kernels, structures, functions and expressions to the program.
 std::vector<ReadPass> read_passes(Program& program, std::string_view text);
 
 }  // namespace gliftc::ir
