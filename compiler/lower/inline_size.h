@@ -16,7 +16,8 @@ public:
     explicit InlineSizes(const ir::Program& program) : p(program) {}
 
     /// An estimate of the number of nodes that inlining a call makes, with loops unrolled. None if the call is not to
-    /// be inlined: the function cannot be executed symbolically (inline.cpp), or makes too many nodes.
+    /// be inlined: the function cannot be executed symbolically (inline.cpp), has a loop of too many rounds, or makes
+    /// too many nodes.
     std::optional<std::size_t> of(ir::FunctionId function);
 
 private:

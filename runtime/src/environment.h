@@ -13,7 +13,7 @@ bool environment_flag(const char* name);
 /// Throws wrong_argument, naming the variable, for other texts.
 std::uint64_t bytes_of_text(const char* name, std::string_view text);
 
-/// The bytes that GLIFT_MEMORY_LIMIT says, or `unlimited`.
+/// The bytes that GLIFT_MEMORY_LIMIT says; the constant `unlimited` of glift/device.h if it is not set or empty.
 std::uint64_t memory_limit();
 
 }  // namespace glift::detail

@@ -42,7 +42,7 @@ public:
     /// What the error is about: for example a call, a kernel or statement (with file and line), a memory, a device's
     /// name, or VARIABLE=value.
     const std::string& where() const { return where_; }
-    const std::string& why() const { return why_; }        ///< the cause, with the numbers
+    const std::string& why() const { return why_; }        ///< the cause; may be empty
     const std::string& remedy() const { return remedy_; }  ///< what to do
 
 private:

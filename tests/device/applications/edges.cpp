@@ -46,7 +46,8 @@ std::vector<Place> cuts_of(const Place (&corners)[3], bool is_far) {
     return cuts;
 }
 
-/// Whether an edge of a triangle that is clipped is so near to the pixel's centre that rounding may decide.
+/// Of a clipped triangle: whether the line through one of its edges, or through an edge that clipping at the near or
+/// far plane makes, is so near to the pixel's centre that rounding may decide.
 bool has_clipped_edge_at(const Place (&corners)[3], uint2 size, std::uint32_t x, std::uint32_t y) {
     // A corner is moved by at most half a step of 1/256 in x and in y, the diagonal 0.71 / 256, before and again after
     // clipping: 1.42 / 256.
