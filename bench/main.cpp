@@ -14,7 +14,7 @@ namespace {
 struct Options {
     std::string device, json, only;
     int runs = 20;
-    double seconds = 0;       ///< of one run; 0: chosen by the kind of device
+    double seconds = 0;       ///< of the generated pass in one run; 0: chosen by the kind of device
     std::uint32_t scale = 0;  ///< of the work (cases.h); 0: chosen by the kind of device
 };
 

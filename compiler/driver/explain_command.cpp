@@ -72,7 +72,8 @@ std::string inverse_of(const ir::Properties& properties, const Trial& trial) {
 }
 
 /// Collects what is to be shown of what sema instantiated: the structures that a module on the command line declares or
-/// that any module names, all translators, and the draws in modules on the command line.
+/// to which any module gives a name (`structure Field = Array<4, float>;`), all translators, and the draws in modules
+/// on the command line.
 class Explainer {
 public:
     explicit Explainer(const Compilation& c) : draws(explained_draws(c)), c_(c), program_(c.program) {
@@ -148,8 +149,8 @@ private:
         return text;
     }
 
-    /// The text about the blocks of a structure, which the structure itself or one that is its memory declares; empty
-    /// if there are none. Whether blocks overlap is not checked.
+    /// The text about the blocks of a structure, as ir::blocks_of() finds them; empty if it finds none: the whole
+    /// domain is one block.
     std::string blocks_of(const ir::Structure& structure) const {
         const auto place = ir::blocks_of(program_, structure, {});
         if (!place) return "";

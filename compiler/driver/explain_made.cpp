@@ -1,22 +1,30 @@
 #include "driver/explain_made.h"
 
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <string_view>
 
 namespace gliftc {
 
 namespace {
 
-/// Reads `Grid(uint2(18, 16), 20, -1.0)`: a name, and numbers in parentheses; names of types, brackets and commas among
-/// the numbers are skipped. False if `call` is something else.
+bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+/// Reads `Grid(uint2(18, 16), 20, -1.0)`: a name, then numbers in parentheses. Types before the numbers (`uint2`,
+/// `float[2]`), parentheses, braces and commas are skipped. False if `call` is something else.
 bool read_call(const std::string& call, std::string& name, std::vector<double>& numbers) {
     const std::size_t open = call.find('(');
     name = call.substr(0, open);
-    if (open == std::string::npos || call.back() != ')') return false;
+    if (open == std::string::npos || open == 0 || call.back() != ')') return false;
     const char* at = call.c_str() + open;
     while (*at) {
-        if (std::isalpha(static_cast<unsigned char>(*at))) {
-            while (std::isalnum(static_cast<unsigned char>(*at))) ++at;
+        if (is_of_word(*at) && !std::isdigit(static_cast<unsigned char>(*at))) {
+            while (is_of_word(*at)) ++at;
+            if (*at == '[') at = std::strchr(at, ']');
+            if (!at) return false;
+            if (*at == ']') ++at;
         } else if (std::string_view(" ,(){}").find(*at) != std::string_view::npos) {
             ++at;
         } else {

@@ -11,7 +11,8 @@ const Structure& structure_at(const Program& program, const Structure& from, con
 
 /// Another path to the structure that `path` leads to from `from`. Where `path` goes through a member to a structure
 /// that this member's constructor was given, the result goes to that structure by the path that the member's owner has
-/// to it. All paths from `from` to one structure so become equal, unless `from` itself was given that structure twice.
+/// to it. All paths from `from` to one structure so become equal, unless `from` itself was given that structure twice,
+/// or once, and again as a member of another structure that it was given.
 std::vector<std::uint32_t> made_at(const Program& program, const Structure& from, std::vector<std::uint32_t> path);
 
 /// The place of the structure that is the memory of `structure` (the next link), which is at `place`. Only if
@@ -25,13 +26,13 @@ const Structure& root_structure(const Program& program, const Structure& structu
 /// The buffer or image of the root. Only for structures whose root is not a view: is_computed() is false.
 const Memory& root_memory(const Program& program, const Structure& structure);
 
-/// The place of the link that declares the blocks of `structure`, which is at `place`: of the first link that declares
-/// blocks, if no link before it has a `via`, so that addresses are the same. Absent: the whole domain is one block.
+/// The place of the first link that declares blocks, in the chain of `structure`, which is at `place`; only if no link
+/// before it has a `via`: addresses are then the same. Absent: the whole domain is one block.
 std::optional<Place> blocks_of(const Program& program, const Structure& structure, const Place& place);
 
-/// The places (root 0 is the structure) of the structures with memory whose elements or translations the functions
-/// `count` and `first` of the structure's own blocks use, directly or through other functions; also of the tables that
-/// translators read for these. A view is replaced by what its `at` uses.
+/// What the functions `count` and `first` of the structure's own blocks depend on: the places (root 0 is `structure`)
+/// of all structures with memory that these functions and their callees read or translate by, and of the tables that
+/// those translators read. In place of a view, what its `at` reads.
 std::vector<Place> places_of_blocks(const Program& program, const Structure& structure);
 
 /// The blocks that a kernel visits; null: it visits whole ranges.

@@ -1,13 +1,13 @@
 // Properties of access patterns (patterns.def: how a kernel's parameter is accessed), and questions about which
-// accesses of a kernel may conflict.
+// accesses of a kernel may conflict, when a draw tests depth, and what C++ may write.
 #pragma once
 
 #include "ir/pass.h"
 
 namespace gliftc::ir {
 
-/// Whether the operation reads the memory of a binding. False for Op::row_load, which lowering makes of loads at its
-/// end, for the host device only.
+/// Whether the operation reads the memory of a binding. Not asked of Op::row_load, which the last pass of lowering
+/// makes of loads, for the host device only.
 inline bool is_load(Op op) {
     return op == Op::load || op == Op::guarded_load || op == Op::image_load || op == Op::image_sample ||
            op == Op::image_gather || op == Op::image_compare;
@@ -44,11 +44,12 @@ inline bool has_own_range(Pattern pattern) {
 /// applies, and not a table that translators read.
 bool is_addressed(const Program& program, const Kernel& kernel, const PassBinding& binding);
 
-/// Whether a call may bind one memory to both (docs/language.md, "One memory given twice"): both bindings hold the
-/// elements of their parameters, which are of one structure type and access only the invocation's own element.
+/// Whether the two bindings may be aliases of one element (docs/language.md, "One memory given twice", where all are
+/// `each`): both hold the elements of their parameters, which are of one structure type and access only the
+/// invocation's own element. The other ways of giving one memory twice do not count here.
 bool may_be_one_place(const Program& program, const Kernel& kernel, const PassBinding& one, const PassBinding& other);
 
-/// Whether there are two bindings in the pass that may alias.
+/// Whether two bindings of the pass may be aliases of one element (PassBinding::one_place).
 bool has_one_place(const Pass& pass);
 
 /// Whether invocations may race if both parameters are given the same whole structure.
@@ -63,8 +64,8 @@ bool is_promised_apart(const Kernel& kernel, std::uint32_t one, std::uint32_t ot
 enum class DepthOrder : std::uint8_t { before, declared, after };
 DepthOrder depth_order(const Program& program, const Pass& pass);
 
-/// The first translator declared @many_to_one of the structure and of the structures that are its memory (ir/chain.h);
-/// null if there is none.
+/// The first translator that is declared @many_to_one, among those of the structure, then of the structures that are
+/// its memory (ir/chain.h); null if there is none.
 const Translator* many_to_one_stage(const Program& program, std::uint32_t structure);
 
 /// Whether the memory that has the structure's elements has the format d32.

@@ -14,7 +14,7 @@ template <class T> class Moves {
 public:
     Moves(Arena<T>& arena, std::uint32_t first) : arena_(arena), first_(first), to_(arena.size() - first, gone) {}
 
-    /// Marks a node as kept; true if it was not before.
+    /// Marks a node as kept. True if it was made after the mark and not kept before: its operands are still to visit.
     bool keep(Id<T> id) {
         if (!id || id.index < first_ || to_[id.index - first_] != gone) return false;
         to_[id.index - first_] = stays;

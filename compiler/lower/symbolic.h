@@ -80,7 +80,8 @@ private:
 /// The sum with `by` substituted for an unknown.
 Sum replaced(const Sum& sum, Unknown unknown, const Sum& by);
 
-/// Polynomial division by the single term b: a = b * first + second, where b divides no term of `second`.
+/// Polynomial division by the single term b: a = b * first + second, where b divides no term of `second`. Coefficients
+/// are divided as integers and rounded down: 7n by 4n gives 1 and 3n.
 std::pair<Sum, Sum> divided(const Sum& a, const Sum& b);
 
 }  // namespace gliftc::lower::symbolic

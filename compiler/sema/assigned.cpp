@@ -1,5 +1,6 @@
 // Definite assignment: reports variables (the corner's place, varyings, clip distances, colour targets) that some path
-// through the vertex or fragment part of a draw does not assign, and paths that place a corner twice.
+// through the vertex or fragment part of a draw does not assign, and a corner that is placed twice on a path, or in a
+// loop.
 #include "ir/walk.h"
 #include "sema/raster.h"
 
@@ -11,11 +12,16 @@ namespace {
 
 using Locals = std::set<ir::LocalId>;
 
-Locals both(const Locals& one, const Locals& other) {
+Locals intersection(const Locals& one, const Locals& other) {
     Locals result;
     for (ir::LocalId local : one)
         if (other.contains(local)) result.insert(local);
     return result;
+}
+
+Locals united(Locals one, const Locals& other) {
+    one.insert(other.begin(), other.end());
+    return one;
 }
 
 /// At a statement: `always` are the locals assigned on every path to it, `sometimes` those assigned on some path.
@@ -61,7 +67,7 @@ private:
             ++loops_;
             walk(stmt.body, round);
             --loops_;
-            state.sometimes.insert(round.sometimes.begin(), round.sometimes.end());
+            state.sometimes = united(state.sometimes, round.sometimes);
             return;
         }
         default: return;
@@ -83,15 +89,17 @@ private:
         State yes = state, no = state;
         walk(stmt.body, yes);
         walk(stmt.otherwise, no);
-        state.ends = yes.ends && no.ends;
-        state.always = yes.ends ? no.always : no.ends ? yes.always : both(yes.always, no.always);
-        state.sometimes = yes.sometimes;
-        state.sometimes.insert(no.sometimes.begin(), no.sometimes.end());
+        if (yes.ends || no.ends) {
+            state = yes.ends ? no : yes;
+        } else {
+            state.always = intersection(yes.always, no.always);
+            state.sometimes = united(yes.sometimes, no.sometimes);
+        }
     }
 
     void leave(State& state) {
         if (state.ends) return;
-        result_ = result_ ? both(*result_, state.always) : state.always;
+        result_ = result_ ? intersection(*result_, state.always) : state.always;
         state.ends = true;
     }
 

@@ -19,11 +19,17 @@ enum class BodyKind : std::uint8_t {
     pipeline,  // tests too
 };
 
-/// `local`: a variable, or a parameter that is an ir::Local. `member`: a constructor parameter that is a value, of the
-/// structure whose members are in scope (Body::container). `structure`: a nested structure of it, its base
-/// (sema/base.h), a structure in a translator's state, or a structure parameter of a function or kernel that is no
-/// `iterator`. The comment of Symbol::slot describes the other kinds.
-enum class SymbolKind : std::uint8_t { local, structure, state, member, memory, iterator, host_state };
+/// What a name stands for. The container is the structure whose members are in scope (Body::container).
+enum class SymbolKind : std::uint8_t {
+    local,       // a variable, or a parameter that is an ir::Local
+    structure,   // a nested structure of the container, its base (sema/base.h), a structure in a translator's state, or
+                 // a structure parameter of a function or kernel that is no `iterator`
+    state,       // a scalar of a translator's state
+    member,      // a constructor parameter of the container that is a value
+    memory,      // a buffer or image of the container
+    iterator,    // a kernel's parameter such as `each` or `at`: its name means the current element, window or address
+    host_state,  // a field of an adaptor that lives on the host
+};
 
 /// How code may access a structure through one name. `any`: reads by address. `scatter`: writes to any address, and no
 /// reads; `combine` says how writes to one address are merged. `coherent`: reads, writes and atomics at any address.
@@ -118,8 +124,8 @@ struct Body {
     /// Pipelines: the expression being checked is part of a larger one that a pass may compute, so that values on the
     /// device may stand in it (sema/values.h).
     bool is_open = false;
-    std::vector<ir::ExprId> leaves;  ///< pipelines: nodes Op::device_value made for the expression being checked since
-                                     ///< a function of values.cpp last emptied the list
+    std::vector<ir::ExprId> leaves;  ///< pipelines: the values on the device (Op::device_value) in the expression being
+                                     ///< checked whose elements have not been copied yet (values.cpp, keep_leaves)
     /// Pipelines: the prefix of the keys (ir::Kernel::key) of the kernels that compute values on the device for this
     /// pipeline. Each run of gliftc gives the same kernel the same key.
     std::string key;

@@ -23,10 +23,10 @@ struct Box {
     glift::float3 low, high;
 };
 
-/// Reads a file of any format that assimp knows (PLY, OBJ, glTF, FBX, …). The triangles of all meshes of the file
-/// become one mesh; points that are equal in all that the file says of them are joined; points without a colour are
-/// light grey. A file whose name ends in .gz (`dragon.ply.gz`) is unpacked first. Throws std::runtime_error, which
-/// names the file and what is wrong, also where a triangle has a corner that is not finite.
+/// Reads a file of any format that assimp knows (PLY, OBJ, glTF, FBX, …). Points of one mesh of the file that
+/// are equal in all that the file says of them are joined; then the triangles of all its meshes become one mesh. Points
+/// without a colour are light grey. A file whose name ends in .gz (`dragon.ply.gz`) is unpacked first. Throws
+/// std::runtime_error, which names the file and what is wrong, also where a triangle has a corner that is not finite.
 Mesh read(const std::string& path);
 
 /// The bounding box of the triangles; points that no triangle has do not count. Of an empty mesh it is from 0 to 0.

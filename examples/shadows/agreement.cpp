@@ -14,7 +14,7 @@ constexpr std::array keys = {"rmsm", "asm", "standard"};
 
 /// What was measured in a scene's frames so far, by method.
 struct Found {
-    std::array<std::vector<double>, 3> shares;  ///< of frames in which there are pixels to compare
+    std::array<std::vector<double>, 3> shares;  ///< of the pixels, for each frame that has pixels to compare
     std::size_t frames = 0;
     std::array<std::uint32_t, 2>
         coarsened{};                     ///< RMSM, ASM: pages with coarser ones in their place, maximum over frames

@@ -267,6 +267,10 @@ void Test::keep_memory(const Commands& commands, const char* name, const Memory&
         notes.push_back(std::string("not compared: ") + name + ", an image");
         return;
     }
+    if (memory.description().bytes > largest_compared) {
+        notes.push_back(std::string("not compared: ") + name + ", which has more than 4 GiB");
+        return;
+    }
     const Download download = commands.download(memory, 0, memory.description().bytes);
     const std::span<const std::byte> bytes = download.get();
     const auto count = static_cast<std::uint32_t>(bytes.size() / std::max<std::size_t>(1, places_of(scalars).stride));

@@ -79,8 +79,8 @@ class Shrinker:
                 continue
             if part.type is not None:
                 part = self.simplest(node, i)
-            elif not isinstance(node, Items) or not self.unwrap(node, i):
-                pass
+            elif isinstance(node, Items) and self.unwrap(node, i):
+                continue  # the statements of the body stand here now; the next round simplifies them
             self.simplify(node.parts[i])
 
     def simplest(self, node, i):

@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
-"""Checks that every name that the language allows, in every position, gives C++ and GLSL that compile.
+"""Checks that names which mean something to C++, GLSL or gliftc's own output give C++ and GLSL that compile, wherever the language
+allows a name.
 
     names_test.py GLIFTC INCLUDE_FOLDER CXX [--all] [POSITION…]
 
-For each position in the language (names of fields, of locals, of kernels, …) a module has one declaration for each
-word. gliftc compiles the module to C++ and, for positions whose names reach shaders, to GLSL, and the GLSL to SPIR-V; then the C++
+For each position in the language (names of fields, of locals, of kernels, …) modules declare each word there, in some positions in
+several ways. gliftc compiles the modules to C++ and, for positions whose names reach shaders, to GLSL, and the GLSL to SPIR-V; then the C++
 compiler reads the C++ after the C and POSIX headers. Words are keywords of C++ and GLSL, names that headers of C and of the runtime
-declare, and names in gliftc's own output; without --all a sample of them. A word that the module itself uses is left out in
-positions where it would hide that name.
+declare, and names in gliftc's own output; without --all (or GLIFT_NAMES_ALL in the environment) a sample of them.
+Left out are reserved words of the language, names that the modules of the position use themselves, and words that begin with z, as the
+modules' own names do.
 """
 import concurrent.futures
 import os
@@ -20,11 +22,10 @@ import tempfile
 from words import LANGUAGE, identifiers_of, words_for
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-PRELUDE = """use std.array;
-use std.linear;
-structure ZLine = Array<1, float>;
+PRELUDE_BODY = """structure ZLine = Array<1, float>;
 kernel zone(zy: out each<ZLine>) { zy = 1.0; }
 """
+PRELUDE = "use std.array;\nuse std.linear;\n" + PRELUDE_BODY
 BODY = "pub kernel zuse%d(zx: in each<ZLine>, zy: out each<ZLine>) {\n    var zs = zx;\n%s    zy = zs;\n}\n"
 
 
@@ -137,7 +138,8 @@ def run(command):
 
 
 def module_of(position, chunk, folder, gliftc):
-    """Writes a module for words of a position and compiles it by gliftc; returns the paths of its C++ sources."""
+    """Writes a module for words of a position and compiles it by gliftc; returns the paths of the C++ sources of its own
+    code (not of the library's)."""
     targets, _, make = POSITIONS[position]
     name = "z" + re.sub(r"\W", "_", position) + f"_{chunk[0][0]}"
     path = folder / f"{name}.glift"
@@ -200,7 +202,7 @@ def main():
             for position, (_, cost, make) in POSITIONS.items():
                 if wanted and position not in wanted:
                     continue
-                needed = LANGUAGE | identifiers_of(PRELUDE + make([(0, "zzz")]))
+                needed = LANGUAGE | identifiers_of(PRELUDE_BODY + make([(0, "zzz")]))
                 words = words_for(ROOT, position, None if everything else max(160 // cost, 16), needed)
                 numbered = list(enumerate(words))
                 size = max(480 // cost, 40)

@@ -1,5 +1,5 @@
-// Compiles files of the library, the examples and the golden tests that are cut off at many places, without outputs:
-// the compiler must report an error where a brace, parenthesis or bracket is left open, and must never crash.
+// Compiles every file of the library, the examples and the golden tests, cut off at each of many places, and writes no
+// outputs: the compiler must report an error where a brace, parenthesis or bracket is left open, and must never crash.
 
 #include "driver/compile.h"
 #include "support/process.h"
@@ -13,8 +13,8 @@
 namespace glift::test {
 namespace {
 
-/// A file is cut at every (size / most_cuts)th byte, a short one at every byte: at fewer than 2 * most_cuts places.
-constexpr std::size_t most_cuts = 150;
+/// A file is cut at every (size / cuts)th byte, rounded down, a short one at every byte: at fewer than 2 * cuts places.
+constexpr std::size_t cuts = 150;
 
 /// Which part of which file is being compiled: a message that is printed if the compiler crashes.
 char now_compiling[512];
@@ -60,7 +60,7 @@ TEST_P(Prefix, gives_errors_and_never_a_crash) {
     options.library_folder = GLIFT_SOURCE_DIR "/stdlib";
     options.import_folders = {(GetParam().parent_path() / "support").string()};
     options.check_only = true;
-    const std::size_t step = std::max<std::size_t>(1, whole.size() / most_cuts);
+    const std::size_t step = std::max<std::size_t>(1, whole.size() / cuts);
     for (std::size_t size = 0; size < whole.size(); size += step) {
         std::snprintf(now_compiling, sizeof now_compiling, "crashed on the first %zu bytes of %s\n", size,
                       path.c_str());

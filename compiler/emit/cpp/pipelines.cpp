@@ -1,5 +1,6 @@
 // Pipelines as functions that call kernels and other pipelines.
 #include "emit/cpp/mentions.h"
+#include "emit/cpp/translators.h"
 #include "emit/cpp/unit.h"
 #include "ir/chain.h"
 #include "ir/levels.h"
@@ -233,15 +234,15 @@ void PipelinePrinter::replace(const Stmt& stmt) {
 }
 
 /// Prints the statement that keeps a structure's elements, to be compared between devices (glift::Test::keep), under
-/// the name `shown`. The domain of a structure that may be sparse (ir::may_be_sparse) may be too large to read. For
-/// such a structure also prints the statements that, in that case, keep its memories and those stored members that the
-/// host can read.
+/// the name `shown`. The domain of a structure without rows (has_rows), which may be sparse, may be too large to read
+/// address by address. For such a structure also prints the statements that, in that case, keep its memories and those
+/// stored members that the host can read.
 void PipelinePrinter::keep(const std::string& shown, const std::string& object, std::uint32_t index) {
     const ir::Structure& made = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];
     const std::string keeps =
         "test.keep(" + quoted(shown) + ", " + object + ", \"" + kept_scalars(unit.program, index) + "\")";
-    if (!ir::may_be_sparse(unit.program, made)) return p.out.line(keeps + ";");
+    if (has_rows(unit.program, made)) return p.out.line(keeps + ";");
     p.out.open("if (!" + keeps + ")");
     for (std::size_t i = 0; i < made.memories.size(); ++i) {
         const std::string memory = object + "." + names.memories[i] + "()";

@@ -160,10 +160,21 @@ std::string memory_parameters(const Unit& unit, std::uint32_t index, const Class
 
 bool is_own(const ir::Memory& memory) { return !memory.part; }
 
+bool has_own_memory(const Structure& structure) { return std::ranges::any_of(structure.memories, is_own); }
+
+bool has_own_member(const Structure& structure) {
+    return std::ranges::any_of(structure.members,
+                               [](const ir::MemberStructure& member) { return !member.by_reference; });
+}
+
 bool has_parts(const Structure& structure) {
-    const auto is_made_here = [](const ir::MemberStructure& member) { return !member.by_reference; };
-    return structure.kind == StructureKind::stored &&
-           (std::ranges::any_of(structure.memories, is_own) || std::ranges::any_of(structure.members, is_made_here));
+    return structure.kind == StructureKind::stored && (has_own_memory(structure) || has_own_member(structure));
+}
+
+/// What the constructor of a structure that has_parts may be given instead of making it.
+std::string parts_text(const Structure& structure) {
+    if (!has_own_member(structure)) return "memory";
+    return has_own_memory(structure) ? "nested structures and memory" : "nested structures";
 }
 
 /// The glift::MemoryDescription of a memory.
@@ -370,7 +381,8 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index) {
     if (!constructor.parameters.empty())
         out.line((constructor.parameters.size() == 1 ? "explicit " : "") + type + "(" + constructor.text() + ");");
     if (has_parts(structure)) {
-        out.line("/// Makes the structure of the given members and memories, instead of new ones.");
+        out.line("/// Makes the structure over the given " + parts_text(structure) +
+                 ", instead of making it with new memory.");
         out.line(type + "(" + constructor.text() + memory_parameters(unit, index, names) + ");");
     }
     out.gap();

@@ -1,4 +1,5 @@
-// What only a test program has: the table of tests, and what it compares of structures.
+// What only a test program has: the table of its tests, and the letters that say of which scalars an element
+// consists (glift::KeptStructure), by which elements are compared between devices.
 #include "emit/cpp/unit.h"
 #include "ir/walk.h"
 #include "layout/layout.h"

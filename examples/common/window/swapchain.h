@@ -34,8 +34,8 @@ public:
     VkRenderPass pass() const { return pass_; }
     const std::vector<Image>& images() const { return images_; }
 
-    /// The index of the next image, which may be drawn into once `is_free` is signalled; none if there are no images,
-    /// as nothing of the window is visible, or they must be recreated (resize).
+    /// The index of the next image, which may be drawn into once `is_free` is signalled; none if there are no images
+    /// because nothing of the window is visible, or if they must be recreated by `resize`.
     std::optional<std::uint32_t> acquire(VkSemaphore is_free) const;
     /// Presents an image once it is drawn; false if the images must be recreated.
     bool present(std::uint32_t image) const;

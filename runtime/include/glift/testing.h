@@ -23,8 +23,8 @@ inline constexpr double inexact_tolerance = 1e-3;
 inline constexpr double drawn_tolerance = 2.01 / 255.0;
 
 /// A copy of all elements of a structure, of a box or of a buffer, for comparison. `scalars` is the layout of an
-/// element: one letter for each scalar (f float, n float that draws write to eight bits, h half, d double, u uint, i
-/// int, b bool, U uint64, I int64) and a dot for each byte of padding, which nothing writes.
+/// element: one letter for each scalar (f float, n float in an image of eight-bit channels that draws write, h half, d
+/// double, u uint, i int, b bool, U uint64, I int64) and a dot for each byte of padding, which nothing writes.
 struct KeptStructure {
     std::string name;
     unsigned rank;
@@ -82,10 +82,11 @@ public:
                         tolerance, std::string(place) + ": expect_same", failures);
     }
 
-    /// Keeps all elements of a structure, to be compared with those of another device. Returns false where the domain
-    /// is too large to read address by address (largest_kept): then the caller keeps the structure's memories and
-    /// tables instead. The result is true, though nothing is kept, for a default-constructed structure, and for an
-    /// array in a buffer that is larger than largest_compared, which is noted.
+    /// Keeps all elements of a structure, to be compared with those of another device. Returns false, and keeps
+    /// nothing, where the structure does not lie in rows of a buffer and its domain is too large to read address by
+    /// address (largest_kept): then the caller keeps the structure's memories and nested structures instead. Returns
+    /// true, though nothing is kept, for a default-constructed structure, and, with a note, for one in rows of a buffer
+    /// that is larger than largest_compared.
     template <class S> bool keep(const char* name, const S& structure, std::string_view scalars) {
         if (!structure) return true;
         const Extent domain = detail::extent_of(structure.domain());
@@ -98,7 +99,7 @@ public:
             if (detail::volume_of(domain) > largest_kept / sizeof(typename S::Element)) {
                 notes.push_back(std::string(name) + ": its domain is " +
                                 detail::text_of(domain, detail::Axes<typename S::Address>::count) +
-                                ", so its memory and its tables were compared, not each address");
+                                ", too large to compare address by address, so its memories were compared");
                 return false;
             }
         }
@@ -106,7 +107,8 @@ public:
         return true;
     }
 
-    /// Keeps the elements of a buffer in the order in which they lie there; notes that an image was not compared.
+    /// Keeps the elements of a buffer in the order in which they lie there. Notes that an image, or a buffer that is
+    /// larger than largest_compared, was not compared.
     GLIFT_API void keep_memory(const Commands& commands, const char* name, const Memory& memory,
                                std::string_view scalars);
 
@@ -135,7 +137,7 @@ public:
 
 private:
     static constexpr std::uint64_t largest_kept = 1u << 28;                    ///< bytes, read address by address
-    static constexpr std::uint64_t largest_compared = std::uint64_t{4} << 30;  ///< bytes of an array in a buffer
+    static constexpr std::uint64_t largest_compared = std::uint64_t{4} << 30;  ///< bytes of one buffer
 
     GLIFT_API void expect_numbers_near(double a, double b, double tolerance, const char* place);
     /// What the template above calls. The check's failures go into `translations`, not into `failures`.

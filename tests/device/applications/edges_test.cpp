@@ -1,5 +1,5 @@
-// Tests the rule by which coverage is compared between devices (edges.h): it excuses differences near edges, and no
-// others.
+// Tests the rules by which coverage is compared between devices (edges.h): `rounded` excuses differences near edges,
+// `exact` only those near edges of clipped triangles; neither excuses any other.
 #include "edges.h"
 
 #include <gtest/gtest.h>
