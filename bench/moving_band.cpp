@@ -63,8 +63,9 @@ Times measure(const glift::Device& device, const Case& one, const Options& optio
     once.submit();
     device.wait();
     times.passes = device.statistics().passes - before;
-    // Every run takes the same steps, centred on the middle of the period: the clock ends at a radius that equals the
-    // first one, so that `ask` of the next run finds the pages that it needs beside resident ones.
+    // Every run takes the same steps, centred on the middle of the period: it ends at the radius with which it began
+    // (half an element from it, if the number of steps is odd), so that `ask` of the next run finds the pages that it
+    // needs beside resident ones.
     const auto time_steps = [&](const std::function<void(const glift::Commands&)>& work) {
         moving_shell::set(device, clock, 32 - options.steps / 2);
         moving_shell::ask_everywhere(device, band, clock, one.radius);

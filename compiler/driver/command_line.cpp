@@ -218,7 +218,7 @@ void translate_customs(std::vector<std::string>& words) {
     }
 }
 
-/// Adds a command, `gliftc NAME file.glift…`. Options may come before or after its name.
+/// Adds a command, `gliftc NAME file.glift…`. Its own options come after its name, those of `app` before or after it.
 CLI::App* add_command(CLI::App& app, Options& options, const char* name, const char* description, Command command) {
     CLI::App* sub = app.add_subcommand(name, description);
     sub->fallthrough();

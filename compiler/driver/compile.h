@@ -45,7 +45,8 @@ struct Result {
 };
 
 /// Runs the stages that the options ask for; stops after the first that reports an error (after sema, if the only
-/// errors are names of modules that do not match their files).
+/// errors are names of modules that do not match their files; after layout, if lowering reports errors and its result
+/// is to be dumped).
 Result compile(const Options& options, const FileSystem& files, Compilation& compilation);
 
 /// Compiles one text as the only file that exists, for fuzzers; returns what was reported.

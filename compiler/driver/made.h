@@ -15,9 +15,8 @@ namespace gliftc {
 struct MadeMemory {
     std::string path;                    ///< `pages.wanted.data`
     std::optional<std::uint64_t> bytes;  ///< absent: depends on structures that are passed to the constructor
-    /// `elements of field` or `table of field`, where the translator of the structure with the path `field` reads
-    /// tables
-    /// (`it`: the structure that is made); empty for the memories of other structures.
+    /// `elements of field` or `table of field`, where the translator of the structure with the path `field` (`it`: the
+    /// structure that is made) reads tables; empty for the memories of other structures.
     std::string role;
 };
 

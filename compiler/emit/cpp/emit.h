@@ -10,7 +10,7 @@
 
 namespace gliftc::cpp {
 
-/// The SPIR-V words of one kernel. Empty words: the form, or its fragment part, does not exist on Vulkan devices.
+/// The SPIR-V words of one kernel. Empty words: the form, or its fragment part, does not exist, or no output needs it.
 struct KernelCode {
     std::vector<std::uint32_t> direct, general, wide;  ///< compute shaders; for draws, vertex shaders
     std::vector<std::uint32_t> direct_fragment, general_fragment, wide_fragment;  ///< fragment shaders of draws
