@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Tables and plots of frames with shadow maps (section 11.4.3 of Lefohn's thesis, 2006), from what bench_shadows writes.
 
-    bench/shadows.py FILE.json [-o FOLDER]      FOLDER gets shadows_times.png, shadows_distribution.png, if passes were timed
-                                                shadows_parts.png and, if other sizes of pages were measured, shadows_pages.png
+    bench/shadows.py FILE.json [-o FOLDER]      FOLDER gets shadows_times.png and shadows_distribution.png; shadows_parts.png if passes
+                                                were timed; shadows_pages.png if several sizes of pages were measured
 """
 import argparse
 import json

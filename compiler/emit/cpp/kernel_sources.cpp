@@ -1,6 +1,6 @@
-// The sources of kernels' code. An edit of a kernel's body that keeps the number of lines changes only one of them, or
-// those of the instances of a generic kernel (their code has the line numbers of the .glift file). They include neither
-// the classes nor the functions that call kernels, and so compile fast.
+// The sources of kernels' code. An edit of a kernel's body changes only one of them, or those of the instances of a
+// generic kernel, if it keeps the number of lines: the code of kernels names the lines of the .glift file. The sources
+// include neither the classes nor the functions that call kernels, and so compile fast.
 #include "emit/cpp/spirv_file.h"
 #include "emit/cpp/unit.h"
 
