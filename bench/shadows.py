@@ -2,7 +2,7 @@
 """Tables and plots of frames with shadow maps (section 11.4.3 of Lefohn's thesis, 2006), from what bench_shadows writes.
 
     bench/shadows.py FILE.json [-o FOLDER]      FOLDER gets shadows_times.png and shadows_distribution.png; shadows_parts.png if passes
-                                                were timed; shadows_pages.png if several sizes of pages were measured
+                                                were timed; shadows_pages.png if pages of other sizes than 32 were measured
 """
 import argparse
 import json
