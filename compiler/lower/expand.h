@@ -83,7 +83,7 @@ public:
     bool near_domains_agree = true;          ///< all near parameters whose reads have guards have near_root's domain
     ExprId near_domain;                      ///< near_root's domain, whose inner part the interior variant is for
 
-    /// A read by `near`, at any offset, that is executed unconditionally; and its value.
+    /// A read by `near`, at any offset, that no condition or loop encloses; and its value.
     struct NearValue {
         std::uint32_t root;
         std::vector<std::int64_t> offset;
@@ -441,7 +441,7 @@ private:
     Guards guards_;
     Frame* frame_ = nullptr;
     Block* out_ = nullptr;
-    const Block* top_ = nullptr;  ///< the kernel's top-level statements, which are executed unconditionally
+    const Block* top_ = nullptr;  ///< the kernel's top-level statements, which no condition or loop encloses
     Block prelude_;               ///< statements before the body, mostly addresses of the current element
     Span span_;                   ///< source location of the statement that is being expanded
     std::unordered_map<std::uint32_t, Pair> centres_;

@@ -12,8 +12,10 @@ using namespace ir;
 namespace {
 
 /// A function that is only `let`s and a return, and has at most this many nodes, is inlined. Any function, small or
-/// not, is inlined if it takes structures, if it gives an optional, or if a translator, a view or a function of blocks
-/// (ir::Blocks) calls it. But no call is inlined that InlineSizes refuses, or that is nested deeper than depth_limit.
+/// not, is inlined if it takes structures, if it gives an optional, or if a translator, or a view or a function of
+/// blocks (ir::Blocks) that is itself inlined, calls it. But no call is inlined that InlineSizes refuses, or that is
+/// nested deeper than depth_limit, or that is evaluated: here, if its arguments are constants, or by the host, if they
+/// are uniform (expand_call).
 constexpr std::size_t plain_call_limit = 40;
 constexpr unsigned depth_limit = 64;
 constexpr std::uint32_t largest_tree = 1024;  ///< a value gets a local if it has more nodes as a tree

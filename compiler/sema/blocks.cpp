@@ -29,8 +29,9 @@ bool returns_none(const Context& c, const std::vector<ast::StmtId>& body) {
     });
 }
 
-/// Makes the function blocks(), block(i) or block_size() of a structure. The language fixes its types; types that the
-/// declaration gives are not looked at. Absent after an error.
+/// Makes the function blocks(), block(i) or block_size() of a structure. The language fixes its types: if the
+/// declaration gives a parameter another type, that is an error; a result type in it is not looked at. Absent after an
+/// error.
 ir::FunctionId make_function(Context& c, const Env& env, std::uint32_t index, ast::DeclId id,
                              const std::vector<ir::TypeId>& params, ir::TypeId result) {
     const ast::Decl& decl = c[id];

@@ -40,7 +40,7 @@ std::vector<ast::ExprId> arguments_of(const ast::Expr& call) {
     return {call.operands.begin() + 1, call.operands.end()};
 }
 
-/// A call of a function that is built into the language; absent if no such function has the name.
+/// A call of a function that is built into the language; absent if none of that name is known in this kind of body.
 std::optional<Operand> call_builtin(Body& body, const std::string& name, const ast::Expr& call, ir::TypeId wanted) {
     if (name == "select") return call_select(body, call, wanted);
     if (auto called = call_in_raster(body, name, call)) return called;
