@@ -22,7 +22,8 @@ std::optional<std::uint32_t> instantiate_kernel(Context&, ast::DeclId, const Env
 /// The radius of a parameter `near<S, r>`; reports one that is missing (then 1) or out of range.
 std::uint32_t window_radius(Context&, const Env&, const ast::Param&);
 
-/// Reports the first argument of a parameter's pattern after the structure and the one that the pattern may take.
+/// Reports an argument too many of a parameter's pattern: besides the structure, near, scatter, at and target take at
+/// most one, the other patterns none.
 void check_extra_count(Context&, const ast::Param&);
 
 /// The three extents after `group`: 1 for each that is not written, all 1 after an error; all 0 if there is no `group`.

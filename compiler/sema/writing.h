@@ -42,8 +42,8 @@ bool fits_writing(Body&, const Env&, const ast::Param&, const Operand& argument)
 bool add_effects(Body&, ir::FunctionId, const std::vector<Operand>& given, bool is_method, Span);
 
 /// Reports the first two functions called by a kernel that write one memory by different patterns or operations; if
-/// there are none, the first read of a memory that the kernel also writes by scatter or through functions. Looks for
-/// reads in the vertex part of a draw, not in its fragment part.
+/// there are none, the first read of a memory that the kernel also writes by scatter or through functions. Looks at
+/// both parts of a draw.
 void check_effects(Context&, const ir::Kernel&);
 
 }  // namespace gliftc::sema

@@ -121,7 +121,8 @@ template <std::size_t n> std::string find(const Habit (&habits)[n], std::string_
     return found == std::end(habits) ? std::string() : std::string(found->hint);
 }
 
-/// What Glift calls a vector or square matrix type of GLSL: float3 for vec3, float4x4 for mat4; empty for other names.
+/// What Glift calls a vector type of GLSL, or a square matrix type of floats: float3 for vec3, float4x4 for mat4; empty
+/// for other names.
 std::string glsl_type(std::string_view name) {
     constexpr Habit scalars[] = {{"vec", "float"}, {"ivec", "int"},    {"uvec", "uint"},
                                  {"bvec", "bool"}, {"dvec", "double"}, {"mat", "float"}};

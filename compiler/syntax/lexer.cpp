@@ -132,8 +132,8 @@ private:
         push(TokenKind::bad_character, begin);
     }
 
-    /// Whether the token that ends right here can end a value. If so, as in `x.0`, a point accesses a member, and the
-    /// digit after it is a wrong name; else, as in `= .5`, the point begins a malformed number.
+    /// Whether a name, a `)` or a `]` ends right here. If so, as in `x.0`, a point accesses a member, and the digit
+    /// after it is a wrong name; else, as in `= .5`, the point begins a malformed number.
     bool after_value() const {
         if (list_.tokens.empty() || list_.tokens.back().end != at_) return false;
         TokenKind before = list_.tokens.back().kind;

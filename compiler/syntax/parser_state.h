@@ -146,7 +146,7 @@ private:
     DeclId parse_declaration();
     void parse_declaration_body(ast::Decl& decl);
     void parse_body_after_name(ast::Decl& decl, const Token& keyword);
-    bool at_declaration_word() const;
+    bool at_declaration_word() const;  // recovery.cpp
     ast::Alias parse_type_alias();
     std::vector<ast::Attribute> parse_attributes();
     std::vector<ast::MemberPattern> parse_with();

@@ -12,8 +12,8 @@
 /// which names `path` and what is wrong.
 class NewFile {
 public:
-    /// If `path` is a link, the file that it leads to is replaced; what is no ordinary file (a folder, a device) is
-    /// refused.
+    /// If `path` is a link to a file, that file is replaced, and the link stays; what is no ordinary file (a folder, a
+    /// device) is refused.
     explicit NewFile(std::string path);
     ~NewFile();
     NewFile(const NewFile&) = delete;

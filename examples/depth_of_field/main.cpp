@@ -88,7 +88,7 @@ void compare(const Arguments& a, const Picture& result, const Picture& reference
                 difference(result, reference));
 }
 
-/// The command-line options that reproduce the picture.
+/// The command line that makes the picture again.
 std::string words_of(const Arguments& a, glift::uint2 size) {
     const auto number = [](const char* name, float value) {
         char text[64];

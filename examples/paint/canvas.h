@@ -51,9 +51,9 @@ class Canvas {
 public:
     Canvas(glift::Device device, const mesh::Mesh& mesh, const OctreeSize& size);
 
-    /// Paints a stroke, and adds it to the history. One submission finds what the stroke's camera sees, one clears the
-    /// journal, one for each dab paints it, one computes the coarser levels of the octree; the history submits more.
-    /// Returns how many requests for pages failed because the pool was full: these pages are not painted.
+    /// Paints a stroke, and adds it to the history. Nothing is read back before the history reads which pages have
+    /// changed: until then one submission may have many dabs. Returns how many requests for pages failed because the
+    /// pool was full: these pages are not painted.
     glift::uint paint(const strokes::Stroke& stroke);
     /// The same in parts, for a stroke whose path still grows: `begin` uses its camera, the size of what the camera
     /// sees (Stroke::size) and its brush, but not its path; `dab` is called for each dab; `end` returns what `paint`

@@ -1,4 +1,4 @@
-// Generated scenes, which look the same on every machine and move with time. y is up; the ground is at y = 0.
+// Generated scenes, which look the same on every machine and move with time. y is up; the ground is near y = 0.
 #pragma once
 
 #include "examples/common/camera.h"
