@@ -102,7 +102,7 @@ public:
     /// Counts of the last frame. download_counts() does not wait: it downloads the bytes of a shadows::Status.
     shadows::Status counts() const;
     glift::Download download_counts() const;
-    /// How often the last frame of ASM or RMSM has filled pages.
+    /// How often the last frame has filled pages; 0 if it was drawn by Method::standard.
     std::uint32_t rounds() const { return counts().rounds; }
     std_page_allocator::PoolStatus pool() const { return counts().pool; }
     std::vector<std::uint32_t> owners() const;  ///< for each frame of the pool, the number of its page + 1; 0: none

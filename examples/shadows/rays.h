@@ -9,7 +9,8 @@
 namespace rays {
 
 /// Whether light reaches the surface that a pixel shows. `unknown`: its side is turned away from the light, it is
-/// outside of what a spot light shines on, or the pixel shows no surface.
+/// outside of what a spot light shines on, it is nearer than the near plane of a spot or point light, or the pixel
+/// shows no surface.
 enum class Light : unsigned char { unknown, reached, shadowed };
 
 struct Reference {
