@@ -108,7 +108,7 @@ bool Encoder::needs_wide(const Kernel& kernel, std::span<const Memory> memories,
     check_memories(&device_, kernel, memories);
     const bool is_aliased = sharing == Sharing::one_place && !kernel.wide.spirv.empty();
     if (is_aliased || needs_addresses(kernel, memories)) return true;
-    if (kernel.drawing || kernel.of_blocks) return false;  // draws have no workgroups; those over blocks are folded
+    if (kernel.drawing || kernel.of_blocks) return false;  // draws have no workgroups; kernels over blocks fold theirs
     return kernel.rank > 1 && !count_groups(kernel, size).within(context_.properties.max_workgroups);
 }
 

@@ -19,7 +19,7 @@ struct Module {
         std::uint32_t component, count;
     };
     std::unordered_map<std::uint32_t, Vector> vectors;  ///< by type: vectors of 32-bit scalars; a scalar has count 1
-    std::unordered_map<std::uint32_t, std::uint32_t> constants;  ///< 32-bit constants: their value
+    std::unordered_map<std::uint32_t, std::uint32_t> constants;  ///< constants of one word: their value
     std::unordered_map<std::uint32_t, std::uint32_t> pointees;   ///< pointer types: the type they point to
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> members;
     std::unordered_map<std::uint64_t, std::uint32_t> offsets;  ///< of (struct, member)

@@ -14,7 +14,8 @@
 namespace glift::detail {
 
 /// The module, changed so that the driver computes no sums and differences of floats itself. Modules without the
-/// invocation's or the workgroup's number among their inputs (draws) stay as they are.
+/// invocation's or the workgroup's number among their inputs (draws) stay as they are, and so do modules without 32-bit
+/// floats.
 std::vector<std::uint32_t> with_kept_sums(std::span<const std::uint32_t> spirv);
 
 }  // namespace glift::detail

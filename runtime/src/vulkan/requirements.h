@@ -1,5 +1,5 @@
 // Some of the features that a shader needs beyond those that Glift requires of every device: 16-bit and 64-bit floats,
-// 64-bit integers, subgroup operations.
+// 64-bit integers and atomics, subgroup operations.
 #pragma once
 
 #include <glift/device.h>

@@ -10,8 +10,8 @@
 
 namespace glift::detail {
 
-/// Throws no_device with a list of what is there, or unsupported_version / missing_feature if the one asked for is
-/// there but cannot be used, for example because it lacks one of the extensions.
+/// Throws no_device, with a list of what is there, if no device fits; unsupported_version or missing_feature if none of
+/// those that fit can be used, for example because they lack one of the extensions.
 VkPhysicalDevice select_physical_device(const Instance& instance, std::string_view which,
                                         std::span<const std::string> extensions);
 
