@@ -230,8 +230,8 @@ says(here.run("-o", "out", "one/same.glift", "one/../one/same.glift"), 0)
 here.write("other/same.glift", "module one.same;\n")
 says(here.run("--check", "one/same.glift", "other/same.glift"), 1, "'one.same' is declared twice", "one/same.glift", "another name")
 
-# Sums and products of floats over a subgroup are rounded in an order that depends on the device; the other operations here are
-# exact.
+# Sums and products of floats over a subgroup, and sums of floats by scatter, are rounded in an order that depends on the device; the
+# other operations here are exact.
 here.write("sums.glift", """module sums;
 use std.array;
 structure Ints = Array<1, uint>;

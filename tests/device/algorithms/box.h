@@ -27,7 +27,7 @@ struct Box {
         if (taken != Taken::whole) origin = {round.below(20), round.below(20)};
         extent = taken == Taken::whole ? size : origin + capacity + glift::uint2(round.below(20), round.below(20));
         if (extent.x == 0 || extent.y == 0) {
-            // Structures have at least one element, so an empty box is a part of one.
+            // These tests make no structures without elements: an empty box is a part of one.
             if (taken == Taken::whole) taken = Taken::part;
             extent = {std::max(extent.x, 1u), std::max(extent.y, 1u)};
         }

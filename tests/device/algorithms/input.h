@@ -17,7 +17,7 @@ struct Placed {
         first = whole ? 0 : round.below(70);
         capacity = size + (taken == Taken::counted ? round.below(round.chance(2) ? 6000 : 3) : 0);
         extent = first + capacity + (whole ? 0 : round.below(70));
-        // Structures have at least one element, so an empty range is never a whole structure.
+        // These tests make no structures without elements, so an empty range is never a whole structure.
         if (extent == 0) taken = Taken::part, extent = 1;
         round.has_size(size);
         if (taken != Taken::whole)
@@ -109,7 +109,7 @@ private:
     static bool used_by_dense(Form form) { return form != Form::folded && form != Form::tiled; }
 };
 
-/// A structure as long as the one that has the input; the algorithm writes the same part of it.
+/// A structure as long as the input, which may be a view; the algorithm writes the same part of it.
 template <class S> struct Output {
     using T = typename S::Element;
 

@@ -1,5 +1,6 @@
 // Algorithms over GLIFT_PROPERTY_ELEMENTS elements (default 100,003); fewer where they are stored and would exceed the
-// device's largest allocation. Sorting pairs takes 16 bytes per element, temporaries included.
+// device's largest allocation. Sorting pairs takes 16 bytes per element for keys, values and temporaries of the same
+// sizes, and up to 2 for counts.
 #include "property.h"
 
 #include "large.glift.hpp"

@@ -1,4 +1,4 @@
-// Compares reductions with std::accumulate, std::inner_product, std::find, std::equal and others.
+// Compares reductions with std::accumulate, std::inner_product, std::find and others, and with plain loops.
 #include "input.h"
 
 #include "reductions.glift.hpp"

@@ -1,5 +1,5 @@
-// Pages beside each other share a layer of nodes: after strokes of hard brushes, seen at low angles too, all copies of
-// a node have the same colour but for the rounding to 8 bits of values that pages began with.
+// Pages beside each other share a layer of nodes: after dabs of hard brushes, seen at low angles, all copies of a node
+// have the same colour but for the rounding to 8 bits of values that pages began with.
 #include "paint_model.h"
 #include "tests/device/guards/on_every_device.h"
 

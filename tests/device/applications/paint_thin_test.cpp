@@ -21,7 +21,7 @@ constexpr Word levels = 4;  // of 128^3 cells
 struct PaintThin : OnEveryDevice {};
 GLIFT_ON_EVERY_DEVICE(PaintThin);
 
-/// A square plate around `centre`, with unit vectors along its sides and from its back to its front.
+/// A square plate: the centre of its front, and unit vectors along its sides and from its back to its front.
 struct Plate {
     float3 centre, right, up, front;
     float thickness;

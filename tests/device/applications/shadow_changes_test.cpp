@@ -45,8 +45,8 @@ void expect_same_light(const Frame& some, const Frame& other, const std::string&
     for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-3) << what << ' ' << i;
 }
 
-/// What lies beyond the light's far plane, or behind the near plane of a directional light, is lit and shadowed like
-/// everything else.
+/// What lies beyond the light's far plane, or nearer than the near plane of a directional light (behind its eye, too),
+/// is lit and shadowed like everything else.
 TEST_P(ShadowChanges, ReachAsFarAsTheScene) {
     for (const LightKind kind : kinds) {
         Settings settings = small();

@@ -1,4 +1,5 @@
-// The resident elements, listed from C++: compared with what `find` and reads of boxes say.
+// The resident elements, listed from C++: compared with reads of boxes and with what requests and tables imply. Also
+// boxes that lie across pages.
 #include "resident.glift.hpp"
 
 #include <gtest/gtest.h>
