@@ -2,12 +2,14 @@
 """Runs random programs and compares the results of the host device, another device and the compile-time evaluator.
 
     generate.py GLIFTC [--seeds FIRST..LAST] [--kernels N] [--minutes M] [--device NAME] [--keep FOLDER] [--found FOLDER]
+                [--compile-only] [--shrink-steps N]
 
 A program has N kernels with tests. For functions that the compile-time evaluator can compute, it also has constants
 that are calls of them, and tests that a kernel computes the same values.
-Each program runs twice under `gliftc test`: as it is, and with the wide form (64-bit addresses) of each kernel
-(GLIFT_WIDE_ELEMENTS). A program that fails is shrunk to a small .glift file, which is printed and stored in the folder
-of --found. --keep keeps the built programs, which run without a compiler.
+Each program runs twice under `gliftc test`: as it is, and with the wide form (64-bit addresses) of each kernel that accesses a
+buffer (GLIFT_WIDE_ELEMENTS). With --compile-only it is only compiled. A program that fails is shrunk to a small .glift file, which is
+printed and stored in the folder of --found (not with --shrink-steps 0). --keep keeps the built programs that pass, which run without
+a compiler.
 """
 import argparse
 import os

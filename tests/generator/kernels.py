@@ -11,7 +11,8 @@ SUBGROUPS = {"add": "subgroupAdd", "min": "subgroupMin", "max": "subgroupMax", "
 MOST_SHARED_BYTES = 8192  # of one array in workgroup memory; a kernel has up to three, and lavapipe allows 32,768 bytes in all
 
 
-# An adaptor with a function for each way to write a member. `of` reads the member `given`, which none of them writes.
+# An adaptor whose functions write members by `scatter` with an operation, by `coherent` or by both. `of` reads the member `given`,
+# which none of them writes.
 BAG_TEXT = """
 adaptor Bag(n: uint) {
     structure marks = Line(max(n, 1u));

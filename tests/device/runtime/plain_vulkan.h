@@ -13,19 +13,19 @@
 struct Pretence {
     bool vulkan_1_2 = false;
     bool no_timeline = false;
-    bool lost = false;  ///< every submission and every wait fails
+    bool lost = false;  ///< every vkQueueSubmit2 and every vkWaitSemaphores fails
     bool no_memory = false;
     bool no_shuffles = false;          ///< subgroups support no shuffles and no 64-bit reductions
     bool no_push_descriptors = false;  ///< the device has no functions of VK_KHR_push_descriptor
 
     std::uint32_t largest_viewport = 0, largest_framebuffer = 0, most_colours = 0;  ///< limits; 0: the device's own
 
-    std::uint64_t calls = 0;         ///< calls of the device's functions that can fail
+    std::uint64_t calls = 0;         ///< calls of the functions listed in plain_vulkan.cpp, if failing_call is not 0
     std::uint64_t failing_call = 0;  ///< number, from 1, of the call that fails with `failure`; 0: none
     VkResult failure = VK_ERROR_OUT_OF_HOST_MEMORY;
     const char* failed = "";  ///< name of the function that failed
 
-    std::uint64_t submissions = 0;      ///< submissions to the device
+    std::uint64_t submissions = 0;      ///< submissions to the device, if failing_call is 0
     std::uint64_t command_buffers = 0;  ///< command buffers in them
 };
 extern Pretence pretence;

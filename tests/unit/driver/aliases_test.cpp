@@ -64,7 +64,8 @@ TEST(Aliases, OfWhatIsImportedAreTakenOver) {
     EXPECT_THAT(outputs["three.glift.hpp"], HasSubstr("const glift::Range<::one::Line>& x);"));
 }
 
-/// The outputs of a compilation that are included elsewhere: headers, and functions for shaders.
+/// The outputs of a compilation that are included elsewhere, headers and functions for shaders, and the GLSL of
+/// kernels.
 std::map<std::string, std::string> seen_of(std::vector<std::string> files) {
     auto outputs = outputs_of(std::move(files));
     std::erase_if(outputs, [](const auto& output) {
