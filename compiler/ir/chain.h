@@ -11,8 +11,8 @@ const Structure& structure_at(const Program& program, const Structure& from, con
 
 /// Another path to the structure that `path` leads to from `from`. Where `path` goes through a member to a structure
 /// that this member's constructor was given, the result goes to that structure by the path that the member's owner has
-/// to it. All paths from `from` to one structure so become equal, unless `from` itself was given that structure twice,
-/// or once, and again as a member of another structure that it was given.
+/// to it. All paths from `from` to one structure so become equal, unless `from` itself was given that structure more
+/// than once: directly, or as a member of another structure that it was given.
 std::vector<std::uint32_t> made_at(const Program& program, const Structure& from, std::vector<std::uint32_t> path);
 
 /// The place of the structure that is the memory of `structure` (the next link), which is at `place`. Only if

@@ -7,7 +7,8 @@
 
 namespace gliftc::ir {
 
-/// Types::error if none is implied. `intern` returns the TypeId of a Type, existing or new.
+/// Types::error if none is implied. `intern` returns the TypeId of a Type; where that was not interned yet, a new one
+/// (read.h) or Types::error (print.h).
 template <class Intern>
 TypeId implied_type(const Program& program, const Pass* pass, const Expr& node, Intern&& intern) {
     const Types& types = program.types;

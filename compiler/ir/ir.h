@@ -384,7 +384,7 @@ struct Structure {
     Name name;                   ///< the declaration's: Array
     std::string display;         ///< Array<4, float>
     std::string key;             ///< std.array.Array<4, float>
-    std::vector<Alias> aliases;  ///< names in all modules; those of one module in the order of its source
+    std::vector<Alias> aliases;  ///< names in all modules, in the order in which sema finds them, by use or declaration
     Span span;
     std::uint32_t module = 0;          ///< the one with the declaration
     TypeId domain_type;                ///< uint or vector of uint; adaptors: void

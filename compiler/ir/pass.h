@@ -78,7 +78,7 @@ struct Pass {
     bool exists = true;  ///< false: no code is made. This is so for a wide form that has no buffers and never splits
                          ///< a dispatch, since it would equal the general form
     std::array<std::uint32_t, 3> group = {64, 1, 1};  ///< workgroup size
-    std::uint32_t rank = 1;                           ///< number of axes of the visited addresses
+    std::uint32_t rank = 1;                           ///< number of components of `address`
     bool of_blocks = false;  ///< it visits blocks: `address` is {position in the block, number of the block}
     std::uint32_t items =
         1;  ///< at<S, items>: the number of consecutive elements of each invocation; `address` is the first's
@@ -138,7 +138,8 @@ struct Pass {
 struct LibraryFunction {
     std::string name;
     TypeId result;
-    Pass pass;  ///< Pass::parameters are the structure's constructor arguments; Pass::params the function's parameters
+    Pass pass;  ///< Pass::parameters are the structure's state: constructor arguments, extents of memories, also those
+                ///< of its members; Pass::params are the function's parameters
 };
 
 /// A structure that a module makes public under `name`, with its functions for users' own shaders: read and, where it

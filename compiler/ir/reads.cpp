@@ -18,7 +18,7 @@ public:
     explicit Reads(const Program& program) : p(program) {}
 
     /// What one expression reads, its operands not included. `structures`: the instance at each Place root. `effects`:
-    /// those of the body, of which its own coherent ones exclude memory from the result.
+    /// those of the body; memory to which the body itself declares coherent access (Effect::is_own) is left out.
     Places of(const Expr& node, const std::vector<std::uint32_t>& structures, const std::vector<Effect>& effects) {
         Places found;
         switch (node.op) {

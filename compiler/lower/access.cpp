@@ -60,8 +60,9 @@ void Expander::read_arguments() {
     }
 }
 
-/// Whether the elements of the structure at the place lie in the memory of the `coherent` parameter that the place
-/// begins at, or in memory that a function called through this parameter accesses as coherent.
+/// Whether the elements of the structure at the place lie in memory that the pass accesses as coherent by the parameter
+/// that the place begins at: the parameter is `coherent`, and they are its elements; or it is `calls`, and a function
+/// called through it has coherent access to them.
 bool Expander::is_coherent(const Place& place) const {
     const auto is_memory_of = [&](const Place& shared) {
         return root_of(p, cx.structure_at(place), place) == root_of(p, cx.structure_at(shared), shared);

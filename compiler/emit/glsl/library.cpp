@@ -16,8 +16,7 @@ using namespace ir;
 
 namespace {
 
-/// For each parameter of the pass whether the function, or one that it calls, uses it. The others, such as the size of
-/// the visited range, belong to a dispatch, which a library function does not have.
+/// For each parameter of the pass whether the function, or one that it calls, uses it. Only these are declared.
 std::vector<bool> used_parameters(const Program& program, const Pass& pass) {
     std::vector<bool> used(pass.parameters.size());
     auto visit = [&](ExprId id) {

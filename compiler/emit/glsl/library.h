@@ -19,10 +19,10 @@ namespace gliftc::glsl {
 ///                                                    domain are known to lie in the structure's own buffer or image
 ///
 /// The state is what the functions need to know of the structure, such as its arguments. The including shader defines
-/// macros before it includes the text: FIELD_BINDING is the binding of the state; memory k, in the order of the
-/// declarations, is at FIELD_BINDING + 1 + k. FIELD_SET, if defined, is the descriptor set, else 0. If FIELD_STATE is
-/// defined, the shader declares the members of the state itself, as push constants for example. If FIELD_READONLY is
-/// defined, memories are readonly and there is no Field_write.
+/// macros before it includes the text: FIELD_BINDING is the binding of the state; memory k, in the order in which the
+/// text declares them, is at FIELD_BINDING + 1 + k. FIELD_SET, if defined, is the descriptor set, else 0. If
+/// FIELD_STATE is defined, the shader declares the members of the state itself, as push constants for example. If
+/// FIELD_READONLY is defined, memories are readonly and there is no Field_write.
 std::string library_of(const ir::Program& program, const Sources& sources, const ir::Library& library);
 
 }  // namespace gliftc::glsl

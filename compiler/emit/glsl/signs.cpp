@@ -18,7 +18,7 @@ using ir::StmtOp;
 
 bool is_float(const Printer& p, ir::TypeId type) { return p.program.types.scalar_of(type) == p.program.types.float_; }
 
-/// Whether the expression is the constant 0, 1 or -1, a float or an int.
+/// Whether the expression is the constant 0, 1 or -1; `true` and `false` count as 1 and 0.
 bool is_small_constant(const Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
     if (expr.op != Op::constant) return false;
@@ -32,8 +32,9 @@ bool is_negative_zero(const Printer& p, ExprId id) {
     return expr.op == Op::constant && is_float(p, expr.type) && expr.number == 0.0 && std::signbit(expr.number);
 }
 
-/// Whether the value may be a choice between 0 and 1 or -1, made by a select, step(), a call or assignments, or follow
-/// from one by arithmetic. Elements of memory and parameters of the pass are none: drivers do not know their values.
+/// Whether the value may be a choice between 0 and 1 or -1, made by a select, step(), the conversion of a bool, a call
+/// or assignments, or computed from such a choice by arithmetic. Elements of memory and parameters of the pass are no
+/// choices: drivers do not know their values.
 bool may_be_choice(const Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
     const auto is_one = [&](ExprId operand) { return may_be_choice(p, operand); };

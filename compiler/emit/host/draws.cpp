@@ -10,7 +10,7 @@ namespace gliftc::host {
 
 namespace {
 
-/// Whether the fragment part needs perspective-correct weights, or 1 / w.
+/// Whether the fragment part may need perspective-correct weights, or 1 / w.
 bool has_smooth(const ir::Program& program, const ir::Pass& pass) {
     const ir::Raster& raster = *program.kernels[pass.kernel].raster;
     const ir::Variant* fragment = fragment_for(pass, ir::Devices::host);

@@ -118,9 +118,9 @@ private:
         return context_.getSourceManager().getPresumedLoc(location).getLine();
     }
 
-    /// Whether the struct can be copied to the device byte by byte: it is no union, has no base class and no virtual
-    /// functions, and is trivially copyable. Reports an error if it cannot. Fields are checked one by one elsewhere:
-    /// check(field), import_type().
+    /// Whether the struct can be imported: it is no union and no instance of a template, has no base class and no
+    /// virtual functions, and is trivially copyable. Reports an error if it cannot. Fields are checked one by one
+    /// elsewhere: check(field), import_type().
     bool check(const CXXRecordDecl& record) {
         const std::string name = "'" + record.getQualifiedNameAsString() + "'";
         if (!record.isStruct() && !record.isClass()) {
