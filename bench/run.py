@@ -178,7 +178,7 @@ def main():
     parser.add_argument("build")
     parser.add_argument("--only", choices=PARTS)
     parser.add_argument("--json", help="where all figures go")
-    parser.add_argument("--plots", help="folder for a plot of the algorithms of each device")
+    parser.add_argument("--plots", help="folder for plots: of the algorithms of each device, depth of field, pages, shadows")
     parser.add_argument("--runs", type=int, default=20, help="of shaders and loops beside those by hand (%(default)s)")
     algorithms.add_options(parser)
     options = parser.parse_args()

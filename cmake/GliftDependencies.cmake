@@ -6,10 +6,13 @@ find_package(Threads REQUIRED)
 # Dependencies of the runtime.
 find_package(Vulkan REQUIRED)
 find_package(TBB CONFIG REQUIRED)
+# Of the compiler and the benches; before SPIRV-Tools-link, whose package refers to its target.
+if(NOT GLIFT_GLIFTC OR GLIFT_BUILD_BENCH)
+    find_package(SPIRV-Tools-opt CONFIG REQUIRED)
+endif()
 # Dependencies of the compiler, not needed if GLIFT_GLIFTC names a gliftc that is built already. The benches need some
 # of them, too.
 if(NOT GLIFT_GLIFTC)
-    find_package(SPIRV-Tools-opt CONFIG REQUIRED)
     find_package(SPIRV-Tools-link CONFIG REQUIRED)
     find_package(glslang CONFIG REQUIRED)
     find_package(fmt CONFIG REQUIRED)

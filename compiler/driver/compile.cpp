@@ -10,6 +10,7 @@
 #include "syntax/print.h"
 
 #include <chrono>
+#include <filesystem>
 
 namespace gliftc {
 
@@ -58,6 +59,7 @@ Result compile(const Options& options, const FileSystem& files, Compilation& c) 
     auto stops_after = [&](Stage stage) { return has_errors() || options.stops_after(stage); };
 
     check_style(options, c.diagnostics);
+    if (std::filesystem::is_regular_file(options.style)) c.read_files.push_back(options.style);
     c.loaded = load_modules(options, files, c.sources, c.names, c.tree, c.diagnostics);
     clock.lap("syntax");
     if (options.dump == Stage::syntax) result.dump = dump_syntax(c);

@@ -24,7 +24,7 @@ struct Compilation {
     LoadedModules loaded;
     ir::Program program;
     ir::Lowered lowered;
-    std::vector<std::string> read_files;  ///< files read besides the sources: imported C++ headers
+    std::vector<std::string> read_files;  ///< files read besides the sources: imported C++ headers, and that of --style
 };
 
 struct Output {

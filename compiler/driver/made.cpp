@@ -5,6 +5,7 @@
 #include "layout/layout.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <set>
@@ -208,6 +209,17 @@ bool is_whole(const ir::Types& types, ir::TypeId scalar) {
     return scalar != types.float_ && scalar != types.half && scalar != types.double_;
 }
 
+/// The numbers that a scalar of the type can be: where it is whole, to 32 bits (a double holds more of them exactly,
+/// but no argument of a constructor needs them).
+struct Limits {
+    double low, high;
+    const char* text;
+};
+Limits limits_of(const ir::Types& types, ir::TypeId scalar) {
+    if (types.is_signed(scalar)) return {-2147483648.0, 2147483647.0, "from -2^31 to 2^31 - 1"};
+    return {0, 4294967295.0, "from 0 to 2^32 - 1"};
+}
+
 std::string wanted(const ir::Program& program, const ir::Structure& structure, std::size_t numbers) {
     std::string text;
     for (ir::LocalId local : structure.constructor)
@@ -232,16 +244,18 @@ std::optional<MadeStructure> made_with(const ir::Program& program, const ir::Str
     for (ir::LocalId local : structure.constructor) {
         const ir::TypeId type = program.locals[local].type;
         Value value{type, {}};
-        const bool whole = is_whole(program.types, program.types.scalar_of(type));
+        const ir::TypeId scalar = program.types.scalar_of(type);
+        const bool whole = is_whole(program.types, scalar);
+        const Limits limits = limits_of(program.types, scalar);
         for (std::size_t i = 0; i < ir::lane_count(program, type); ++i, ++next) {
-            if (whole && (numbers[next] < 0 || numbers[next] > 4294967295.0 ||
-                          numbers[next] != static_cast<double>(static_cast<std::uint64_t>(numbers[next])))) {
+            const double number = numbers[next];
+            if (whole && !(number >= limits.low && number <= limits.high && number == std::trunc(number))) {
                 problem = wanted(program, structure, count) + ", of which number " + std::to_string(next + 1) +
-                          " is whole, from 0 to 2^32 - 1";
+                          " is whole, " + limits.text;
                 return std::nullopt;
             }
-            value.lanes.push_back(
-                {.bits = whole ? static_cast<std::uint64_t>(numbers[next]) : 0, .number = whole ? 0 : numbers[next]});
+            value.lanes.push_back({.bits = whole ? static_cast<std::uint64_t>(static_cast<std::int64_t>(number)) : 0,
+                                   .number = whole ? 0 : number});
         }
         result.arguments += (result.arguments.empty() ? "" : ", ") + (*program.names)[program.locals[local].name] +
                             " " + to_text(program, value);

@@ -29,9 +29,8 @@ bool returns_none(const Context& c, const std::vector<ast::StmtId>& body) {
     });
 }
 
-/// Makes the function blocks(), block(i) or block_size() of a structure. The language fixes its types: if the
-/// declaration gives a parameter another type, that is an error; a result type in it is not looked at. Absent after an
-/// error.
+/// Makes the function blocks(), block(i) or block_size() of a structure. The language fixes its types; it is an
+/// error if the declaration gives others. Absent after an error.
 ir::FunctionId make_function(Context& c, const Env& env, std::uint32_t index, ast::DeclId id,
                              const std::vector<ir::TypeId>& params, ir::TypeId result) {
     const ast::Decl& decl = c[id];
@@ -53,9 +52,10 @@ ir::FunctionId make_function(Context& c, const Env& env, std::uint32_t index, as
     function.doc = decl.doc;
     Body body{.context = c, .env = env, .kind = BodyKind::function, .block = &function.body, .result = result};
     bring_members_into_scope(body, index);
+    check_fixed_type(c, env, written.result, result);
     open_scope(body);
     for (std::size_t i = 0; i < params.size(); ++i) {
-        check_fixed_type(c, env, written.params[i], params[i]);
+        check_fixed_type(c, env, written.params[i].type, params[i]);
         function.params.push_back(declare_local(body, written.params[i].name, params[i], false, false));
     }
     check_block(body, written.body);
@@ -109,7 +109,9 @@ void add_blocks(Context& c, const Env& env, std::uint32_t index, const BlockItem
     if (!items.block) return missing("block", any);
     if (!items.block_size) return missing("block_size", any);
     const ir::TypeId address = c.program.structures[index].domain_type, uint = c.types().uint;
-    const bool is_optional = returns_none(c, std::get<ast::Function>(c[items.block].body).body);
+    const auto& block = std::get<ast::Function>(c[items.block].body);
+    const bool is_optional =
+        returns_none(c, block.body) || (block.result && c[block.result].kind == ast::ExprKind::optional);
     ir::Blocks made;
     made.count = make_function(c, env, index, items.blocks, {}, uint);
     made.first = make_function(c, env, index, items.block, {uint}, is_optional ? c.types().optional(address) : address);

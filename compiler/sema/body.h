@@ -187,6 +187,9 @@ ir::ExprId coerce(Body&, ir::ExprId expr, ir::TypeId wanted, Span);
 /// If the type found where a value is needed is an optional, adds a note that says how to unwrap it.
 void note_optional(Body&, Diagnostic&, Span, ir::TypeId found);
 Operand value_operand(Body&, ir::ExprId, Span);
+/// Whether the meaning is the declaration of a constant; and its value.
+bool is_constant(const Context&, const Meta&);
+Operand constant_operand(Body&, const Meta& constant, Span);
 Operand error_operand(Span);
 ir::ExprId error_value(Body&, Span);
 bool is_error(const Body&, ir::ExprId);

@@ -437,12 +437,9 @@ static Operand check_unnamed_call(Body& body, ast::ExprId id, ir::TypeId wanted)
             c.error(Diag::not_callable, callee.span, {"this"});
             return error_operand(call.span);
         }
-        Env inside;
-        inside.module = left.meta.module;
-        Meta meta = find_meta(c, inside, {name.name, name.name_span});
-        if (meta.kind == MetaKind::declarations) return call_declarations(body, meta, generics, call, wanted);
-        report_unknown(c, inside, {name.name, name.name_span});
-        return error_operand(call.span);
+        const Meta meta = find_in_module(c, body.env, left.meta.module, {name.name, name.name_span});
+        if (meta.kind == MetaKind::none) return error_operand(call.span);
+        return call_declarations(body, meta, generics, call, wanted);
     }
     if (name.kind != ast::ExprKind::name) {
         Operand operand = check(body, call.operands[0]);

@@ -125,14 +125,7 @@ Operand check_name(Body& body, ast::ExprId id) {
         c.error(Diag::not_constant, expr.span);
         return error_operand(expr.span);
     }
-    if (meta.kind == MetaKind::declarations && meta.declarations.size() == 1 &&
-        std::holds_alternative<ast::Const>(c[meta.declarations[0]].body)) {
-        ir::ExprId value = constant_declaration(c, meta.declarations[0]);
-        if (!value) return error_operand(expr.span);
-        auto known = ir::evaluate(body.program(), value);
-        if (!known) return error_operand(expr.span);
-        return value_operand(body, ir::materialize(body.program(), *known, expr.span), expr.span);
-    }
+    if (is_constant(c, meta)) return constant_operand(body, meta, expr.span);
     if (meta.kind != MetaKind::none) {
         Operand operand;
         operand.kind = OperandKind::meta;
@@ -244,6 +237,17 @@ std::string describe(const Body& body, const Operand& operand) {
 }
 
 }  // namespace
+
+bool is_constant(const Context& c, const Meta& meta) {
+    return meta.kind == MetaKind::declarations && meta.declarations.size() == 1 &&
+           std::holds_alternative<ast::Const>(c[meta.declarations[0]].body);
+}
+
+Operand constant_operand(Body& body, const Meta& constant, Span span) {
+    const ir::ExprId value = constant_declaration(body.context, constant.declarations[0]);
+    const auto known = value ? ir::evaluate(body.program(), value) : std::nullopt;
+    return known ? value_operand(body, ir::materialize(body.program(), *known, span), span) : error_operand(span);
+}
 
 Operand error_operand(Span span) {
     Operand operand;

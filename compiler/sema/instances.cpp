@@ -141,7 +141,7 @@ static void declare_params(Body& body, const std::vector<ast::Param>& params, ir
         if (!seen)
             note(c.error(Diag::function_pattern, param.pattern_span), param.pattern_span,
                  "a function gives its value by 'return'; the current element is written by the kernel");
-        else if (is_out) c.error(Diag::function_out, param.direction_span);
+        else if (is_out && type != c.types().error) c.error(Diag::function_out, param.direction_span);
         if (!seen || is_out) {  // declared with the error type, so that uses report no further errors
             const ir::LocalId local = declare_local(body, param.name, c.types().error, true, false);
             if (c.types().kind(type) == ir::TypeKind::structure) ++first_structure;

@@ -284,6 +284,8 @@ void read_attributes(Context& c, const ast::Decl& decl, ir::Kernel& kernel) {
 
 }  // namespace
 
+constexpr std::uint64_t most_invocations = 1024;  // of a workgroup
+
 std::array<std::uint32_t, 3> group_of(Context& c, const Env& env, const std::vector<ast::ExprId>& written) {
     if (written.empty()) return {0, 0, 0};
     std::uint64_t product = 1;
@@ -293,10 +295,12 @@ std::array<std::uint32_t, 3> group_of(Context& c, const Env& env, const std::vec
         if (!count) return {1, 1, 1};
         group[i] = *count;
         product *= *count;
+        if (product == 0 || product > most_invocations) {  // not after the loop: the product of three may overflow
+            c.error(Diag::group_range, c[written[0]].span, {std::to_string(product)});
+            return {1, 1, 1};
+        }
     }
-    if (product != 0 && product <= 1024) return group;
-    c.error(Diag::group_range, c[written[0]].span, {std::to_string(product)});
-    return {1, 1, 1};
+    return group;
 }
 
 /// A suffix of the kernel's key: its number among the kernels of its name in its module; empty for the first.

@@ -52,7 +52,10 @@ ast::DeclId report_ambiguous(Context& c, ast::Identifier name, ast::DeclId one, 
     note(diagnostic, c[one].name.span, "one is declared here");
     note(diagnostic, c[other].name.span, "another here");
     const auto last = [](const std::string& module) { return module.substr(module.rfind('.') + 1); };
-    note(diagnostic, name.span, "write '" + last(first) + "." + text + "' or '" + last(second) + "." + text + "'");
+    const bool are_apart = last(first) != last(second);
+    note(diagnostic, name.span,
+         "write '" + (are_apart ? last(first) : first) + "." + text + "' or '" + (are_apart ? last(second) : second) +
+             "." + text + "'");
     return one;
 }
 

@@ -67,21 +67,25 @@ Operand enumerator(Body& body, const ir::Type& type, ir::TypeId id, ast::Identif
     return unknown_member(body, "the enum " + body.context.text(id), member, known);
 }
 
+/// The imported module that `a.b.c` names, unless `a` is declared in the body.
+std::optional<std::uint32_t> module_of_chain(Body& body, ast::ExprId id) {
+    const auto module = module_by_whole_name(body.context, body.env, id);
+    if (!module) return std::nullopt;
+    while (body.context[id].kind == ast::ExprKind::member) id = body.context[id].operands[0];
+    return find_symbol(body, body.context[id].name) ? std::nullopt : module;
+}
+
 Operand meta_member(Body& body, const Operand& left, const ast::Expr& expr) {
     Context& c = body.context;
     ast::Identifier member{expr.name, expr.name_span};
     if (left.meta.kind == MetaKind::type && body.types().kind(left.meta.type) == ir::TypeKind::enum_)
         return enumerator(body, body.types()[left.meta.type], left.meta.type, member);
     if (left.meta.kind == MetaKind::module) {
-        Env inside;
-        inside.module = left.meta.module;
         Operand operand;
         operand.span = expr.span;
-        operand.meta = find_meta(c, inside, member);
-        if (operand.meta.kind == MetaKind::none) {
-            report_unknown(c, inside, member);
-            return operand;
-        }
+        operand.meta = find_in_module(c, body.env, left.meta.module, member);
+        if (operand.meta.kind == MetaKind::none) return operand;
+        if (is_constant(c, operand.meta)) return constant_operand(body, operand.meta, expr.span);
         operand.kind = OperandKind::meta;
         return operand;
     }
@@ -304,6 +308,14 @@ Operand check_member(Body& body, ast::ExprId id) {
     const ast::Expr& expr = body.context[id];
     ast::Identifier member{expr.name, expr.name_span};
     if (auto property = check_device_member(body, expr)) return *property;
+    if (const auto module = module_of_chain(body, id)) {
+        Operand operand;
+        operand.kind = OperandKind::meta;
+        operand.span = expr.span;
+        operand.meta.kind = MetaKind::module;
+        operand.meta.module = *module;
+        return operand;
+    }
     const Parts parts(body);
     Operand left = check(body, expr.operands[0]);
     switch (left.kind) {

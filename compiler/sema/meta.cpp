@@ -173,6 +173,20 @@ Meta builtin_generic(Context& c, const Env& env, const ast::Expr& expr, std::str
     return of_type(c.types().vector(element, *n));
 }
 
+/// What a name means where no generic arguments follow it: the type, if its declarations declare one.
+Meta without_arguments(Context& c, Meta meta, Span span) {
+    if (meta.kind != MetaKind::declarations) return meta;
+    ast::DeclId id = meta.declarations[0];
+    const ast::Decl& decl = c[id];
+    if (!is_type_declaration(decl)) return meta;
+    Env& inner = c.new_env(c.module_of.at(id));
+    if (!decl.generics.empty()) {
+        Arguments arguments(c, decl, inner, span);
+        if (!arguments.finish()) return {};
+    }
+    return meta_of_declaration(c, id, inner, span);
+}
+
 Meta meta_of_name(Context& c, const Env& env, const ast::Expr& expr) {
     Meta meta = find_meta(c, env, {expr.name, expr.span});
     if (meta.kind == MetaKind::none) {
@@ -183,16 +197,16 @@ Meta meta_of_name(Context& c, const Env& env, const ast::Expr& expr) {
         c.error(Diag::not_constant, expr.span);
         return {};
     }
-    if (meta.kind != MetaKind::declarations) return meta;
-    ast::DeclId id = meta.declarations[0];
-    const ast::Decl& decl = c[id];
-    if (!is_type_declaration(decl)) return meta;
-    Env& inner = c.new_env(c.module_of.at(id));
-    if (!decl.generics.empty()) {
-        Arguments arguments(c, decl, inner, expr.span);
-        if (!arguments.finish()) return {};
-    }
-    return meta_of_declaration(c, id, inner, expr.span);
+    return without_arguments(c, std::move(meta), expr.span);
+}
+
+/// The module that the expression names, by its whole name or its last part.
+std::optional<std::uint32_t> module_named(Context& c, const Env& env, ast::ExprId id) {
+    const ast::Expr& expr = c[id];
+    if (expr.kind == ast::ExprKind::member) return module_by_whole_name(c, env, id);
+    if (expr.kind != ast::ExprKind::name) return std::nullopt;
+    const Meta meta = find_meta(c, env, {expr.name, expr.span});
+    return meta.kind == MetaKind::module ? std::optional(meta.module) : std::nullopt;
 }
 
 Meta meta_of_generic(Context& c, const Env& env, const ast::Expr& expr) {
@@ -207,6 +221,8 @@ Meta meta_of_generic(Context& c, const Env& env, const ast::Expr& expr) {
     if (name.kind == ast::ExprKind::name) {
         meta = find_meta(c, env, {name.name, name.span});
         if (meta.kind == MetaKind::none) report_unknown(c, env, {name.name, name.span});
+    } else if (const auto module = module_named(c, env, name.operands[0])) {
+        meta = find_in_module(c, env, *module, {name.name, name.name_span});
     } else {
         meta = meta_of(c, env, expr.operands[0]);
     }
@@ -249,6 +265,19 @@ Meta meta_of_array(Context& c, const Env& env, const ast::Expr& expr) {
     return of_type(type);
 }
 
+void report_private(Context& c, ast::Identifier name, ast::DeclId declared) {
+    std::string_view owner = c.text(c.modules[c.module_of.at(declared)].tree->name.name);
+    note(c.error(Diag::not_public, name.span, {c.text(name.name), owner}), c[declared].name.span,
+         "write 'pub' before it to export it");
+}
+
+void report_ambiguous_module(Context& c, ast::Identifier name, std::uint32_t one, std::uint32_t other) {
+    std::string first = c.text(c.modules[one].tree->name.name), second = c.text(c.modules[other].tree->name.name);
+    if (second < first) std::swap(first, second);
+    note(c.error(Diag::ambiguous_module, name.span, {c.text(name.name), first, second}), name.span,
+         "write the module's whole name: '" + first + ".…'");
+}
+
 }  // namespace
 
 std::vector<ast::DeclId> find_declarations(Context& c, std::uint32_t module, ast::Identifier name) {
@@ -256,9 +285,7 @@ std::vector<ast::DeclId> find_declarations(Context& c, std::uint32_t module, ast
     if (!visible.found.empty() || visible.hidden.empty()) return visible.found;
     // Private names of imports do not hide built-in names.
     if (builtin(c, c.text(name.name)).kind != MetaKind::none) return {};
-    std::string_view owner = c.text(c.modules[c.module_of.at(visible.hidden[0])].tree->name.name);
-    note(c.error(Diag::not_public, name.span, {c.text(name.name), owner}), c[visible.hidden[0]].name.span,
-         "write 'pub' before it to export it");
+    report_private(c, name, visible.hidden[0]);
     return visible.hidden;
 }
 
@@ -285,10 +312,48 @@ Meta find_meta(Context& c, const Env& env, ast::Identifier name) {
     meta = builtin(c, text);
     if (meta.kind != MetaKind::none) return meta;
     for (std::uint32_t import : c.scopes[env.module].imports) {
-        const std::string& full = c.text(c.modules[import].tree->name.name);
-        if (full != text && !full.ends_with("." + text)) continue;
+        const std::string& whole = c.text(c.modules[import].tree->name.name);
+        if (whole != text && !whole.ends_with("." + text)) continue;
+        if (meta.kind == MetaKind::module && whole != text && meta.module != import) {
+            report_ambiguous_module(c, name, meta.module, import);
+            return meta;
+        }
         meta.kind = MetaKind::module;
         meta.module = import;
+        if (whole == text) return meta;
+    }
+    return meta;
+}
+
+std::optional<std::uint32_t> module_by_whole_name(Context& c, const Env& env, ast::ExprId id) {
+    std::string text;
+    for (; c[id].kind == ast::ExprKind::member; id = c[id].operands[0]) text = "." + c.text(c[id].name) + text;
+    if (c[id].kind != ast::ExprKind::name) return std::nullopt;
+    text = c.text(c[id].name) + text;
+    for (std::uint32_t import : c.scopes[env.module].imports) {
+        if (c.text(c.modules[import].tree->name.name) != text) continue;
+        const MetaKind first = find_meta(c, env, {c[id].name, c[id].span}).kind;
+        if (first == MetaKind::none || first == MetaKind::module) return import;
+    }
+    return std::nullopt;
+}
+
+Meta find_in_module(Context& c, const Env& env, std::uint32_t module, ast::Identifier name) {
+    Meta meta;
+    const auto& names = c.scopes[module].names;
+    const auto found = names.find(name.name);
+    if (found == names.end()) {
+        Env inside;
+        inside.module = module;
+        report_unknown(c, inside, name);
+        return meta;
+    }
+    meta.kind = MetaKind::declarations;
+    for (ast::DeclId decl : found->second)
+        if (c[decl].is_pub || module == env.module) meta.declarations.push_back(decl);
+    if (meta.declarations.empty()) {
+        report_private(c, name, found->second[0]);
+        meta.declarations = found->second;
     }
     return meta;
 }
@@ -305,20 +370,12 @@ Meta meta_of(Context& c, const Env& env, ast::ExprId id) {
         if (is_refused_optional(c, element, "the value of an optional", expr.span)) return {};
         return element == c.types().error ? Meta{} : of_type(c.types().optional(element));
     }
-    case ast::ExprKind::member: {
-        const ast::Expr& left = c[expr.operands[0]];
-        if (left.kind == ast::ExprKind::name) {
-            Meta module = find_meta(c, env, {left.name, left.span});
-            if (module.kind == MetaKind::module) {
-                Env inside;
-                inside.module = module.module;
-                ast::Expr inner = expr;
-                inner.kind = ast::ExprKind::name;
-                return meta_of_name(c, inside, inner);
-            }
+    case ast::ExprKind::member:
+        if (const auto module = module_named(c, env, expr.operands[0])) {
+            Meta meta = find_in_module(c, env, *module, {expr.name, expr.name_span});
+            return without_arguments(c, std::move(meta), expr.span);
         }
         break;
-    }
     case ast::ExprKind::binary:
         if (expr.binary == ast::BinaryOp::then) {
             Meta left = meta_of(c, env, expr.operands[0]), right = meta_of(c, env, expr.operands[1]);

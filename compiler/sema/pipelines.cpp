@@ -59,7 +59,7 @@ void add_param(Body& body, const ast::Param& param, std::uint32_t passed, ir::Pi
             made.pattern = ir::HostPattern::structure;
             made.structure = c.types()[type].index;
         } else if (param.direction == ast::Direction::out || param.direction == ast::Direction::inout) {
-            c.error(Diag::function_out, param.direction_span);
+            if (type != c.types().error) c.error(Diag::function_out, param.direction_span);
         } else if (passed == lies_on_device) {
             type = c.types().device(type);
         }

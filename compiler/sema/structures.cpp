@@ -360,6 +360,7 @@ ir::ExprId domain_from_item(Body& body, const ast::Item& item, ir::TypeId wanted
         c.error(Diag::domain_form, c[item.decl].name.span);
         return {};
     }
+    check_fixed_type(c, body.env, function.result, wanted);
     return check_value(body, c[function.body[0]].value, wanted);
 }
 
@@ -474,7 +475,8 @@ ir::FunctionId make_at(Context& c, ast::DeclId id, const Env& env, std::uint32_t
     Body body{.context = c, .env = env, .kind = BodyKind::function, .block = &function.body, .result = view.element};
     bring_members_into_scope(body, index);
     open_scope(body);
-    check_fixed_type(c, env, written.params[0], view.domain_type);
+    check_fixed_type(c, env, written.params[0].type, view.domain_type);
+    check_fixed_type(c, env, written.result, view.element);
     function.params.push_back(declare_local(body, written.params[0].name, view.domain_type, false, false));
     check_block(body, written.body);
     close_scope(body);

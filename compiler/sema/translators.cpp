@@ -52,10 +52,11 @@ ir::FunctionId make_method(Context& c, ast::DeclId id, const Env& env, const ir:
     function.doc = decl.doc;
     Body body{.context = c, .env = env, .kind = BodyKind::function, .block = &function.body, .result = result};
     bring_state_into_scope(body, translator);
+    check_fixed_type(c, env, written.result, result);
     open_scope(body);
     for (std::size_t i = 0; i < params.size(); ++i) {
         const ast::Param& param = written.params[i];
-        check_fixed_type(c, env, param, params[i]);
+        check_fixed_type(c, env, param.type, params[i]);
         function.params.push_back(declare_local(body, param.name, params[i], false, false));
     }
     check_block(body, written.body);

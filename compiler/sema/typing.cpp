@@ -99,11 +99,11 @@ bool holds_optional(const ir::Program& program, ir::TypeId id) {
     return std::ranges::any_of(fields, [&](const auto& field) { return holds_optional(program, field.type); });
 }
 
-void check_fixed_type(Context& c, const Env& env, const ast::Param& param, ir::TypeId fixed) {
-    if (!param.type) return;
-    const ir::TypeId written = type_of(c, env, param.type);
-    if (written == fixed || written == c.types().error) return;
-    c.error(Diag::type_mismatch, c[param.type].span, {c.text(fixed), c.text(written)});
+void check_fixed_type(Context& c, const Env& env, ast::ExprId written, ir::TypeId fixed) {
+    if (!written) return;
+    const ir::TypeId type = type_of(c, env, written);
+    if (type == fixed || type == c.types().error) return;
+    c.error(Diag::type_mismatch, c[written].span, {c.text(fixed), c.text(type)});
 }
 
 bool memory_holds(const ir::Program& program, ir::TypeId id) {

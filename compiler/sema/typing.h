@@ -34,8 +34,9 @@ bool becomes(const ir::Types&, ir::TypeId from, ir::TypeId to);
 
 /// Whether the type is or contains an optional.
 bool holds_optional(const ir::Program&, ir::TypeId);
-/// Reports a parameter of a method whose type the language fixes, if another type is written.
-void check_fixed_type(Context&, const Env&, const ast::Param&, ir::TypeId fixed);
+/// Of a parameter or result of a method whose type the language fixes: reports the type that is written, if it is
+/// another one. Absent `written`: none is.
+void check_fixed_type(Context&, const Env&, ast::ExprId written, ir::TypeId fixed);
 /// Whether elements of memory can be of the type: it holds no optionals, no structs without fields, and is not void.
 bool memory_holds(const ir::Program&, ir::TypeId);
 

@@ -168,12 +168,13 @@ ast::Alias Parser::parse_type_alias() {
     return alias;
 }
 
-/// group = "group" "(" [ expression { "," expression } [ "," ] ] ")" ;      three at most
+/// group = "group" "(" expression { "," expression } [ "," ] ")" ;      three at most
 std::vector<ast::ExprId> Parser::parse_group() {
     std::vector<ast::ExprId> group;
     if (lost_ || !accept_word(Word::group)) return group;
     std::uint32_t open = cursor_;
     expect(TokenKind::open_paren);
+    if (at(TokenKind::close_paren)) fail_expected("an extent", "group(64) or group(8, 8)");
     while (!at(TokenKind::close_paren) && !at_end() && !lost_) {
         if (group.size() == 3) fail_expected("')'", "a group has at most three extents");
         group.push_back(parse_expression());

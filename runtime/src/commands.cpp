@@ -178,7 +178,7 @@ void Commands::copy(const Memory& from, const Memory& to, std::span<const CopyRe
     if (from == to) {
         for (const CopyRegion& a : regions) {
             for (const CopyRegion& b : regions) {
-                if (a.from < b.to + b.bytes && b.to < a.from + a.bytes) {
+                if (a.bytes && b.bytes && a.from < b.to + b.bytes && b.to < a.from + a.bytes) {
                     throw Error(ErrorCode::aliased_memory, "a copy's source and target overlap", "Commands::copy",
                                 detail::memory_text(from.description()), "copy through another memory");
                 }

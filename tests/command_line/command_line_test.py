@@ -30,6 +30,29 @@ says(here.run("-MD", "--target=glsl", "-o", "glsl", "halved.glift"), 0)
 expect("halved.glift.d" in here.names("glsl"), "the rule has the name of the file, whatever is written", here.names("glsl"))
 says(here.run("--check", "--depfile", "d", "good.glift"), 2, "nothing is written here")
 
+here.write("tabs.clang-format", "UseTab: Always\n")
+says(here.run("-MD", "--target=cpp", "--style", "tabs.clang-format", "-o", "styled", "good.glift"), 0)
+expect("tabs.clang-format" in (here.path / "styled/good.glift.d").read_text(), "the rule names the file of --style")
+
+# Names behind a module's name: its own public ones.
+here.write("x/util.glift", "module x.util;\nuse std.edge;\npub const n = 3u;\npub fn f() -> uint { return n; }\n"
+                           "struct Hidden { a: uint; }\n")
+here.write("outside.glift", """module outside;
+use std.array;
+use x.util;
+kernel k(a: inout each<array.Array<1, uint>>, b: in each<std.array.Array<1, uint>>) {
+    let some: uint[util.n] = {1u, 2u, 3u};
+    a = util.f() + x.util.n + some[0] + b;
+}
+""")
+says(here.run("--check", "outside.glift"), 0)
+here.write("inside.glift", """module inside;
+use x.util;
+fn f() -> uint { return util.Hidden(2u).a; }
+fn g(b: util.Boundary) -> uint { return 1u; }
+""")
+says(here.run("--check", "inside.glift"), 1, "'Hidden' is not 'pub' in module x.util", "unknown name 'Boundary'")
+
 # Outputs.
 says(here.run("--host-only", "-o", "host", "properties.glift"), 0)
 expect(here.names("host") and not [n for n in here.names("host") if n.endswith(".spv")],
@@ -188,6 +211,12 @@ says(here.run("explain", "--made", "Grid(256, 256, 256)", "grids.glift"), 2,
      "(extent: uint3, capacity: uint, background: float) takes 5 numbers, not 3")
 says(here.run("explain", "--made", "Grid(-1, 1, 1, 2.5, 0)", "grids.glift"), 2, "number 1 is whole")
 says(here.run("explain", "--made", "Sheet(1)", "grids.glift"), 2, "no structure 'Sheet'")
+says(here.run("explain", "--made", "Grid(my_pair(256, 256), uint[1](256), 4096, 0)", "grids.glift"), 0, "extent uint3(256, 256, 256)")
+says(here.run("explain", "--made", "(1, 2)", "grids.glift"), 2, "is not a name and numbers")
+here.write("moved.glift", "module moved;\nuse std.linear;\n"
+                          "pub structure Line(n: uint, by: int) { memory data = buffer<float>[n]; via Linear(n); }\n")
+says(here.run("explain", "--made", "Line(16, -2)", "moved.glift"), 0, "n 16, by -2", "64 bytes")
+says(here.run("explain", "--made", "Line(16, 2147483648)", "moved.glift"), 2, "number 2 is whole, from -2^31 to 2^31 - 1")
 says(here.run("explain", "--made", "Grid", "grids.glift"), 2, "is not a name and numbers")
 for word in ("unknown-name", "E-unknown-name", "[unknown-name]"):
     says(here.run("explain", word), 0, "error: unknown name '…' [unknown-name]", "heigth")

@@ -26,6 +26,17 @@ PRELUDE_BODY = """structure ZLine = Array<1, float>;
 kernel zone(zy: out each<ZLine>) { zy = 1.0; }
 """
 PRELUDE = "use std.array;\nuse std.linear;\n" + PRELUDE_BODY
+BLOCKS = """use std.address;
+use std.page_table;
+structure ZNumbers = Array<1, uint>;
+structure ZPages(zextent: uint2, ztable: ZNumbers, zlist: ZNumbers, zcount: ZNumbers, zmost: uint) {
+    memory zframes = Array<2, float>(uint2(64, zmost));
+    via PageTable<2, uint2(8, 8)>(zextent, ztable);
+    blocks() { return min(zcount[0], zmost); }
+    block(zi) { return delinearize(zlist[zi], div_ceil(zextent, uint2(8, 8))) * uint2(8, 8); }
+    block_size() { return uint2(8, 8); }
+}
+"""
 BODY = "pub kernel zuse%d(zx: in each<ZLine>, zy: out each<ZLine>) {\n    var zs = zx;\n%s    zy = zs;\n}\n"
 
 
@@ -87,6 +98,12 @@ POSITIONS = {
     "kernel parameters": (ALL, 8, declared(lambda i, w: (
         f"pub kernel zk{i}({w}: in near<ZLine, 1>, zx: float, zy: out each<ZLine>) {{ zy = {w}[+1] * zx; }}\n"
         f"pub kernel zl{i}({w}: float, zy: out each<ZLine>) {{ zy = {w}; }}\n"))),
+    "parameters over blocks": (ALL, 8, lambda entries: BLOCKS + declared(lambda i, w: (
+        f"pub kernel zk{i}({w}: float, zg: inout each<ZPages>) {{ zg = {w} * zg + 1.0; }}\n"))(entries)),
+    "functions of structures": (CPP, 1, declared(lambda i, w: (
+        f"fn {w}(zn: uint) -> uint {{ var zs = zn; for zi in 0u..zn {{ zs += zi; }} return zs; }}\n"
+        f"pub structure Z{i}(zn: uint) {{ memory zdata = buffer<float>[{w}(zn)]; via Linear({w}(zn)); }}\n"
+        f"pub kernel zk{i}(zy: inout each<Z{i}>) {{ zy = 2.0; }}\n"))),
     "pipelines": (CPP, 1, called(
         lambda i, w: f"pub pipeline {w}(zy: out ZLine) {{ zone(zy); }}\n",
         lambda i, w: f"    {w}(zy);\n", "pub pipeline zall(zy: out ZLine) {\n")),

@@ -19,7 +19,7 @@ std::string identifier(std::string_view text);
 /// Variables that the C++ code of a kernel for the host device (the CPU) may declare itself. A variable of the source
 /// with such a name gets a number.
 inline constexpr const char* locals_of_kernels[] = {
-    "address", "block", "call",       "count", "first", "i",       "inside",    "interior",
+    "address", "block", "call",       "count", "first", "i",       "inside",    "interior", "is_whole",
     "lane",    "part",  "parameters", "row",   "rows",  "stretch", "unclamped", "x",
 };
 /// Further variables, which only the code of draws declares.

@@ -148,7 +148,8 @@ PlainVulkan::PlainVulkan() {
                                            .apiVersion = VK_API_VERSION_1_3};
     const char* layer = "VK_LAYER_KHRONOS_validation";
     const char* debug = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
-    const char* validate = std::getenv("GLIFT_VALIDATE");
+    const char* wanted = std::getenv("GLIFT_VALIDATE");
+    const bool validate = wanted != nullptr && std::string_view(wanted) == "1";
     const VkValidationFeatureEnableEXT checks[] = {VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
     const VkValidationFeaturesEXT validation = {.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
                                                 .enabledValidationFeatureCount = 1,
