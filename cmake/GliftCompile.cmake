@@ -6,7 +6,8 @@
 # include directories in which gliftc looks for the headers of `extern struct`: the folders of the files, and
 # IMPORT_DIRS.
 #
-# Outputs for each file: docs/language.md, "Names". Code that several files use is in the sources of the first.
+# Outputs for each file: docs/language.md, "Names". Code that several files use is in the sources of one of
+# them: the first in an order in which a file comes after those that it imports.
 #
 # IMPORT_DIRS: folders in which `use` finds modules (gliftc -I). DEFINES: name=value, values for constants of the
 # files (gliftc -D). OPTIONS: further options of gliftc.
