@@ -13,9 +13,10 @@
 # files (gliftc -D). OPTIONS: further options of gliftc.
 #
 # SHARDS (default 4): the number of C++ sources for the kernels of a file's module; as many again are for the kernels of
-# other modules that the file uses. CMake has to know the sources before gliftc runs; a kernel's name, with its generic
-# arguments, determines its source. So an edit of a kernel's body that keeps the number of lines recompiles the sources
-# of its instances, and file.glift.cpp only if what the host passes to the kernel changes.
+# other modules that the file uses. CMake has to know the sources before gliftc runs; the number of kernels decides how
+# many of them are used, and a kernel's name, with its generic arguments, in which of these it is. So an edit of a
+# kernel's body that keeps the number of lines recompiles the sources of its instances, and file.glift.cpp only if what
+# the host passes to the kernel changes.
 #
 # CHECKED: kernels report accesses by address outside a structure (gliftc --checked; docs/language.md,
 # "Checked builds").
