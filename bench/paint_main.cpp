@@ -2,8 +2,8 @@
 // (examples/paint). All clear a picture and its depths and draw all triangles with the same light; they differ in where
 // colours come from and when. Colours come from the octree ("paint", as in the example, and "paint at once"), from a
 // dense 3-D image of the same paint ("dense", "dense after"), or are one colour ("plain"). In "paint" and "dense after"
-// the draw finds the point that each pixel sees, and a kernel over pixels then looks up its colour; in the others each
-// fragment looks up its colour in the draw.
+// the draw finds the point that each pixel sees, and a kernel over pixels then looks up its colour; in "dense" and
+// "paint at once" each fragment looks up its colour in the draw.
 //
 //     bench_paint [MODEL] [--strokes FILE | --load FILE] [--sizes 512x512,1920x1080] [--runs N] [--json FILE]
 //     bench_paint [MODEL] --only-dabs [--dab-sizes 512,1024] [--dab-radius 64]

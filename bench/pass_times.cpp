@@ -134,7 +134,7 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL get_of_device(VkDevice device, const ch
     return own ? own : device_get(device, name);
 }
 
-/// Glift names each pipeline after its kernel.
+/// Glift names each pipeline: after its kernel, or after the pass of the runtime's own that it is for.
 VKAPI_ATTR VkResult VKAPI_CALL keep_name(VkDevice, const VkDebugUtilsObjectNameInfoEXT* info) {
     if (info->objectType == VK_OBJECT_TYPE_PIPELINE)
         names[reinterpret_cast<VkPipeline>(info->objectHandle)] = info->pObjectName;

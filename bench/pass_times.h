@@ -10,7 +10,8 @@
 namespace bench {
 
 struct PassTime {
-    std::string name;  ///< of the kernel, or of a rendering's last draw; else "(copy)", "(fill)", "(clear)"
+    std::string name;  ///< of the kernel, of the runtime's own pass ("glift fill"), or of a rendering's last draw; else
+                       ///< "(copy)", "(fill)", "(clear)"
     double seconds;  ///< from the end of the pass before (of the first: from the command buffer's begin) to its own end
 };
 

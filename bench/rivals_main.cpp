@@ -197,7 +197,7 @@ void check(const glift::Device& device) {
     }
 }
 
-/// What a row of results is about: names, as in bench_algorithms, and traffic.
+/// What a row of results is about: names, as in bench_algorithms (but for sum_f32, as in the CUDA rivals), and traffic.
 struct What {
     const char *by, *algorithm, *variant;
     std::uint64_t bytes;  ///< traffic per element, counted as in algorithm_cases.h

@@ -6,15 +6,17 @@
 # include directories in which gliftc looks for the headers of `extern struct`: the folders of the files, and
 # IMPORT_DIRS.
 #
-# Outputs for each file: docs/language.md, "Names". Code that several files use is in the sources of the first.
+# Outputs for each file: docs/language.md, "Names". Code that several files use is in the sources of one of
+# them: the first in an order in which a file comes after those that it imports.
 #
 # IMPORT_DIRS: folders in which `use` finds modules (gliftc -I). DEFINES: name=value, values for constants of the
 # files (gliftc -D). OPTIONS: further options of gliftc.
 #
 # SHARDS (default 4): the number of C++ sources for the kernels of a file's module; as many again are for the kernels of
-# other modules that the file uses. CMake has to know the sources before gliftc runs; a kernel's name, with its generic
-# arguments, determines its source. So an edit of a kernel's body that keeps the number of lines recompiles the sources
-# of its instances, and file.glift.cpp only if what the host passes to the kernel changes.
+# other modules that the file uses. CMake has to know the sources before gliftc runs; the number of kernels decides how
+# many of them are used, and a kernel's name, with its generic arguments, in which of these it is. So an edit of a
+# kernel's body that keeps the number of lines recompiles the sources of its instances, and file.glift.cpp only if what
+# the host passes to the kernel changes.
 #
 # CHECKED: kernels report accesses by address outside a structure (gliftc --checked; docs/language.md,
 # "Checked builds").

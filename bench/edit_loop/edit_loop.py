@@ -4,9 +4,10 @@
     bench/edit_loop/edit_loop.py GLIFTC INCLUDE LIBRARY_FOLDER [--runs N]
 
 Two edits of one kernel's body: one that changes only the kernel's code, and one of a factor that is uniform, so that the
-pipeline's code, which computes it once a pass, changes too. Prints the medians of N edits, in seconds of the wall clock,
-at -O2 and at -O0. C++ sources are compiled by as many jobs as there are cores, only those that gliftc wrote again, but
-all of them if it wrote a header again. The compiler's options are those of glift_compile, but for the level of optimisation.
+host's function that calls the kernel, which computes it once a call, changes too. Prints the medians of N edits, in
+seconds of the wall clock, at -O2 and at -O0. C++ sources are compiled by as many jobs as there are cores, only those that
+gliftc wrote again, but all of them if it wrote a header again. The compiler's options are those of glift_compile, but for
+the level of optimisation.
 """
 import argparse
 import os

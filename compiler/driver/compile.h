@@ -1,5 +1,5 @@
-// The whole compiler as one function. It reads files through a FileSystem (C++ headers of `extern struct` are read by
-// clang) and returns its outputs instead of writing them.
+// The whole compiler as one function. It reads files through a FileSystem (but clang reads the C++ headers of `extern
+// struct`, and the file of --style) and returns its outputs instead of writing them.
 #pragma once
 
 #include "driver/file_system.h"

@@ -28,7 +28,7 @@ struct Options {
     std::vector<std::string> import_folders;
     std::string library_folder;  ///< of the standard library; empty: beside the executable
     std::vector<std::pair<std::string, std::string>> defines;
-    std::vector<Target> targets;  ///< empty: all, but spirv only without host_only
+    std::vector<Target> targets;  ///< empty: all, but with host_only not spirv
     std::optional<Stage> stop_after, dump;
     std::string stop_after_pass, dump_after;  ///< names of passes (lower/passes.h); empty: none
     bool check_only = false;                  ///< --check: report, write nothing (fmt: say what is not formatted)

@@ -15,7 +15,8 @@ struct Trial {
 };
 
 /// Tests one translator of a structure's `via`, if the structure is stored, has constructor arguments, all of the type
-/// of its addresses (each is then given the same extent), and ir::evaluate and ir::call can compute the translations,
+/// of its addresses (each is then given the same extent), the translator's domain is declared (by the structure for the
+/// first translator, or by the translator itself), and ir::evaluate and ir::call can compute it and the translations,
 /// for which the translator must not read elements; else Trial::addresses is 0.
 Trial try_translator(const ir::Program& program, const ir::Structure& structure, const ir::Stage& stage);
 

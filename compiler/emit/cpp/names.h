@@ -1,5 +1,5 @@
-// Names in generated C++: as in the source where C++ allows it, else with a '_' or a number appended, or an 'n' before.
-// docs/language.md, "Names in C++".
+// Names in generated C++: as in the source where C++ allows it, else with a '_' or a number appended, an 'n' before, or
+// one '_' in place of several in a row. docs/language.md, "Names in C++".
 #pragma once
 
 #include <initializer_list>

@@ -41,7 +41,8 @@ struct ClassNames {
     /// Names of its functions: for each constructor argument, memory, member structure, host state and pipeline.
     std::vector<std::string> arguments, memories, members, host, pipelines;
     std::vector<std::string> methods, extents;  ///< more functions: the structure's own, and extents of memories
-    std::string base;  ///< the function for the memory, if that is a structure with a name other than the member's
+    /// The function for the memory, if that is a structure and no function of `members` gives it by the same name.
+    std::string base;
     /// Names of its data members.
     std::vector<std::string> argument_fields, memory_fields, member_fields, host_fields, extent_fields;
     NameSet own;  ///< names that bodies of its functions use: data members, pipelines, the structure's own functions,

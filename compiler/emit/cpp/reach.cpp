@@ -30,7 +30,7 @@ struct Collector {
     std::set<std::uint32_t> seen{};
     std::set<ir::FunctionId> functions{};
     Devices devices{};        ///< those on which the visited statement may run
-    bool moves_all = false;   ///< a test program, which copies boxes of all structures to the host
+    bool moves_all = false;   ///< a test program, which may copy boxes of any structure to the host
     std::uint32_t owner = 0;  ///< the visited pipeline's adaptor, at which Expr::place begins if Expr::local is absent
 
     void type(ir::TypeId id, bool visible);

@@ -172,7 +172,8 @@ bool is_type_name(std::string_view name) {
     return false;
 }
 
-/// Macros of the runtime, of Vulkan's headers and of oneTBB's, of which there are too many for a table.
+/// Whether the name begins as most macros of the runtime, of Vulkan's headers and of oneTBB's do: there are too many of
+/// them for a table.
 bool begins_as_macro(std::string_view name) {
     return name.starts_with("GLIFT_") || name.starts_with("VK_") || name.starts_with("TBB") ||
            name.starts_with("ONETBB");
