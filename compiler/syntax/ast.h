@@ -99,7 +99,7 @@ enum class StmtKind : std::uint8_t {
     error,
     let,         // let/var/const name [: type] [= value]   (`binding`: which word; only `var name: type;` has no value)
     shared,      // shared name: type;                     kernels and functions with a group
-    temp,        // [uninitialized] temp name [: type] = value;            pipelines
+    temp,        // [uninitialized] temp name [: type] = value;            pipelines and tests
     assign,      // target op= value; op absent for plain `=`
     expression,  // value;
     if_,         // if value body [else otherwise]; `if let name = value` where `name` is set
