@@ -51,7 +51,7 @@ enum class ExprKind : std::uint8_t {
     range,           // operands[0] .. operands[1]
     optional,        // operands[0]?, as a type
     await,           // await operands[0]
-    tuple,           // { operands… }, an array or struct literal; labels where written `x: 1`
+    tuple,           // { operands… }, an array, vector or struct literal; labels where written `x: 1`
 };
 
 enum class UnaryOp : std::uint8_t { plus, minus, logical_not, bit_not };
@@ -136,7 +136,8 @@ struct Stmt {
 /// One of the parameters in `<N: uint, T: type = float, S: Structure<uint3, float>>`.
 struct GenericParam {
     Identifier name;
-    ExprId constraint;     ///< `uint`, `type`, `Texel`, `Structure<…>`, an enum; absent only after an error
+    ExprId
+        constraint;  ///< `uint`, `type`, `Texel`, `Structure<…>`, an enum, an interface, …; absent only after an error
     ExprId default_value;  ///< or absent
 };
 
