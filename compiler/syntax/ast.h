@@ -136,8 +136,7 @@ struct Stmt {
 /// One of the parameters in `<N: uint, T: type = float, S: Structure<uint3, float>>`.
 struct GenericParam {
     Identifier name;
-    ExprId
-        constraint;  ///< `uint`, `type`, `Texel`, `Structure<…>`, an enum, an interface, …; absent only after an error
+    ExprId constraint;     ///< `uint`, `type`, `Structure<…>`, an enum, an interface, …; absent only after an error
     ExprId default_value;  ///< or absent
 };
 
