@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char *constant = "O(1)", *not_known = "not known";
 
-/// Properties of the control flow of `translate` and of the functions that it calls.
+/// Properties of the control flow of `translate`, or of a view's `at`, and of the functions that it calls.
 struct Flow {
     bool has_branch = false;     ///< an `if` other than `if … { return none; }`, on a condition that is not constant
     bool has_open_loop = false;  ///< a `while`, or a `for` whose bounds are not constant

@@ -9,8 +9,8 @@ namespace gliftc::sema {
 enum class Typing : std::uint8_t {
     own,      // has a type by itself: a name, a call, a comparison, a logical operation, a literal with a suffix, an
               // operator or choice with such an operand; also `{…}`
-    literal,  // a literal without suffix, or operators and choices over such literals
-    none,     // `none` alone
+    literal,  // a literal without suffix, or operators and choices over such literals, or over these and `none`
+    none,     // `none`, or operators and choices over nothing else
 };
 Typing typing_of(const Context&, ast::ExprId);
 

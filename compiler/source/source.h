@@ -34,8 +34,8 @@ struct Position {
 
 /// One file's text with its line starts.
 struct SourceFile {
-    std::string path;  ///< as given on the command line or found for an import, normalised by driver/load.cpp:
-                       ///< separators are '/'. "<stdin>": standard input
+    std::string path;  ///< as given on the command line or found for an import; normalised, with '/' as separator,
+                       ///< except in `gliftc fmt`. "<stdin>": standard input
     std::string text;
     std::vector<std::uint32_t> line_starts;  ///< byte offset of each line's first byte
 };

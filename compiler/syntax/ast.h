@@ -51,7 +51,7 @@ enum class ExprKind : std::uint8_t {
     range,           // operands[0] .. operands[1]
     optional,        // operands[0]?, as a type
     await,           // await operands[0]
-    tuple,           // { operands… }, an array or struct literal; labels where written `x: 1`
+    tuple,           // { operands… }, an array, vector or struct literal; labels where written `x: 1`
 };
 
 enum class UnaryOp : std::uint8_t { plus, minus, logical_not, bit_not };
@@ -99,7 +99,7 @@ enum class StmtKind : std::uint8_t {
     error,
     let,         // let/var/const name [: type] [= value]   (`binding`: which word; only `var name: type;` has no value)
     shared,      // shared name: type;                     kernels and functions with a group
-    temp,        // [uninitialized] temp name [: type] = value;            pipelines
+    temp,        // [uninitialized] temp name [: type] = value;            pipelines and tests
     assign,      // target op= value; op absent for plain `=`
     expression,  // value;
     if_,         // if value body [else otherwise]; `if let name = value` where `name` is set
@@ -136,7 +136,7 @@ struct Stmt {
 /// One of the parameters in `<N: uint, T: type = float, S: Structure<uint3, float>>`.
 struct GenericParam {
     Identifier name;
-    ExprId constraint;     ///< `uint`, `type`, `Texel`, `Structure<…>`, an enum; absent only after an error
+    ExprId constraint;     ///< `uint`, `type`, `Structure<…>`, an enum, an interface, …; absent only after an error
     ExprId default_value;  ///< or absent
 };
 

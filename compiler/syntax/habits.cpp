@@ -152,7 +152,8 @@ std::string hint_for_directive(std::string_view word) {
     return {};
 }
 
-/// The first token of the statement or declaration being parsed.
+/// The first token after the nearest `;`, `{` or `}` before the current one: that of the statement or declaration being
+/// parsed, unless a braced list stands in it.
 const Token& Parser::head() const {
     using enum TokenKind;
     std::uint32_t at = cursor_;

@@ -1,7 +1,8 @@
 // The recursive-descent parser: its position, error reporting and recovery.
 //
-// After an error the parser is `lost_` (panic mode): nothing more is reported and every loop ends, up to that of the
-// nearest list of statements, fields, items or declarations, which skips to a synchronisation point.
+// After an error from which it cannot go on the parser is `lost_` (panic mode): nothing more is reported and every loop
+// ends, up to that of the nearest list of statements, fields, items or declarations, which skips to a synchronisation
+// point.
 #pragma once
 
 #include "diag/diagnostics.h"

@@ -6,6 +6,6 @@
 
 #include <functional>
 
-/// Runs until the window is closed, also by Escape. S calls `save`; Tab hides and shows the sliders. Sliders and clicks
-/// change `settings`, which must be the object that the subject was made with.
+/// Runs until the window is closed, also by Escape. S calls `save`, unless the photograph is out of date; Tab hides and
+/// shows the sliders. Sliders and clicks change `settings`, which must be the object that the subject was made with.
 void show_at(window::Window& window, Subject& subject, Settings& settings, const std::function<void()>& save);

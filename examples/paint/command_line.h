@@ -7,7 +7,7 @@ namespace command_line {
 
 // Each validator returns what is wrong with the argument, or an empty string if it is valid.
 
-/// Not infinite, and no NaN, which CLI::Range accepts. Whether it is a number is left to CLI::Range.
+/// Not infinite, and no NaN, which CLI::Range accepts. Whether it is a number at all is left to CLI11.
 std::string is_finite(const std::string& number);
 /// The name ends as one of a format that picture::write has: .png or .exr.
 std::string is_picture(const std::string& path);

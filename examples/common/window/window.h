@@ -34,8 +34,9 @@ public:
 
     /// Begins the next frame, after which ImGui functions may be called; false once the window is to be closed. `next`
     /// is for pictures that move: it does not wait for events. `next_event` waits for one, a tenth of a second at most,
-    /// and not at all in the three frames after an event, in which ImGui still reacts to it. Both throw glift::Error if
-    /// the connection to the display is lost or the validation layer has reported an error or a warning.
+    /// and not at all in the first three frames and in the three after an event, in which ImGui still reacts to it.
+    /// Both throw glift::Error if the connection to the display is lost or the validation layer has reported an error
+    /// or a warning.
     bool next();
     bool next_event();
     void close();  ///< makes the next `next` or `next_event` return false
