@@ -15,7 +15,7 @@ using namespace spirv;
 // Instructions of GLSL.std.450. Those from unpack_snorm_2x16 to unpack_unorm_4x8 are all that unpack integers to
 // floats.
 constexpr std::uint32_t step = 48, unpack_snorm_2x16 = 60, unpack_unorm_4x8 = 64;
-constexpr std::size_t value_of_atomic = 6;  ///< index of an atomic operation's value operand
+constexpr std::size_t value_of_atomic = 6;  ///< index of the value operand of is_atomic's operations
 constexpr std::size_t initial_value = 4;    ///< index of a variable's initial value
 
 using Words = SpirvWords;

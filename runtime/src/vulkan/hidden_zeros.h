@@ -10,8 +10,8 @@
 //
 // The hidden zero is also or-ed into three kinds of integers:
 // - those that become floats, since unrolling a loop may make constants of them (its counter);
-// - the value operands of atomic operations, since lavapipe, through physical addresses, treats an integer that was
-//   bitcast from a float as a float: it compares it as one, or crashes;
+// - the value operands of atomic exchanges, sums, minima, maxima and bit operations, since lavapipe, through physical
+//   addresses, treats an integer that was bitcast from a float as a float: it compares it as one, or crashes;
 // - those converted from another width to 64 bits, since Mesa gets comparisons of 64-bit integers with constants wrong
 //   where it sees that they were converted; conversions to 32 bits are treated alike.
 #pragma once

@@ -1,4 +1,5 @@
-// A compute shader of the runtime itself, whose only inputs are push constants.
+// A compute shader of the runtime itself. It has no descriptors: push constants hold its values, and the addresses of
+// what else it reads and writes.
 #pragma once
 
 #include "context.h"
