@@ -14,7 +14,7 @@ namespace paint_model {
 using Word = glift::uint;
 using Words = std::vector<Word>;
 
-/// A sphere in front of a sheet that it touches, within [0, 1]^3.
+/// A sphere close in front of a sheet, within [0, 1]^3.
 mesh::Mesh model();
 
 /// Strokes on that model from random directions: the first by a large brush, the others by smaller ones.

@@ -20,8 +20,8 @@ using Number = std::uint32_t;
 
 GLIFT_PROPERTY_SUITE(Adaptive);
 
-/// Bounds on the error of samples, for values from -1 to 1. The weights of a GPU's linear filter have 8 bits for each
-/// axis; elsewhere the error comes from coordinates in the image of frames, which have 24 bits.
+/// Bounds on the error of samples of values that differ by at most 2. The weights of a GPU's linear filter have 8 bits
+/// for each axis; elsewhere the error comes from coordinates in the image of frames, which have 24 bits.
 constexpr double filter_error = 3 * 2.0 / 256, exact_error = 1e-4;
 
 Number mixed(Number x) {

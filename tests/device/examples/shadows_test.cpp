@@ -25,7 +25,7 @@ struct ShadowsExample : testing::Test {
         options.insert(options.end(), {"--scene", "robot"});
         return walk(options);
     }
-    /// Runs without --scene, which measurements along recorded paths do not allow.
+    /// Adds no --scene: measurements along recorded paths do not allow it.
     glift::test::ProcessResult walk(std::vector<std::string> options) {
         options.insert(options.end(), {"--size", "64", "48", "--levels", "9"});
         return run_example(GLIFT_SHADOWS, options, {"GLIFT_DEVICE=host"});

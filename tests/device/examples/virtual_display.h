@@ -25,8 +25,8 @@ public:
 
     const std::string& name() const { return name_; }  ///< for DISPLAY
 
-    /// Whether there is a window of this title. The calls below, except end(), are about the last window that this
-    /// found.
+    /// Whether there is a window of this title. The calls below, except press(), release() and end(), are about the
+    /// last window that this found.
     bool has_window(const std::string& title);
     Seen seen() const;
     void move_to(int x, int y) const;

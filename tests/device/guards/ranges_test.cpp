@@ -1,6 +1,6 @@
 // Modules compiled by gliftc --checked: reads `s[a]` and writes `s[a] = x` outside of a domain are reported. Not
-// reported are accesses that are meant for addresses outside (`find`, `sample`, `near`), and those of structures that
-// define what lies outside.
+// reported are accesses that are meant for addresses outside (`find`, `sample`, `near`, and all of a kernel declared
+// `@accesses_outside`), and those of structures that define what lies outside.
 #include "on_every_device.h"
 
 #include "ranges.glift.hpp"

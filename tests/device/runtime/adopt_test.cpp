@@ -245,7 +245,7 @@ TEST(Validation, ReportsAMissingBarrierBetweenSubmissions) {
 }
 
 // glift::vulkan::objects gives the queue to the program: what the program then submits is ordered with what Glift
-// submits, whether the device was opened with extensions or not.
+// submits, whether glift::Device::open or glift::vulkan::open made the device.
 TEST(Open, WhatTheProgramSubmitsIsOrdered) {
     if (!std::getenv("GLIFT_VALIDATE")) GTEST_SKIP() << "GLIFT_VALIDATE is not set";
     for (const bool is_plain : {false, true}) {

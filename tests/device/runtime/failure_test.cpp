@@ -1,4 +1,4 @@
-// Fault injection: of the Vulkan calls that the work below makes, those that can fail (listed in plain_vulkan.cpp) are
+// Fault injection: of the Vulkan calls that the work below makes, those of the functions listed in plain_vulkan.cpp are
 // made to fail one by one, with each of three errors. The result must be an Error or the right data, never a crash or
 // wrong data.
 #include "plain_vulkan.h"
@@ -64,7 +64,7 @@ private:
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
 };
 
-/// Runs the work again and again: the first call of a function that can fail fails in the first run, the second in the
+/// Runs the work again and again: the first call of a listed function fails in the first run, the second in the
 /// second, and so on, until a run makes fewer calls or the test has failed. Returns the number of runs before the last.
 std::uint64_t fail_each(const PlainVulkan& mine, const glift::vulkan::Objects& objects, VkResult failure) {
     for (std::uint64_t call = 1;; ++call) {
