@@ -67,7 +67,8 @@ TEST(Library, OfAnArray) {
           "result = Field_read(id);\n");
 }
 
-// The state, which the including program provides, is the constructor's arguments and nothing computed from them.
+// The including program provides the state. Here it is the constructor's argument: what is computed from that is not in
+// it.
 TEST(Library, StateIsThatOfTheStructure) {
     std::string text = library("module own;\nuse std.tiled;\npub structure Plane = Tiled<2, float, uint2(8, 8)>;\n");
     EXPECT_THAT(text, HasSubstr("buffer Plane_state {\n    uvec2 Plane_extent;\n};"));
