@@ -161,8 +161,8 @@ public:
     std::vector<T> read() const { return read({}, self().domain()); }
 
     /// The resident elements of a box (those that `find` of the language finds), with their addresses, as a Resident.
-    /// Where the structure has blocks only these are looked at, else all addresses of the box: too_large is thrown for
-    /// more than 2^36. Waits as `read` does.
+    /// Where the structure has blocks only these are looked at. Else, unless all its elements are always resident, each
+    /// address of the box is: too_large is thrown for more than 2^36. Waits as `read` does.
     auto read_resident(A origin, A size) const {
         check("read_resident", origin, size);
         const Commands commands(device());
