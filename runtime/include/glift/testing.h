@@ -200,7 +200,7 @@ struct TestCase {
     const char* title;
     const char* place;  ///< file:line
     bool exact;         ///< all passes are exact: devices agree bit for bit
-    /// Null: the case is a translator, which the other tests check with the structures that they make.
+    /// Null: the case is a translator that is checked, if at all, with structures that the other tests make.
     void (*run)(Test& test, const Commands& commands);
     const char* why_not_alone = "";  ///< if `run` is null: why it cannot be checked by itself
 };
