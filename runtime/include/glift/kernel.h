@@ -101,7 +101,7 @@ struct StatusRecord {
     std::uint32_t code = fine;
     std::uint32_t line = 0;                   ///< in the file that `file` names
     std::uint32_t rank = 0;                   ///< out_of_range: number of axes of the virtual address
-    std::uint32_t binding = 0;                ///< out_of_range: index of the memory's binding
+    std::uint32_t binding = 0;                ///< out_of_range: index of the memory's binding; UINT32_MAX: none
     std::uint32_t address[4] = {0, 0, 0, 0};  ///< out_of_range: the virtual address
     std::uint32_t file = 0;                   ///< 0: Kernel::file, k: Kernel::other_files[k - 1]
 };
