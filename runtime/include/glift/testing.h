@@ -15,7 +15,7 @@
 
 namespace glift {
 
-/// The tolerance between two devices where a test uses functions that are not exact (docs/language.md, Accuracy),
+/// The tolerance between two devices in tests that are not exact (TestCase::exact; docs/language.md, Accuracy),
 /// relative to the larger of 1 and the value.
 inline constexpr double inexact_tolerance = 1e-3;
 /// The absolute tolerance, in tests that are not exact, of colours that are drawn to channels of eight bits: devices
