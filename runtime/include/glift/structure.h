@@ -72,7 +72,8 @@ template <class S> std::optional<std::vector<CopyRegion>> rows_of(const S& struc
 }
 
 /// Checks a structure passed in as a member of another one. Throws wrong_argument if it is empty, or if `alike` is
-/// false: `alike` says whether it was made with the arguments that the declaration gives that member.
+/// false: `alike` says whether it was made with the values that the declaration gives that member (structures that it
+/// was made with are not compared).
 template <class S> S&& part(S&& made, bool alike, const char* name) {
     if constexpr (requires { made.device(); }) (void)made.device();
     if (alike) return std::move(made);
