@@ -33,9 +33,9 @@ namespace detail {
 /// too_large, unless the structure has blocks, whose elements alone are looked at.
 inline constexpr std::uint64_t most_searched = std::uint64_t{1} << 36;
 
-/// Structures with blocks, and those with a translator that is partial or is neither @one_to_one nor has `invert`:
-/// their elements need not all be resident, or several may be one. Their member `list` runs a kernel that lists the
-/// resident ones; `Place` is the type of an address in their own memory.
+/// Structures with blocks, and those in which not every address is known to have an element of its own: some translator
+/// is partial, or is neither @one_to_one nor has `invert`. Their member `list` runs a kernel that lists the resident
+/// elements; `Place` is the type of an address in their own memory.
 template <class S>
 concept HasList = requires {
     typename S::Place;
