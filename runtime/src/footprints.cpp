@@ -15,8 +15,8 @@ namespace glift::detail {
 
 namespace {
 
-/// Boxes with more contiguous rows than this count as disjoint only if the byte ranges from their first to their last
-/// byte are disjoint.
+/// Where one of two boxes has more contiguous rows than this, are_apart compares only the ranges from their first to
+/// their last byte.
 constexpr std::uint64_t most_rows = 1 << 16;
 
 bool writes(const Binding& binding) { return binding.access != Access::read; }

@@ -126,7 +126,8 @@ public:
         for (const std::string& note : notes) std::printf("      %s\n", note.c_str());
     }
 
-    /// For a translator that other tests check: reports what they found. Called after all of them have run.
+    /// For a translator that is checked, if at all, with structures that other tests make: reports what was found, or
+    /// why it was not checked. Called after all these tests have run.
     void run_as_made(const TestCase& test) {
         const auto found = translations_.find(test.title);
         if (found != translations_.end()) {

@@ -43,8 +43,8 @@ struct DeviceProperties {
     /// Acquire and release fences act as barriers of the workgroup: if only some of its subgroups reach one, the device
     /// ends the others without an error.
     bool fences_are_barriers = false;
-    /// Helper invocations (pixels beside a triangle, which take part in derivatives) load the elements of buffers;
-    /// false: they load zeros.
+    /// Helper invocations (pixels beside a triangle, which take part in derivatives) load from buffers and storage
+    /// images; false: they load zeros.
     bool helpers_load = true;
     double timestamp_seconds = 1e-9;  ///< length of a tick of the device's clock
     bool int8 = false, int16 = false, int64 = false, float16 = false, float64 = false;

@@ -39,8 +39,8 @@ struct Drawing {
     const char* depth = nullptr;  ///< name of the depth target; null: none
     DepthTest depth_test = DepthTest::less;
     bool writes_depth = true;
-    /// Whether the fragment shader takes derivatives of values loaded from buffers: helper invocations must then load,
-    /// too. A device without DeviceProperties::helpers_load refuses the kernel.
+    /// Whether the fragment shader takes derivatives that depend on loads from buffers or storage images: helper
+    /// invocations must then load, too. A device without DeviceProperties::helpers_load refuses the kernel.
     bool derives_loads = false;
 };
 

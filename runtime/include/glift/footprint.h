@@ -12,7 +12,7 @@
 
 namespace glift::detail {
 
-/// Structures whose elements lie in a buffer in order or by an affine map: `place(a)` is the index of element a there.
+/// The structures that have rows (HasRows of structure.h): `place(a)` is the index of element a in its buffer.
 template <class S>
 concept HasPlaces = requires(const S& s, typename S::Address a) {
     { s.place(a) } -> std::same_as<std::uint64_t>;

@@ -4,9 +4,9 @@
 //     glift::inspect(grid, "grid").save("grid.inspection");
 //
 // This header is not part of <glift/glift.h>. Structures may have any size. inspect() waits for the device. It reads
-// the elements in some planes; if the structure may have elements that are not resident, it also reads all resident
-// elements, unless they are more than InspectionOptions::most_elements. It reads none where all addresses of a domain
-// would have to be looked at, and they are more than most_searched (resident.h).
+// the elements in some planes; of structures with a `list` (HasList of resident.h) it also reads all resident elements,
+// unless they are more than InspectionOptions::most_elements. It reads none where all addresses of a domain would have
+// to be looked at, and they are more than most_searched (resident.h).
 #pragma once
 
 #include <glift/inspected_values.h>

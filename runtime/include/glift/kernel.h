@@ -3,9 +3,10 @@
 // A kernel has up to three compiled forms. They compute the same thing and differ in what they may assume:
 //   direct    every range is a whole structure; structures of one type that the kernel visits together, or declares
 //             with one type name, have equal state (extents, strides), which is passed once; the host knows all sizes,
-//             except for a number of blocks; parameters are push constants where they fit;
+//             except for a number of blocks; parameters are push constants where they fit (over blocks never);
 //   general   ranges with origins, a state for each structure, sizes that may live on the device;
-//             parameters in a storage buffer at binding 0 (of draws a uniform buffer, where they fit);
+//             parameters in a storage buffer at binding 0 (of draws in a uniform buffer, where they fit and
+//             none has halves), as those of the direct form are that are no push constants;
 //   wide      like general, for larger sizes: physical addresses are computed in 64 bits, buffers are accessed by
 //             device address (without descriptors), and iterations may be split into several dispatches.
 //
@@ -101,7 +102,7 @@ struct StatusRecord {
     std::uint32_t code = fine;
     std::uint32_t line = 0;                   ///< in the file that `file` names
     std::uint32_t rank = 0;                   ///< out_of_range: number of axes of the virtual address
-    std::uint32_t binding = 0;                ///< out_of_range: index of the memory's binding
+    std::uint32_t binding = 0;                ///< out_of_range: index of the memory's binding; UINT32_MAX: none
     std::uint32_t address[4] = {0, 0, 0, 0};  ///< out_of_range: the virtual address
     std::uint32_t file = 0;                   ///< 0: Kernel::file, k: Kernel::other_files[k - 1]
 };

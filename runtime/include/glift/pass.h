@@ -55,9 +55,9 @@ inline const Form& form_of(const Kernel& kernel, FormName name) {
     return kernel.direct;
 }
 
-/// What is known of memories that a call binds several times and writes through at least one binding. Pairs of bindings
-/// whose writes combine alike (Binding::combine), or which the kernel promises to be apart (Binding::apart_from), are
-/// not considered.
+/// What is known of memories that a call binds several times and writes through at least one binding. `apart` and
+/// `one_place` say nothing of pairs of bindings whose writes combine alike (Binding::combine), or which the kernel
+/// promises to be apart (Binding::apart_from).
 enum class Sharing : std::uint8_t {
     unknown,    ///< nothing: refused (ErrorCode::aliased_memory), unless all these bindings are read_write
     apart,      ///< no element that an invocation writes is accessed by another invocation, or by the same one through

@@ -17,7 +17,7 @@ namespace glift {
 template <class A, class P, class T> struct Resident {
     std::vector<A> addresses;
     /// The physical addresses in the structure's own memory that `addresses` are translated to; empty for structures
-    /// whose elements are always all resident.
+    /// without a `list` (HasList), whose elements are always all resident.
     std::vector<P> places;
     std::vector<T> values;
 
@@ -33,8 +33,9 @@ namespace detail {
 /// too_large, unless the structure has blocks, whose elements alone are looked at.
 inline constexpr std::uint64_t most_searched = std::uint64_t{1} << 36;
 
-/// Structures whose elements need not all be resident. Their member `list` runs a kernel that lists the resident ones;
-/// `Place` is the type of an address in their own memory.
+/// Structures with blocks, and those in which not every address is known to have an element of its own: some translator
+/// is partial, or is neither @one_to_one nor has `invert`. Their member `list` runs a kernel that lists the resident
+/// elements; `Place` is the type of an address in their own memory.
 template <class S>
 concept HasList = requires {
     typename S::Place;

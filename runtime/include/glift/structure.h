@@ -24,8 +24,9 @@ namespace glift {
 
 namespace detail {
 
-/// Structures whose translator is an affine map into a buffer: `place(a)` is the index of element a there,
-/// `row_memory()` the buffer.
+/// Structures whose elements lie in a buffer by affine maps, which gliftc has proved to lead nowhere beyond it
+/// (has_rows of compiler/emit/cpp/translators.h): `place(a)` is the index of element a there, `row_memory()` the
+/// buffer.
 template <class S>
 concept HasRows = requires(const S& s, typename S::Address a) {
     { s.place(a) } -> std::same_as<std::uint64_t>;
@@ -71,7 +72,8 @@ template <class S> std::optional<std::vector<CopyRegion>> rows_of(const S& struc
 }
 
 /// Checks a structure passed in as a member of another one. Throws wrong_argument if it is empty, or if `alike` is
-/// false: `alike` says whether it was made with the arguments that the declaration gives that member.
+/// false: `alike` says whether it was made with the values that the declaration gives that member (structures that it
+/// was made with are not compared).
 template <class S> S&& part(S&& made, bool alike, const char* name) {
     if constexpr (requires { made.device(); }) (void)made.device();
     if (alike) return std::move(made);
@@ -161,8 +163,8 @@ public:
     std::vector<T> read() const { return read({}, self().domain()); }
 
     /// The resident elements of a box (those that `find` of the language finds), with their addresses, as a Resident.
-    /// Where the structure has blocks only these are looked at, else all addresses of the box: too_large is thrown for
-    /// more than 2^36. Waits as `read` does.
+    /// Where the structure has blocks only these are looked at, else all addresses of the box: too_large is then thrown
+    /// for more than 2^36, but not for structures without a `list` (HasList), which are read. Waits as `read` does.
     auto read_resident(A origin, A size) const {
         check("read_resident", origin, size);
         const Commands commands(device());
@@ -173,8 +175,8 @@ public:
     }
     auto read_resident() const { return read_resident({}, self().domain()); }
 
-    /// One element, left on the device. If the translator is an affine map into a buffer this is a reference, whose
-    /// value is read when it is used; else a copy.
+    /// One element, left on the device. Of structures that have rows (HasRows) this is a reference, whose value is read
+    /// when it is used; of others a copy.
     DeviceScalar<T> element_in_place(const Commands& commands, A address) const {
         if constexpr (detail::HasRows<Self>) {
             check("element", address, A(1));

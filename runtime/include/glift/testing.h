@@ -15,7 +15,7 @@
 
 namespace glift {
 
-/// The tolerance between two devices where a test uses functions that are not exact (docs/language.md, Accuracy),
+/// The tolerance between two devices in tests that are not exact (TestCase::exact; docs/language.md, Accuracy),
 /// relative to the larger of 1 and the value.
 inline constexpr double inexact_tolerance = 1e-3;
 /// The absolute tolerance, in tests that are not exact, of colours that are drawn to channels of eight bits: devices
@@ -200,7 +200,7 @@ struct TestCase {
     const char* title;
     const char* place;  ///< file:line
     bool exact;         ///< all passes are exact: devices agree bit for bit
-    /// Null: the case is a translator, which the other tests check with the structures that they make.
+    /// Null: the case is a translator that is checked, if at all, with structures that the other tests make.
     void (*run)(Test& test, const Commands& commands);
     const char* why_not_alone = "";  ///< if `run` is null: why it cannot be checked by itself
 };

@@ -87,7 +87,7 @@ GLIFT_API void fail_inverse(Test& test, const std::string& name, unsigned rank, 
 }  // namespace detail
 
 /// Checks one translator with the state that a structure gives it: `invert`, if it is not null, undoes `translate`,
-/// and, where the translator is declared one-to-one, no two addresses map to the same one. Returns the physical
+/// and, if the translator has `invert` or @one_to_one, no two addresses map to the same one. Returns the physical
 /// addresses, each once.
 template <class A, class Translate, class Invert>
 auto check_translator(Test& test, const std::string& name, const Tried<A>& from, const Translate& translate,

@@ -83,7 +83,8 @@ struct BufferHandle {
 
 struct ImageHandle {
     VkImage image;
-    VkImageView view;  ///< of all mips and layers, for sampling; null where an adopted image's usage has no sampling
+    VkImageView view;  ///< of all the memory's mips and layers, for sampling; null: an adopted image whose usage has no
+                       ///< sampling
     VkFormat format;
     VkImageLayout layout;  ///< always VK_IMAGE_LAYOUT_GENERAL
 };

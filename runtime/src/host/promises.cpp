@@ -64,8 +64,8 @@ private:
     /// The contents after the call of the memories that it writes, by the address of the memory's first byte.
     using Outcome = std::map<const std::byte*, Bytes>;
 
-    /// Runs the call on copies. The memory holds `seen` for reads through the promising parameter; for all other
-    /// parameters it holds `initial` before the call.
+    /// Runs the call on copies. The memory holds `seen` for reads through each parameter that promises not to read what
+    /// `written` writes; for all other parameters it holds `initial` before the call.
     Outcome run(const Bytes& seen, const Bytes& initial) const {
         Outcome copies;
         for (std::size_t i = 0; i < memories_.size(); ++i) {

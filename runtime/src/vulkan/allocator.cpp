@@ -158,7 +158,7 @@ bool Allocator::allocate(const VkMemoryRequirements& needs, MemoryUse use, bool 
     }
     if (!block) {
         // Large memories get a block of their own; small ones open a block that others share, each twice as large as
-        // the one before, up to largest_block.
+        // the one before, up to largest_block. Where there is no room for that, they get one of their own size, too.
         if (needs.size * 2 <= from.next_block) block = add_block(from, from.next_block);
         if (block) from.next_block = std::min(from.next_block * 2, largest_block);
         if (!block) block = add_block(from, needs.size);

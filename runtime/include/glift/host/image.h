@@ -153,8 +153,8 @@ template <Format F, class T, class At> void store_texel(const HostMemory& memory
     if (address) detail::encode_texel<F>(address, value);
 }
 
-/// A texel of level 0, of one 32-bit channel, for atomics. Outside of the image: a dummy variable of the calling
-/// thread.
+/// A texel of level 0, of one 32-bit channel, for atomics and other accesses through `coherent` parameters. Outside of
+/// the image: a dummy variable of the calling thread.
 template <Format F, class T, class At> T& texel(const HostMemory& memory, const At& at) {
     static thread_local T nowhere;
     std::byte* address = detail::texel_address<F>(memory, detail::coordinates(at));

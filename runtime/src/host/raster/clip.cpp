@@ -6,7 +6,7 @@ namespace glift::host::raster {
 
 namespace {
 
-/// How far the guard band (clip.h) reaches from the viewport's centre along each axis, in pixels.
+/// How far the guard band (clip.h) reaches at most from the viewport's centre along each axis, in pixels.
 constexpr float guard_band = 32000.0f;
 
 }  // namespace
