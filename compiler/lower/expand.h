@@ -58,8 +58,8 @@ struct Frame {
     const ir::Stage* stage = nullptr;  ///< in a translator's functions: the entry of `via` that gives its state
     ir::Place structure;               ///< in a translator's functions: the structure that has this `via`
     std::string prefix;                ///< put before the names of locals that are made; may be empty
-    TypeId result;                     ///< of a function that is expanded as statements: its result type
-    Leaving* leaving = nullptr;        ///< null: it returns only at its end, if at all
+    TypeId result;                     ///< of a function that is not expanded as an expression: its result type
+    Leaving* leaving = nullptr;        ///< of a function expanded as statements that returns before its end; else null
 };
 
 class Expander {

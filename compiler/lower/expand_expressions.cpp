@@ -232,7 +232,8 @@ Pair Expander::expand(ExprId id) {
 
 Pair Expander::expand_local(const Expr& node) {
     if (const Pair* found = frame_->locals.find(node.local)) return *found;
-    // Not in the frame: a value parameter of the kernel, or workgroup memory of the kernel or of a function.
+    // Not in the frame: a value parameter of the kernel, workgroup memory of the kernel or of a function, and in a draw
+    // what its parts pass to or get from the rasteriser (place, varyings, clip distances, colours, depth).
     return {without_empty(make.local(node.local)), {}};
 }
 

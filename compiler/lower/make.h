@@ -59,8 +59,8 @@ public:
     /// Whether `id` is a constant or `none`, or consists of these alone (Op::construct, Op::some); nothing is
     /// evaluated.
     bool is_constant(ExprId id) const;
-    /// Expr::bits of `id`, if it is a constant of an integer type, a bool or an enum. Not for floats: their value is in
-    /// Expr::number.
+    /// Expr::bits of `id`, if it is a constant: the value of an integer, bool or enum. For a float it means nothing:
+    /// its value is in Expr::number.
     std::optional<std::uint64_t> bits_of(ExprId id) const;
     bool is_true(ExprId id) const;
     bool is_false(ExprId id) const;

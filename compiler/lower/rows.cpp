@@ -1,11 +1,12 @@
 // Expander: `s.load(a)` and `s.store(a, x)`, which access rows of four elements that are consecutive along x (single
 // elements, if their number is not a multiple of four). Elements of one to three 32-bit numbers that are also
 // consecutive in a buffer are accessed as vectors of four numbers, if all rows begin at a multiple of four elements and
-// lie in the domain, and if loads are of an `in` parameter; else one by one. A row of four elements of N numbers each
-// is N such vectors. If there is one row of four scalars of a one-dimensional structure, and it is known to begin at
-// such a multiple, it is loaded without a test that all of it is in the domain: shaders may read a buffer up to the
-// next multiple of 16 bytes (vulkan_memory.h), and the host device pads its memory, too (host_memory.cpp). Selects then
-// replace the elements beyond the domain.
+// lie in the domain, if physical addresses have 32 bits (in the wide form, sums and products have 64), and if loads are
+// of an `in` parameter; else one by one. A row of four elements of N numbers each is N such vectors. If there is one
+// row of four scalars of a one-dimensional structure, and it is known to begin at such a multiple, it is loaded without
+// a test that all of it is in the domain: shaders may read a buffer up to the next multiple of 16 bytes
+// (vulkan_memory.h), and the host device pads its memory, too (host_memory.cpp). Selects then replace the elements
+// beyond the domain.
 #include "ir/chain.h"
 #include "lower/expand.h"
 #include "lower/polynomial.h"
@@ -69,7 +70,7 @@ ExprId Expander::address_in(const Rows& rows, ExprId row, std::uint32_t lane) {
 
 /// Whether rows can be accessed as vectors: there are four elements in each, of one, two or three 32-bit numbers (four
 /// are a vector by themselves), in a buffer, and every address is mapped, to physical addresses that advance like
-/// virtual ones.
+/// virtual ones. Of physical addresses of 64 bits this is not known.
 bool Expander::lie_in_vectors(const Rows& rows) {
     const Structure& structure = cx.structure_at(rows.place);
     if (structure.kind != StructureKind::stored || rows.width != row_width || !is_total(structure)) return false;

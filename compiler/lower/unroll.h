@@ -25,8 +25,9 @@ struct Rounds {
 };
 std::optional<Rounds> rounds_of(const ir::Program& program, ir::ExprId first, ir::ExprId limit);
 
-/// Whether the loop's variable occurs in an index of a private array (a local that is not in workgroup memory). Such
-/// arrays stay in registers only if all their indices are compile-time constants after unrolling.
+/// Whether the loop's variable occurs in an index of a private array: the first index into a local that is an array and
+/// not in workgroup memory. Such arrays stay in registers only if all their indices are compile-time constants after
+/// unrolling.
 bool indexes_array_by_loop(const ir::Program& program, const ir::Stmt& loop);
 
 /// Whether the offset of a neighbour read (Op::near) in the loop uses the loop's variable or a local declared in it.

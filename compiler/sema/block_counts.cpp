@@ -70,9 +70,10 @@ void return_element(Context& c, ir::Pipeline& pipeline, const ir::Structure& own
 
 }  // namespace
 
-// Where the number is an element of a structure, or the `min` of one and the blocks' bound, the pipeline gives the
-// element itself, not a copy: the dispatch that follows uses it at once, and applies the bound. Kernels over the same
-// blocks then share the pass that prepares their dispatches, as long as nothing writes the element between them.
+// Where the number is such an element as is_stored_element() accepts, or the `min` of one and the blocks' bound, the
+// pipeline gives the element itself, not a copy: the dispatch that follows uses it at once, and applies the bound.
+// Kernels over the same blocks then share the pass that prepares their dispatches, as long as nothing writes the
+// element between them.
 std::optional<std::uint32_t> counter_of_blocks(Context& c, std::uint32_t index, Span use) {
     const ir::FunctionId count = c.program.structures[index].blocks->count;
     const auto general = pipeline_of_function(c, count, use);

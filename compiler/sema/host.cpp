@@ -95,7 +95,7 @@ ir::ExprId value_argument(Body& body, const Argument& argument, ir::TypeId wante
     return fits ? value : coerce(body, value, wanted, body.context[argument.written].span);
 }
 
-/// The operand that a call without a result gives, such as a call of a kernel.
+/// The operand that calls of kernels, `expect` and the like give, which have no result.
 Operand no_value(Body& body, Span span) {
     return value_operand(body, add(body.program(), ir::Op::constant, body.types().void_, span), span);
 }
