@@ -100,7 +100,7 @@ def draw_or_say(drawing, folder):
     try:
         drawing()
     except plot.NothingToDrawWith as error:
-        print(f"\nNothing is drawn: {error}. The figures of --json can be drawn elsewhere: bench/plot.py, bench/depth_of_field.py, bench/shadows.py.")
+        print(f"\nNothing is drawn: {error}. The figures of --json can be drawn elsewhere: bench/plot.py, bench/pages.py, bench/depth_of_field.py, bench/shadows.py.")
 
 
 def print_depth_of_field(bench, options, folder):

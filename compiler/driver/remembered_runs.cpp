@@ -2,6 +2,7 @@
 
 #include "driver/digest.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace gliftc {
@@ -11,6 +12,14 @@ namespace {
 // The first letters of the lines of a record. A question is a line of its letter, the answer or its digest, and the
 // path. The lines of the programs follow, each with the lines of its tests.
 constexpr char reads = 'r', exists = 'e', identity = 'i', lists = 'l', program = 'p', test = 't';
+
+/// Stands for a space in the place of a test, which a space ends.
+constexpr char space_in_place = '\x1f';
+
+std::string with(std::string text, char instead_of, char by) {
+    std::ranges::replace(text, instead_of, by);
+    return text;
+}
 
 std::string digest_of(const std::string& text) {
     Digest digest;
@@ -74,7 +83,7 @@ void remember_run(const std::string& record, const Questions& questions, const s
         text += std::string(1, program) + " " + made.name + " \n";
         for (const cpp::TestName& each : made.tests) {
             if (each.title.find('\n') != std::string::npos) return;
-            text += std::string(1, test) + " " + each.place + " " + each.title + "\n";
+            text += std::string(1, test) + " " + with(each.place, ' ', space_in_place) + " " + each.title + "\n";
         }
     }
     write_if_changed(record, text);
@@ -90,7 +99,8 @@ std::optional<std::vector<TestProgram>> recall_run(const std::string& record, co
         if (space == std::string::npos) return std::nullopt;
         const std::string answer = line.substr(2, space - 2), rest = line.substr(space + 1);
         if (line[0] == program) programs.push_back({answer, {}});
-        else if (line[0] == test && !programs.empty()) programs.back().tests.push_back({rest, answer});
+        else if (line[0] == test && !programs.empty())
+            programs.back().tests.push_back({rest, with(answer, space_in_place, ' ')});
         else if (answer_now(line[0], rest, disk) != answer) return std::nullopt;
     }
     return programs;

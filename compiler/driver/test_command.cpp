@@ -82,10 +82,21 @@ std::vector<Output> sources_of(const Output& output, const Result& result) {
 }
 
 /// The folders in which headers of `extern struct` may be.
-std::vector<std::string> include_folders(const Options& options) {
+/// The folders of the files, of imported modules with an `extern struct` (their headers may lie beside them), and those
+/// given by -I.
+std::vector<std::string> include_folders(const Options& options, const Compilation& compilation) {
     std::vector<std::string> folders;
-    for (const std::string& file : options.files) folders.push_back(fs::absolute(file).parent_path().string());
-    for (const std::string& folder : options.import_folders) folders.push_back(fs::absolute(folder).string());
+    const auto also = [&](const fs::path& folder) {
+        std::string text = fs::absolute(folder).string();
+        if (std::ranges::find(folders, text) == folders.end()) folders.push_back(std::move(text));
+    };
+    for (const std::string& file : options.files) also(fs::absolute(file).parent_path());
+    for (const ast::Decl& decl : compilation.tree.decls) {
+        const auto* record = std::get_if<ast::Struct>(&decl.body);
+        if (record && !record->extern_header.empty())
+            also(fs::absolute(compilation.sources[decl.name.span.file].path).parent_path());
+    }
+    for (const std::string& folder : options.import_folders) also(folder);
     return folders;
 }
 
@@ -98,7 +109,7 @@ std::variant<std::vector<TestProgram>, int> build_programs(const Options& option
     const Result result = compile(options, questions.noting(disk()), compilation);
     if (const int code = report(compilation, options); code != 0) return code;
     std::vector<TestProgram> programs;
-    const std::vector<std::string> folders = include_folders(options);
+    const std::vector<std::string> folders = include_folders(options, compilation);
     for (const Output& output : result.outputs) {
         if (output.tests.empty()) continue;
         const TestSources sources{sources_of(output, result), folders, compilation.read_files};

@@ -44,9 +44,15 @@ private:
     /// Whether the expression depends on a load; also notes derivatives in it whose operand, or evaluation, depends on
     /// one (is_derived_). `in_doubt`: whether the expression is evaluated depends on a load.
     bool value(ExprId id, bool in_doubt) {
-        bool depends = is_load(program_.exprs[id]);
-        for (ExprId operand : program_.exprs[id].operands) depends = value(operand, in_doubt) || depends;
         const Expr& expr = program_.exprs[id];
+        const bool may_skip =
+            expr.op == Op::select ||
+            (expr.op == Op::binary && (expr.binary == BinaryOp::logical_and || expr.binary == BinaryOp::logical_or));
+        bool depends = is_load(expr);
+        for (ExprId operand : expr.operands) {
+            depends = value(operand, in_doubt) || depends;
+            if (may_skip) in_doubt |= depends;  // the first operand decides about the others
+        }
         if (expr.op == Op::intrinsic && is_derivative(expr.intrinsic)) is_derived_ |= depends || in_doubt;
         return depends;
     }

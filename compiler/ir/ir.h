@@ -259,12 +259,8 @@ struct Translator {
     std::vector<std::uint32_t> structures;  ///< state that is structures: the instances; Place root i in its functions
     std::vector<Name> structure_names;
     FunctionId translate;  ///< (virtual address) -> physical address, or an optional of it
-    /// Made by lower/widen for scalar physical addresses: the copy of translate with a 64-bit result; translate itself
-    /// if nothing in it needs 64 bits.
-    FunctionId wide;
-    FunctionId wide_of_wide;  ///< as `wide`, but takes a 64-bit virtual address; only if virtual addresses are scalar
-    FunctionId invert;        ///< (physical address) -> virtual address; absent if not invertible
-    FunctionId domain;        ///< () -> extent of the virtual domain
+    FunctionId invert;     ///< (physical address) -> virtual address; absent if not invertible
+    FunctionId domain;     ///< () -> extent of the virtual domain
     Properties properties;
     std::string doc;
 };
@@ -275,6 +271,10 @@ struct Stage {
     std::vector<ExprId>
         scalars;  ///< initial values of Translator::scalars: expressions over the structure (place root 0)
     std::vector<Place> structures;  ///< the structures passed as Translator::structures (root 0 is the structure)
+    /// Made by lower/widen for scalar physical addresses in a memory of the structure's own: the copy of
+    /// Translator::translate that computes them in 64 bits, and takes the address as the stage before gives it;
+    /// translate itself if nothing in it needs 64 bits.
+    FunctionId wide;
 };
 
 /// image2darray, imagecube: the third component of an address is the layer or the face; the third component of an

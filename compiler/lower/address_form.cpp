@@ -41,8 +41,7 @@ const AddressForm& Expander::form_of(const Place& place, const Stage& stage, Typ
 }
 
 void Expander::find_form(AddressForm& form, TypeId address) {
-    const Translator& translator = p.translators[form.stage->translator];
-    if (!inline_sizes_.of(translate_of(translator, address, cx.structure_at(form.place)))) return;
+    if (!inline_sizes_.of(translate_of(*form.stage))) return;
     form.address = make.local(cx.new_local(Name{}, address, span_));
     const ExprId first{p.exprs.size()};
     const std::size_t bindings = cx.pass.bindings.size();

@@ -18,6 +18,17 @@ bool is_visited(Pattern pattern) {
     return pattern == Pattern::each || pattern == Pattern::near || pattern == Pattern::at;
 }
 
+/// Whether the value depends on a local other than immutable ones, whose definitions are looked at instead.
+bool depends_on_locals(Context& cx, ExprId id) {
+    bool depends = false;
+    for_each_node(cx.p, id, [&](ExprId part) {
+        if (depends || cx.p.exprs[part].op != Op::local) return;
+        const ExprId* definition = cx.definitions.find(cx.p.exprs[part].local);
+        depends = definition == nullptr || depends_on_locals(cx, *definition);
+    });
+    return depends;
+}
+
 }  // namespace
 
 /// Whether the value is the extent, or a component of it, of a structure given as `each`, `near` or `at`.
@@ -38,9 +49,7 @@ ExprId Expander::divisor(ExprId id) {
     const TypeId scalar = p.types.scalar_of(type);
     const bool is_unsigned = p.types.is_integer(scalar) && !p.types.is_signed(scalar);
     if (!is_unsigned || make.is_constant(id) || !is_uniform(cx, id)) return id;
-    bool is_state = true;
-    for_each_node(p, id, [&](ExprId part) { is_state = is_state && p.exprs[part].op != Op::local; });
-    if (!is_state || compares_extents_) return id;
+    if (depends_on_locals(cx, id) || compares_extents_) return id;
     compares_extents_ = true;  // is_visited_extent makes the extents, whose own divisors then stay as they are
     const bool is_visited = is_visited_extent(id);
     compares_extents_ = false;

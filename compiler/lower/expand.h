@@ -114,6 +114,8 @@ private:
     Pair expand_select(const ir::Expr& node);
     Pair expand_logical(const ir::Expr& node);
     Pair expand_again(ExprId id, const ir::Expr& node);
+    Pair operand(const ir::Expr& node, std::size_t i);
+    Pair workgroup_atomic(ExprId id, const ir::Expr& node);
     Pair of_optional(ExprId whole);                ///< the pair for an optional that is stored as one value
     ExprId stored(const Pair& pair, TypeId type);  ///< one value of the type; an optional is made of the pair
     ExprId expand_member(const ir::Expr& node);
@@ -143,6 +145,7 @@ private:
     // inline.cpp
     Pair expand_call(const ir::Expr& node);
     ExprId known_call(const ir::Expr& node, const std::vector<Pair>& arguments);
+    ir::FunctionId kept_in_kernel(ir::FunctionId id);
     Pair inlined(ir::FunctionId function, std::vector<Pair> arguments, Frame frame);
     Pair bounded(const std::string& name, Pair pair);
     Pair run(const std::vector<StmtId>& body);
@@ -215,7 +218,7 @@ private:
     Pair through_form(const ir::Place& place, const ir::Stage& stage, ExprId address, const std::string& name);
     const AddressForm& form_of(const ir::Place& place, const ir::Stage& stage, TypeId address);
     void find_form(AddressForm& form, TypeId address);
-    ir::FunctionId translate_of(const ir::Translator& translator, TypeId address, const ir::Structure& structure) const;
+    ir::FunctionId translate_of(const ir::Stage& stage) const;
     bool collect_nodes(AddressForm& form, ExprId first);
     Pair made_again(const AddressForm& form, ExprId address, const std::string& name);
     bool varies_in_all(ExprId address);
@@ -457,6 +460,7 @@ private:
     InlineSizes inline_sizes_{cx.p};
     TreeSizes tree_sizes_{cx};
     std::unordered_map<ir::FunctionId, bool> windows_, long_zeros_;
+    std::unordered_map<ir::FunctionId, ir::FunctionId> kept_;  ///< the results of kept_in_kernel
     std::unordered_map<StmtId, bool> returning_;
     std::vector<AddressForm::Naming>* namings_ = nullptr;  ///< names of the address form that is being made
     std::vector<ExprId> made_again_;                       ///< scratch: copies of an address form's nodes

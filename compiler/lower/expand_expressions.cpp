@@ -121,6 +121,43 @@ static bool has_effect(const Program& p, ExprId id) {
     return found;
 }
 
+/// Whether this is an atomic operation on an element of workgroup memory.
+static bool is_workgroup_atomic(const Program& p, const Expr& node) {
+    return node.op == Op::intrinsic && signature_of(node.intrinsic)[0] == '@' &&
+           place_of(p, node.operands[0]).op != Op::read;
+}
+
+/// The result is a local, so that simplifications cannot leave out the operation.
+Pair Expander::workgroup_atomic(ExprId id, const Expr& node) {
+    const Pair result = expand_again(id, node);
+    if (node.type == p.types.void_) return result;
+    return {make.local(let(prefixed("before"), result.value, node.span)), {}};
+}
+
+/// The value of operand `i` of the node. Operands are evaluated from left to right: one that reads workgroup memory
+/// gets a local if a later one changes this memory by an atomic operation.
+Pair Expander::operand(const Expr& node, std::size_t i) {
+    Pair value = expand(node.operands[i]);
+    const auto changes_memory = [&](ExprId later) {
+        bool changes = false;
+        for_each_node(p, later, [&](ExprId part) { changes = changes || is_workgroup_atomic(p, p.exprs[part]); });
+        return changes;
+    };
+    if (cx.pass.shared.empty() || std::none_of(node.operands.begin() + i + 1, node.operands.end(), changes_memory))
+        return value;
+    const auto reads_memory = [&](ExprId id) {
+        bool reads = false;
+        for_each_node(p, id, [&](ExprId part) {
+            reads = reads || (p.exprs[part].op == Op::local &&
+                              std::ranges::find(cx.pass.shared, p.exprs[part].local) != cx.pass.shared.end());
+        });
+        return reads;
+    };
+    for (ExprId* part : {&value.value, &value.has})
+        if (*part && reads_memory(*part)) *part = make.local(let(prefixed("first"), *part, node.span));
+    return value;
+}
+
 void Expander::expand_effects(ExprId id) {
     if (!has_effect(p, id)) return;
     const Pair value = expand(id);
@@ -180,6 +217,7 @@ Pair Expander::expand(ExprId id) {
     }
     case Op::intrinsic:
         if (signature_of(node.intrinsic)[0] == '@' && place_of(p, node.operands[0]).op == Op::read) return atomic(node);
+        if (is_workgroup_atomic(p, node)) return workgroup_atomic(id, node);
         return expand_again(id, node);
     case Op::sample: return {sample(node), {}};
     case Op::gather: return {gather(node), {}};
@@ -255,10 +293,12 @@ ExprId Expander::without_empty(ExprId whole) {
 Pair Expander::expand_again(ExprId id, const Expr& node) {
     Operands operands;
     bool same = true;
-    for (ExprId operand : node.operands) {
-        TypeId type = make.type(operand);
-        ExprId value = stored(expand(operand), type);
-        same = same && value == operand;
+    const bool is_atomic = is_workgroup_atomic(p, node);
+    for (std::size_t i = 0; i < node.operands.size(); ++i) {
+        // The first operand of an atomic operation is a place, which is not read.
+        const Pair made = is_atomic && i == 0 ? expand(node.operands[0]) : operand(node, i);
+        const ExprId value = stored(made, make.type(node.operands[i]));
+        same = same && value == node.operands[i];
         operands.push_back(value);
     }
     const bool divides =

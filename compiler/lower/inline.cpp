@@ -30,7 +30,29 @@ bool is_short(const Program& p, const Function& function) {
     return size <= plain_call_limit;
 }
 
+/// Whether the function, or one that it calls, has a `while`.
+bool may_not_end(const Program& p, FunctionId function) {
+    bool found = false;
+    const std::vector<StmtId>& body = p.functions[function].body;
+    for_each_statement(p, body, [&](const Stmt& stmt) { found = found || stmt.op == StmtOp::while_; });
+    for_each_expression(p, body, [&](ExprId id) {
+        const Expr& node = p.exprs[id];
+        found = found || (node.op == Op::call && may_not_end(p, node.function));
+    });
+    return found;
+}
+
 }  // namespace
+
+/// A copy of a function that may not end, for calls with uniform arguments under a condition: a call of the copy does
+/// not count as uniform, so that the host does not evaluate it where the condition keeps it out.
+FunctionId Expander::kept_in_kernel(FunctionId id) {
+    FunctionId& copy = kept_[id];
+    if (copy) return copy;
+    copy = p.functions.add(Function(p.functions[id]));
+    cx.made_functions.insert(copy);
+    return copy;
+}
 
 /// The value of a call whose arguments are constants of integers, bools or enums. It is remembered, since unrolled
 /// loops repeat such calls. Absent: the call cannot be evaluated, or some argument is no such constant.
@@ -55,8 +77,8 @@ Pair Expander::expand_call(const Expr& node) {
     std::vector<Pair> arguments;
     arguments.reserve(node.operands.size());
     bool constant = function.structures.empty(), uniform = constant;
-    for (ExprId operand : node.operands) {
-        Pair argument = expand(operand);
+    for (std::size_t i = 0; i < node.operands.size(); ++i) {
+        Pair argument = operand(node, i);
         bool is_optional = static_cast<bool>(argument.has);
         constant = constant && make.is_constant(argument.value) && (!is_optional || make.is_constant(argument.has));
         uniform = uniform && !is_optional && is_uniform(cx, argument.value);
@@ -64,6 +86,14 @@ Pair Expander::expand_call(const Expr& node) {
     }
     bool is_optional = p.types.kind(function.result) == TypeKind::optional;
     if (holds_empty(p, function.result)) uniform = false;  // types with empty parts cannot be parameters
+    if (uniform && !constant && out_ != top_ && may_not_end(p, node.function)) {
+        Expr call = node;
+        call.function = kept_in_kernel(node.function);
+        for (std::size_t i = 0; i < arguments.size(); ++i)
+            call.operands[i] = stored(arguments[i], p.locals[function.params[i]].type);
+        const ExprId id = p.exprs.add(std::move(call));
+        return p.types.kind(function.result) == TypeKind::optional ? of_optional(id) : Pair{id, {}};
+    }
     if (constant && !is_optional)
         if (ExprId known = known_call(node, arguments)) return {known, {}};
     if (constant || (uniform && !is_optional && frame_->stage == nullptr && function.extern_name.empty())) {

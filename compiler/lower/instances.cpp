@@ -22,6 +22,13 @@ bool Expander::sees_window(FunctionId function) {
     return sees;
 }
 
+static bool mentions(const Program& p, const std::vector<StmtId>& body, LocalId local) {
+    bool found = false;
+    for_each_expression(
+        p, body, [&](ExprId id) { found = found || (p.exprs[id].op == Op::local && p.exprs[id].local == local); });
+    return found;
+}
+
 /// Whether the function or one that it calls declares a long array that is zero-initialised, for which expansion makes
 /// a loop.
 bool Expander::has_long_zero(FunctionId function) {
@@ -45,11 +52,10 @@ Pair Expander::call_instance(FunctionId function, std::vector<Pair> arguments, F
     call.type = original.result;
     for (std::size_t i = 0; i < arguments.size() && i < original.params.size(); ++i)
         call.operands.push_back(stored(arguments[i], p.locals[original.params[i]].type));
-    if (sees_window(function)) {
-        call.operands.push_back(make.local(cx.pass.address));
-        if (cx.kernel.grouped()) call.operands.push_back(make.local(cx.pass.in_range));
-    }
+    if (sees_window(function)) call.operands.push_back(make.local(cx.pass.address));
     call.function = instance(function, std::move(frame));
+    if (p.functions[call.function].params.size() > call.operands.size())
+        call.operands.push_back(make.local(cx.pass.in_range));
     ExprId result = p.exprs.add(std::move(call));
     if (p.types.kind(original.result) == TypeKind::optional) return of_optional(result);
     return {result, {}};
@@ -118,10 +124,16 @@ FunctionId Expander::instance(FunctionId id, Frame frame) {
         if (p.types.kind(local.type) == TypeKind::optional) value = of_optional(value.value);
         frame.locals[param] = value;
     }
-    bool is_window = sees_window(id);
+    const bool is_window = sees_window(id);
     Current outer = is_window ? enter_window(made) : Current{};
+    // In checked builds, accesses by address ask for Pass::in_range, too (check.cpp).
+    const bool may_check = cx.checks == Checks::ranges && cx.kernel.grouped() && !is_window;
+    const LocalId in_range = cx.pass.in_range;
+    if (may_check) cx.pass.in_range = cx.new_local("in_range", p.types.bool_, made.span);
     made.body = inside(std::move(frame), [&] { return collect([&] { expand_body(original.body); }); });
     if (is_window) leave_window(made, std::move(outer));
+    if (may_check && mentions(p, made.body, cx.pass.in_range)) made.params.push_back(cx.pass.in_range);
+    if (may_check) cx.pass.in_range = in_range;
     FunctionId result = p.functions.add(std::move(made));
     cx.instances.emplace(std::move(key), result);
     cx.made_functions.insert(result);

@@ -21,7 +21,7 @@ struct Settings {
 
 /// Lowers every kernel. Adds nodes to the program; kernels stay as they were. Also folds constants and drops dead code
 /// in functions without structures, makes extents exact (widen.h), adds release statements for pipelines' temporaries,
-/// and fills in properties of translators and structures (affine, contained_axes, wide, wide_of_wide).
+/// and fills in properties of translators and structures (affine, contained_axes, Stage::wide).
 ir::Lowered lower(ir::Program& program, Diagnostics& diagnostics, Settings settings = {});
 
 /// Lowers a kernel as the body of a library function with these parameters. The function has no dispatch and no range,

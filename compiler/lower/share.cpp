@@ -186,7 +186,7 @@ void Counting::let_(const Stmt& stmt) {
     if (!stmt.value || local.is_mutable || !numbers_.is_pure(stmt.value)) {
         decide(Decision::any);
         if (stmt.value) visit(stmt.value, Where::before);
-        return;
+        return numbers_.change_all(stmt);  // an atomic operation changes workgroup memory
     }
     const Expr& value = cx.p.exprs[stmt.value];
     const ValueNumber number = numbers_.of(stmt.value);

@@ -1,5 +1,6 @@
 #include "lower/temporaries.h"
 
+#include "ir/chain.h"
 #include "ir/walk.h"
 
 #include <algorithm>
@@ -39,20 +40,33 @@ bool is_computed(const Program& p, ExprId id) {
     return expr.op == Op::pipeline_call && p.pipelines[expr.slot].is_value;
 }
 
-/// The temporary and all locals that refer to its memory: slices, structures and device values made from it. Using one
-/// is using the temporary.
+/// The temporary and all locals that may refer to its memory: slices, structures and device values made from it, and
+/// temporaries whose constructors were given it. Using one is using the temporary.
 std::vector<LocalId> aliases(const Program& p, const std::vector<StmtId>& body, LocalId temporary) {
     std::vector<LocalId> result{temporary};
     for (std::size_t i = 0; i < result.size(); ++i) {
         for_each_statement(p, body, [&](const Stmt& stmt) {
+            const auto names = [&](ExprId whole) {
+                bool found = false;
+                for_each_node(p, whole, [&](ExprId part) { found = found || p.exprs[part].local == result[i]; });
+                return found;
+            };
+            const auto add = [&] {
+                if (std::find(result.begin(), result.end(), stmt.local) == result.end()) result.push_back(stmt.local);
+            };
+            if (stmt.op == StmtOp::temp) {
+                bool is_given = false;
+                for_each_root(stmt, [&](ExprId root) {
+                    is_given = is_given || (p.types.kind(p.exprs[root].type) == TypeKind::structure && names(root));
+                });
+                if (is_given) add();
+                return;
+            }
             if (stmt.op != StmtOp::let || !stmt.value) return;
             TypeKind kind = p.types.kind(p.locals[stmt.local].type);
             if (kind != TypeKind::slice && kind != TypeKind::structure && kind != TypeKind::device) return;
             if (is_computed(p, stmt.value)) return;
-            bool found = false;
-            for_each_node(p, stmt.value, [&](ExprId part) { found = found || p.exprs[part].local == result[i]; });
-            if (found && std::find(result.begin(), result.end(), stmt.local) == result.end())
-                result.push_back(stmt.local);
+            if (names(stmt.value)) add();
         });
     }
     return result;
@@ -84,10 +98,14 @@ void mark_last_reads(Program& p, const std::vector<StmtId>& body, std::size_t at
     }
 }
 
-/// Whether the structure is one that stores elements, not a view or an adaptor: the elements that are accessed through
-/// these lie in other structures.
+/// Whether the structure stores its elements in memory that it makes. The elements that are accessed through a view or
+/// an adaptor, or through a structure whose memory is another one that it was given, lie in other structures.
 bool has_own_memory(const Program& p, LocalId local) {
-    return p.structures[p.types[p.locals[local].type].index].kind == StructureKind::stored;
+    const Structure* structure = &p.structures[p.types[p.locals[local].type].index];
+    if (structure->kind != StructureKind::stored) return false;
+    for (; !structure->base.empty(); structure = &structure_at(p, *structure, structure->base))
+        if (structure->members[structure->base[0]].by_reference) return false;
+    return structure->kind == StructureKind::stored;
 }
 
 /// Whether the statement may write the memory that a device_read without a copy refers to. A dispatch may if it writes

@@ -116,15 +116,12 @@ ExprId Expander::all_less(ExprId address, ExprId extent) {
 
 /// The function to translate with. In the wide form scalar physical addresses may exceed 2^32; components of vectors do
 /// not.
-FunctionId Expander::translate_of(const Translator& translator, TypeId address, const Structure& structure) const {
-    // Where the memory is a structure, the result is a virtual address, with 32 bits per axis.
-    if (!cx.is_wide() || !translator.wide || !structure.base.empty()) return translator.translate;
-    return address == p.types.uint64 ? translator.wide_of_wide : translator.wide;
+FunctionId Expander::translate_of(const Stage& stage) const {
+    return cx.is_wide() && stage.wide ? stage.wide : p.translators[stage.translator].translate;
 }
 
 Pair Expander::expanded(const Place& place, const Stage& stage, ExprId address, const std::string& name) {
-    const FunctionId translate =
-        translate_of(p.translators[stage.translator], make.type(address), cx.structure_at(place));
+    const FunctionId translate = translate_of(stage);
     address = make.convert(p.locals[p.functions[translate].params[0]].type, address);
     Frame frame;
     frame.stage = &stage;

@@ -26,7 +26,7 @@ bool indexes_array_by_loop(const Program& program, const Stmt& loop) {
     for_each_expression(program, loop.body, [&](ExprId id) {
         const Expr& node = program.exprs[id];
         if (node.op != Op::index || program.types.kind(program.exprs[node.operands[0]].type) != TypeKind::array) return;
-        const Expr& array = program.exprs[node.operands[0]];
+        const Expr& array = place_of(program, node.operands[0]);
         if (array.op != Op::local || program.locals[array.local].storage == Storage::shared) return;
         for_each_node(program, node.operands[1], [&](ExprId part) {
             found = found || (program.exprs[part].op == Op::local && program.exprs[part].local == loop.local);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -30,6 +31,10 @@ struct Copied {
     Width width = Width::narrow;
 };
 
+/// What the result of a function is: not an address; the address in memory that a translator gives, to which nothing is
+/// added; or one that the next stage translates, in which a negative number must stay one.
+enum class Address : std::uint8_t { none, physical, intermediate };
+
 /// The 64-bit copy of a function; the function itself if nothing in it is in 64 bits.
 struct Copy {
     FunctionId id;
@@ -42,7 +47,7 @@ public:
 
     Value value(ExprId id) { return visit(p.exprs[id]); }
     ExprId widened(const Value& value);
-    Copy copied(FunctionId id, const std::vector<Width>& params);
+    Copy copied(FunctionId id, const std::vector<Width>& params, Address address = Address::none);
 
 private:
     /// The function that is being copied.
@@ -92,7 +97,7 @@ private:
     Program& p;
     Overflow overflow_;
     Frame* frame_ = nullptr;
-    std::map<std::pair<std::uint32_t, std::vector<Width>>, Copy> copies_;
+    std::map<std::tuple<std::uint32_t, std::vector<Width>, Address>, Copy> copies_;
     std::map<std::pair<std::string, std::vector<std::uint32_t>>, FunctionId> externs_;  ///< by name and types
 };
 
@@ -193,6 +198,7 @@ bool Widener::wraps(const Expr& narrow) const {
     case Op::select: return operand_wraps(narrow.operands[1]) || operand_wraps(narrow.operands[2]);
     case Op::construct: return p.types.is_vector(narrow.type) && std::ranges::any_of(narrow.operands, operand_wraps);
     case Op::swizzle: return operand_wraps(narrow.operands[0]);
+    case Op::index: return p.types.is_vector(p.exprs[narrow.operands[0]].type) && operand_wraps(narrow.operands[0]);
     default: return false;
     }
 }
@@ -208,8 +214,11 @@ ExprId Widener::exact(const Value& value) {
         return is_exact ? note(from).wide : widened(value);
     }
     node.type = wide_type(node.type);
-    for (ExprId& operand : node.operands)
-        if (is_widenable(p.exprs[operand].type)) operand = exact({operand, {}});
+    for (std::size_t i = 0; i < node.operands.size(); ++i) {
+        const bool is_index = node.op == Op::index && i == 1;
+        ExprId& operand = node.operands[i];
+        if (!is_index && is_widenable(p.exprs[operand].type)) operand = exact({operand, {}});
+    }
     return add(std::move(node));
 }
 
@@ -491,8 +500,8 @@ std::vector<StmtId> Widener::body(const std::vector<StmtId>& statements) {
 }
 
 /// The copy of a function whose parameters have these widths.
-Copy Widener::copied(FunctionId id, const std::vector<Width>& params) {
-    const auto key = std::pair(id.index, params);
+Copy Widener::copied(FunctionId id, const std::vector<Width>& params, Address address) {
+    const auto key = std::tuple(id.index, params, address);
     if (const auto found = copies_.find(key); found != copies_.end()) return found->second;
     const Function original = p.functions[id];
     Function made = original;
@@ -509,11 +518,10 @@ Copy Widener::copied(FunctionId id, const std::vector<Width>& params) {
     }
     made.body = body(original.body);
     Copy result;
+    const bool is_operand = address == Address::intermediate || (address == Address::none && outer != nullptr);
     for (const auto& [stmt, returned] : frame.returns) {
         if (returned.wide) result.result = Width::wide;
-        // Not for the translator itself (`outer` is null): its result is an address of 32 bits, and a translator after
-        // it in `via` takes it as such.
-        else if (outer != nullptr && result.result == Width::narrow && wraps(p.exprs[returned.narrow]))
+        else if (is_operand && result.result == Width::narrow && wraps(p.exprs[returned.narrow]))
             result.result = Width::exact;
     }
     for (const auto& [stmt, returned] : frame.returns)
@@ -552,11 +560,20 @@ void widen_extents(Program& program) {
 
 void widen_translators(Program& program) {
     Widener widener(program, Overflow::wraps);
-    for (Translator& translator : program.translators) {
-        if (translator.physical_type != program.types.uint || !translator.translate) continue;
-        translator.wide = widener.copied(translator.translate, {Width::narrow}).id;
-        if (translator.virtual_type == program.types.uint)
-            translator.wide_of_wide = widener.copied(translator.translate, {Width::wide}).id;
+    for (Structure& structure : program.structures) {
+        // Where the memory is a structure, the result is a virtual address, with 32 bits per axis.
+        if (!structure.base.empty()) continue;
+        Width width = Width::narrow;
+        for (Stage& stage : structure.via) {
+            const Translator& translator = program.translators[stage.translator];
+            const Width given = std::exchange(width, Width::narrow);
+            if (translator.physical_type != program.types.uint || !translator.translate) continue;
+            const bool is_last = &stage == &structure.via.back();
+            const Copy copy =
+                widener.copied(translator.translate, {given}, is_last ? Address::physical : Address::intermediate);
+            stage.wide = copy.id;
+            width = copy.result;
+        }
     }
 }
 

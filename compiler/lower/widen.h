@@ -19,9 +19,8 @@ namespace gliftc::lower {
 /// buffers. Called before kernels are lowered.
 void widen_extents(ir::Program& program);
 
-/// Makes the 64-bit copies of translators with scalar physical addresses: Translator::wide takes 32-bit virtual
-/// addresses; where virtual addresses are scalar, too, Translator::wide_of_wide takes 64-bit ones, as an earlier
-/// translator of `via` gives them. Called before kernels are lowered.
+/// Makes the 64-bit copies of translators with scalar physical addresses, for each stage of each structure
+/// (Stage::wide). Called before kernels are lowered.
 void widen_translators(ir::Program& program);
 
 }  // namespace gliftc::lower

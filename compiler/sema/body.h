@@ -109,9 +109,10 @@ struct Body {
     std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< the workgroup size that the declaration gives; all 0: none
     std::vector<ir::LocalId>* shared = nullptr;      ///< the locals in workgroup memory (`shared`) declared so far
     /// Functions with a workgroup: the last statement of the body, or of the branch of a constant `if` that is being
-    /// checked. Only it may be a return, since all invocations must reach every barrier. Kernels with a workgroup:
-    /// empty, so that no statement may.
+    /// checked and that no other `if` or loop encloses. Only it may be a return, since all invocations must reach every
+    /// barrier. Kernels with a workgroup: empty, so that no statement may.
     Span last;
+    unsigned enclosing = 0;  ///< how many loops, blocks and `if`s that are not constant enclose the statement
     std::vector<std::uint32_t> structures;  ///< functions: the structures that calls pass, by Place::root
     std::vector<ir::Place> coherent;        ///< the places that are accessed by the pattern coherent
     /// Functions: what they and called functions write; kernels: what called functions write; null: calls of functions

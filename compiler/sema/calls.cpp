@@ -298,7 +298,8 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
     const bool addressed = body.program().structures[self.structure].kind != ir::StructureKind::adaptor;
     if (addressed)
         if (auto result = call_of_blocks(body, self, method, call)) return *result;
-    const bool is_override = addressed && (name == "domain" || name == "at");
+    const bool is_view = body.program().structures[self.structure].kind == ir::StructureKind::view;
+    const bool is_override = (addressed && name == "domain") || (is_view && name == "at");
     if (!overloads.empty() && !is_override)
         return call_function(body, overloads, c.structure_env.at(self.structure), generics, arguments, call, wanted,
                              &self);

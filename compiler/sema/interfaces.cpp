@@ -23,7 +23,7 @@ Wanted wanted_of(Context& c, const Env& inside, ast::DeclId member) {
     Wanted wanted{c[member].name, {}, {}, c.types().void_};
     for (const ast::Param& param : function.params) {
         wanted.params.push_back(param.name);
-        wanted.types.push_back(type_of(c, inside, param.type));
+        wanted.types.push_back(type_of(c, inside, param));
     }
     if (function.result) wanted.result = type_of(c, inside, function.result);
     return wanted;

@@ -168,7 +168,7 @@ ir::TypeId result_type(ir::Types& types, ast::BinaryOp op, ir::TypeId left, ir::
 /// Warns about an integer divisor that is constant and has a component of zero: the result is defined, but probably not
 /// meant.
 void warn_of_zero(Body& body, ast::BinaryOp op, ir::ExprId divisor, Span span) {
-    const auto known = ir::evaluate(body.program(), divisor);
+    const auto known = known_value(body, divisor);
     if (!known || std::ranges::none_of(known->lanes, [](const ir::Lane& lane) { return lane.bits == 0; })) return;
     body.context.error(Diag::division_by_zero, span, {op == ast::BinaryOp::divide ? "the dividend" : "zero"});
 }

@@ -172,11 +172,23 @@ void check_if_let(Body& body, const ast::Stmt& stmt) {
     emit(body, id);
 }
 
+/// The statements, checked in a scope of their own.
+std::vector<ir::StmtId> check_in_scope(Body& body, const std::vector<ast::StmtId>& statements) {
+    std::vector<ir::StmtId> inner;
+    auto* outer = std::exchange(body.block, &inner);
+    open_scope(body);
+    check_block(body, statements);
+    close_scope(body);
+    body.block = outer;
+    return inner;
+}
+
 /// Checks one branch of an `if` with a constant condition, in a function with a workgroup. The branch may end in a
 /// return: only the branch that is selected is kept, so that all invocations return together.
 std::vector<ir::StmtId> check_branch(Body& body, const std::vector<ast::StmtId>& branch) {
+    if (body.enclosing > 0) return check_nested(body, branch);
     Span outer = std::exchange(body.last, branch.empty() ? Span{} : body.context[branch.back()].span);
-    auto result = check_nested(body, branch);
+    auto result = check_in_scope(body, branch);
     body.last = outer;
     return result;
 }
@@ -411,12 +423,9 @@ void check_jump(Body& body, const ast::Stmt& stmt) {
 }  // namespace
 
 std::vector<ir::StmtId> check_nested(Body& body, const std::vector<ast::StmtId>& statements) {
-    std::vector<ir::StmtId> inner;
-    auto* outer = std::exchange(body.block, &inner);
-    open_scope(body);
-    check_block(body, statements);
-    close_scope(body);
-    body.block = outer;
+    ++body.enclosing;
+    auto inner = check_in_scope(body, statements);
+    --body.enclosing;
     return inner;
 }
 

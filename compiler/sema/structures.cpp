@@ -106,6 +106,11 @@ void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
     memory.name = item.name.name;
     memory.shape = shape.shape;
     memory.span = item.name.span;
+    if (memory.shape == ir::MemoryShape::buffer && (item.filter || item.compare || item.mips)) {
+        const char* what = item.mips ? "mip levels" : item.filter ? "filter" : "comparison";
+        note(c.error(Diag::image_option, item.name.span, {what}), item.name.span, "images have: image2d<F>(extent)");
+        return;
+    }
     memory.linear = item.filter && c.text(item.filter) == "linear";
     if (item.filter && !memory.linear && c.text(item.filter) != "nearest")
         c.error(Diag::memory_option, item.filter_span, {c.text(item.filter)});

@@ -172,7 +172,9 @@ private:
     /// `{`, the contents indented by one level, `}`.
     void block(std::size_t indent, bool is_enum) {
         std::uint32_t close = pieces_[at_].partner;
-        if (column() > indent) out_ += ' ';
+        const bool is_after_comment = at_ > 0 && pieces_[at_ - 1].kind == PieceKind::line_comment;
+        if (is_after_comment) new_line(indent);
+        else if (column() > indent) out_ += ' ';
         out_ += '{';
         ++at_;
         if (at_ == close) {

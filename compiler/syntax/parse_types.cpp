@@ -72,7 +72,7 @@ std::vector<ast::GenericParam> Parser::parse_generic_params() {
         } else {
             fail_expected("':'", "a generic parameter has a constraint: 'T: type', 'N: uint'");
         }
-        if (accept(TokenKind::equal)) param.default_value = parse_generic_argument();
+        if (!lost_ && accept(TokenKind::equal)) param.default_value = parse_generic_argument();
         if (param.name.name) params.push_back(param);
         if (!accept(TokenKind::comma)) break;
     }

@@ -129,7 +129,9 @@ void Parser::recover_in_module() {
 }
 
 bool Parser::at_statement_keyword() const {
-    return statement_keywords.has(peek().kind) || (item_words.has(peek().word) && peek(1).kind == identifier);
+    const bool begins_part = at_word(Word::vertex) || at_word(Word::fragment);
+    return statement_keywords.has(peek().kind) ||
+           (item_words.has(peek().word) && peek(1).kind == (begins_part ? open_brace : identifier));
 }
 
 /// Whether the token is a contextual keyword that begins declarations. False for `test`, which the caller checks.

@@ -34,8 +34,9 @@ Arguments read_arguments(CLI::App& app, int argc, char** argv) {
     app.add_option("--extent", a.extent, "elements along each side of the domain")
         ->check(CLI::Range(32u, 4096u))
         ->capture_default_str();
-    app.add_option("--steps", a.steps, "of half an element at most")->capture_default_str();
-    app.add_option("--every", a.every, "steps between two pictures; 0: only the last one")->capture_default_str();
+    app.add_option("--steps", a.steps, "of about half an element at most")->capture_default_str();
+    app.add_option("--every", a.every, "steps between two pictures; 0: only the first and the last one")
+        ->capture_default_str();
     app.add_option("--balls", a.balls, "at the beginning")->check(CLI::Range(1u, 1000u))->capture_default_str();
     app.add_option("--pages", a.pages, "that there may be at once")->capture_default_str();
     app.add_option("--size", a.size, "of a picture's side")->check(CLI::Range(16u, 8192u))->capture_default_str();

@@ -46,13 +46,6 @@ void check_owner(const DeviceObject* device, const Memory& memory, const char* c
                 "write into another structure, then copy or swap");
 }
 
-void check_condition(const DeviceObject* device, const Condition& condition) {
-    check_range(device, condition.value.memory, condition.value.offset, 4, "a condition on the device");
-    if (condition.value.offset % 4)
-        wrong("a condition's offset is not a multiple of 4", "a condition on the device",
-              std::to_string(condition.value.offset));
-}
-
 void check_patches(const DeviceObject* device, const Kernel& kernel, const Call& call) {
     if (call.form == FormName::direct && !kernel.of_blocks)
         wrong("device values were passed to the direct form", kernel_text(kernel));
@@ -112,6 +105,13 @@ void check_memories(const DeviceObject* device, const Kernel& kernel, std::span<
             wrong_memory(device, kernel, kernel.bindings[k], memories[k]);
         }
     }
+}
+
+void check_condition(const DeviceObject* device, const Condition& condition) {
+    check_range(device, condition.value.memory, condition.value.offset, 4, "a condition on the device");
+    if (condition.value.offset % 4)
+        wrong("a condition's offset is not a multiple of 4", "a condition on the device",
+              std::to_string(condition.value.offset));
 }
 
 void check_call(const DeviceObject* device, const Kernel& kernel, const Call& call) {

@@ -6,6 +6,7 @@
 
 namespace glift::detail {
 
+void check_condition(const DeviceObject* device, const Condition& condition);
 void check_call(const DeviceObject* device, const Kernel& kernel, const Call& call);
 void check_memories(const DeviceObject* device, const Kernel& kernel, std::span<const Memory> memories);
 /// Checks the description; returns it with the bytes of an image filled in.

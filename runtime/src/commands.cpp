@@ -74,6 +74,7 @@ Commands Commands::specialised(std::vector<std::string> parameters) const {
 }
 
 Commands Commands::with(Condition condition) const {
+    detail::check_condition(stream("Commands::where").device().get(), condition);
     std::vector<Condition> all = conditions_ ? *conditions_ : std::vector<Condition>();
     all.push_back(std::move(condition));
     Commands same = *this;

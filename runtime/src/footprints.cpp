@@ -205,7 +205,7 @@ struct Pair {
                         touches_text(other, touched(other, second, visited)) +
                         (has_places() ? ""
                                       : "; whether these overlap is not known, since their translators are not "
-                                        "affine maps into a buffer"),
+                                        "known to be affine maps that stay inside a buffer"),
                     "write into another structure, then copy or swap; boxes of an array in a buffer that do not "
                     "overlap may be passed, and one box for several 'each' parameters");
     }

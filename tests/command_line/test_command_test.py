@@ -42,6 +42,25 @@ here.write("user.glift", "module user;\nuse base;\ntest \"the base\" { let unuse
 for again in "", " again":
     says(here.run(*run_user), 0, "warning", "pass  the base")
 
+# The title of a remembered test does not take in a part of the file's name.
+here.write("two words.glift", "module two_words;\ntest \"one\" { expect(1u == 1u); }\n")
+says(here.run("test", "--device", "host", "two words.glift"), 0, "pass  one")
+says(here.run("test", "--filter", "words", "two words.glift"), 2, "no test has 'words' in its title")
+
+# The header of an `extern struct` may lie beside an imported module in another folder.
+here.write("sub/particle.hpp", "struct Particle { float mass; };\n")
+here.write("sub/mesh.glift", "module mesh;\npub extern struct Particle from \"particle.hpp\";\n")
+here.write("heavy.glift", """module heavy;
+use std.array;
+use ./sub/mesh;
+structure Particles = Array<1, Particle>;
+test "mass" {
+    temp all = Particles(3);
+    expect(await all[1].mass == 0.0);
+}
+""")
+says(here.run("test", "--device", "host", "heavy.glift"), 0, "pass  mass")
+
 # A program that was built with other options is another one: `-g` names the lines of the source in it, `-O` optimises.
 cache = here.path / "cache"
 here.write("clean.glift", "module clean;\ntest \"one\" { expect(1u == 1u); }\n")

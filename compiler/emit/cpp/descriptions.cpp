@@ -23,6 +23,7 @@ void print_description(const Unit& unit, Writer& out, std::uint32_t index) {
     }
     for (std::size_t i = 0; i < structure.memories.size(); ++i)
         part("memory", structure.memories[i].name, names.memories[i] + "()");
+    if (structure.base.size() > 1) part("memory", structure.base_name, names.base + "()");
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         const bool is_memory = structure.base.size() == 1 && structure.base[0] == i;
         const char* const what = is_memory ? "memory" : structure.members[i].by_reference ? "given" : "member";

@@ -12,9 +12,9 @@ const NameSet& functions_of_runtime() {
 #define INTRINSIC(name, signature, exactness) #name,
     static const NameSet names = {
 #include "ir/intrinsics.def"
-        "as_array",      "assign_swizzle", "bytes_of",    "convert",  "divide",
-        "element_count", "half_bits",      "half_value",  "minor_of", "remainder",
-        "reset",         "shift_left",     "shift_right", "spread",   "swizzle",
+        "as_array",      "assign_swizzle", "bytes_of",   "convert",      "cube_extent", "divide",    "divisor",
+        "element_count", "half_bits",      "half_value", "image_extent", "minor_of",    "remainder", "reset",
+        "shift_left",    "shift_right",    "spread",     "subtract",     "swizzle",     "tried",
     };
 #undef INTRINSIC
     return names;

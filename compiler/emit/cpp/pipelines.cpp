@@ -209,13 +209,15 @@ void PipelinePrinter::expect_same(const Stmt& stmt) {
                (stmt.arguments.size() > 2 ? ", " + print_any(p, stmt.arguments[2]) : "") + ");");
 }
 
-/// The memories that a structure declares, and those of the members that it has made, as arguments.
+/// The memories that a structure has made, and those of the members that it has made, as arguments. A level or layer of
+/// an image is not among them: the image is another structure's.
 std::string memories_of(const Unit& unit, const std::string& object, std::uint32_t index) {
     const ir::Structure& structure = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];
     std::string text;
     const auto also = [&](const std::string& more) { text += (text.empty() || more.empty() ? "" : ", ") + more; };
-    for (const std::string& memory : names.memories) also(object + "." + memory + "()");
+    for (std::size_t i = 0; i < structure.memories.size(); ++i)
+        if (!structure.memories[i].part) also(object + "." + names.memories[i] + "()");
     for (std::size_t i = 0; i < structure.members.size(); ++i)
         if (!structure.members[i].by_reference)
             also(memories_of(unit, object + "." + names.members[i] + "()", structure.members[i].structure));

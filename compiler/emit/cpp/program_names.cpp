@@ -53,7 +53,7 @@ NameSet members_of_class(ir::StructureKind kind) {
                       "translates",
                       "write"});
         break;
-    case ir::StructureKind::view: names.insert({"Address", "Element", "View", "first"}); break;
+    case ir::StructureKind::view: names.insert({"Address", "Element", "View", "copy_out", "first"}); break;
     case ir::StructureKind::adaptor:
         names.erase("domain");
         names.erase("range");

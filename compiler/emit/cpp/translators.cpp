@@ -101,7 +101,7 @@ void print_place(Unit& unit, Writer& out, std::uint32_t index) {
         const ir::Translator& translator = unit.program.translators[stage.translator];
         const std::vector<std::string> states =
             print_state(unit, out, index, stage, "", {"address", "translate", "place"});
-        const ir::FunctionId exact = structure.base.empty() ? translator.wide : translator.translate;
+        const ir::FunctionId exact = stage.wide ? stage.wide : translator.translate;
         print_method(unit, out, "translate", exact, unit.type(unit.program.functions[exact].result), states);
         place = "translate(address)";
     }

@@ -34,14 +34,12 @@ std::string lower_case(std::string text) {
     return text;
 }
 
-std::string function_name(const Printer& p, const AtomicUse& use) {
-    return p.pass.bindings[use.binding].name + "_" + lower_case(atomic_name(use.combine));
-}
-
 std::string float_atomic(Printer& p, std::uint32_t binding, Combine combine) {
-    const AtomicUse use{binding, combine};
-    if (std::find(p.atomics.begin(), p.atomics.end(), use) == p.atomics.end()) p.atomics.push_back(use);
-    return function_name(p, use);
+    for (const AtomicUse& use : p.atomics)
+        if (use.binding == binding && use.combine == combine) return use.name;
+    const std::string wanted = p.pass.bindings[binding].name + "_" + lower_case(atomic_name(combine));
+    p.atomics.push_back({binding, combine, p.names.declare_outermost(wanted)});
+    return p.atomics.back().name;
 }
 
 /// The function that adds to a float in a buffer: it repeats a compare-and-swap until no other invocation has changed
@@ -50,9 +48,9 @@ std::string addition(Printer& p, const AtomicUse& use) {
     const std::string test = round_test(p, 0, p.pass.files.size() > 1 ? "line, file" : "line");
     const std::string element = element_text(p, use.binding, "index");
     const std::string index = p.pass.form == ir::Form::wide ? "uint64_t" : "uint";
-    return "void " + function_name(p, use) + "(" + index + " index, float value" +
-           (test.empty() ? "" : ", " + place_parameters(p)) + ") {\n" + "    uint seen = " + element +
-           ", expected;\n    do {\n" + (test.empty() ? "" : "        if (!" + test + ") return;\n") +
+    return "void " + use.name + "(" + index + " index, float value" + (test.empty() ? "" : ", " + place_parameters(p)) +
+           ") {\n" + "    uint seen = " + element + ", expected;\n    do {\n" +
+           (test.empty() ? "" : "        if (!" + test + ") return;\n") +
            "        expected = seen;\n"
            "        uint wanted = floatBitsToUint(uintBitsToFloat(seen) + value);\n"
            "        if (wanted == seen) return;\n"
@@ -105,7 +103,7 @@ std::string extremum(const Printer& p, const AtomicUse& use) {
                                               ";\n"
                                               "    if (before < 0) " +
                                               call("Max", "max(before, bits)") + ";\n";
-    return "void " + function_name(p, use) + "(" + place.parameter +
+    return "void " + use.name + "(" + place.parameter +
            ", float value) {\n"
            "    const int bits = floatBitsToInt(value);\n"
            "    if ((bits & 0x7fffffff) > 0x7f800000) return;\n"

@@ -32,8 +32,8 @@ void name_shared(Printer& p) {
     }
 }
 
-/// Names everything that the shader declares outside functions, except functions, helpers and enumerators. This comes
-/// first, so that no local gets one of these names.
+/// Names everything that the shader declares outside functions, except functions and helpers, and what bodies turn out
+/// to need (Scopes::declare_outermost). This comes first, so that no local gets one of these names.
 void name_globals(Printer& p) {
     for (const ir::PassParameter& parameter : p.pass.parameters)
         p.parameter_names.push_back(parameter.source == ir::ParameterSource::address ? ""

@@ -118,8 +118,9 @@ std::string heading(const Program& program, const Sources& sources, std::uint32_
     std::string text = "// " + s.display;
     if (s.span) text += ", " + file_name(sources[s.span.file].path) + ":" + std::to_string(sources.line_of(s.span));
     return text + ".\n// Define " + macro +
-           "_BINDING before including. The structure's arguments are at that binding, memory k at " + macro +
-           "_BINDING + 1 + k.\n// Optional: " + macro + "_SET (the descriptor set, else 0), " + macro +
+           "_BINDING before including. The structure's state (the members declared below) is at that binding, memory k "
+           "at " +
+           macro + "_BINDING + 1 + k.\n// Optional: " + macro + "_SET (the descriptor set, else 0), " + macro +
            "_STATE (see below), " + macro + "_READONLY (nothing is written).\n";
 }
 

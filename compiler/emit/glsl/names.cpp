@@ -126,13 +126,17 @@ void Scopes::leave() {
     scopes_.pop_back();
 }
 
-std::string Scopes::declare(std::string_view wanted) {
+std::string Scopes::declare(std::string_view wanted) { return declare_in(scopes_.back(), wanted); }
+
+std::string Scopes::declare_outermost(std::string_view wanted) { return declare_in(scopes_.front(), wanted); }
+
+std::string Scopes::declare_in(std::vector<std::string>& scope, std::string_view wanted) {
     std::string base = identifier(wanted), name = base;
     if (has_reserved_beginning(base + "_")) base = name = "the_" + base;  // `gl`, too: `gl_1` is reserved
     while (base.size() > 1 && base.back() == '_') base.pop_back();
     for (int n = 1; !is_free(name); ++n) name = base + "_" + std::to_string(n);
     used_.insert(name);
-    scopes_.back().push_back(name);
+    scope.push_back(name);
     return name;
 }
 

@@ -29,9 +29,14 @@ public:
     /// Declares identifier(wanted), or the first of wanted_1, wanted_2, … that is free, in the innermost scope, and
     /// returns the name. It begins with "the_" if the beginning of the wanted name is reserved (gl_, atomic, …).
     std::string declare(std::string_view wanted);
+    /// As declare(), but in the outermost scope: for what the text that is being printed turns out to need outside
+    /// functions. The name is none of those in the scopes that are entered.
+    std::string declare_outermost(std::string_view wanted);
     bool is_free(const std::string& name) const { return !is_reserved(name) && !used_.contains(name); }
 
 private:
+    std::string declare_in(std::vector<std::string>& scope, std::string_view wanted);
+
     std::unordered_set<std::string> used_;
     std::vector<std::vector<std::string>> scopes_;
 };

@@ -87,7 +87,7 @@ struct HelperUse {
 struct AtomicUse {
     std::uint32_t binding;
     ir::Combine combine;
-    bool operator==(const AtomicUse&) const = default;
+    std::string name;  ///< of the function
 };
 
 /// Names of what shaders with a status record declare beside the bindings; see status.cpp.

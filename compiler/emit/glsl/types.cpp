@@ -98,7 +98,10 @@ std::string enumerator(Printer& p, std::uint32_t index, std::uint64_t value) {
     for (std::uint32_t i = 0; i < e.values.size(); ++i) {
         if (e.values[i] != value) continue;
         auto [place, fresh] = p.enumerators.try_emplace({index, i});
-        if (fresh) place->second = (*p.program.names)[e.name] + "_" + (*p.program.names)[e.enumerators[i]];
+        if (fresh) {
+            const std::string name = (*p.program.names)[e.name] + "_" + (*p.program.names)[e.enumerators[i]];
+            place->second = p.names.declare_outermost(name);
+        }
         return place->second;
     }
     return std::to_string(value) + "u";

@@ -32,6 +32,13 @@ struct Walk {
         for (ir::LocalId local : s.constructor) type(program.locals[local].type);
         for (const ir::Memory& memory : s.memories) type(memory.element);
         for (const ir::MemberStructure& member : s.members) structure(member.structure);
+        for (const ir::HostField& field : s.host) type(field.type);
+        for (const ir::Stage& stage : s.via)
+            for (const ir::StructField& field : program.translators[stage.translator].scalars) type(field.type);
+        for (ir::FunctionId id : ir::public_functions(program, index)) {
+            for (ir::LocalId local : program.functions[id].params) type(program.locals[local].type);
+            type(program.functions[id].result);
+        }
     }
 
     void pipeline(const ir::Pipeline& p) {

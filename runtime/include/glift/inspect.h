@@ -226,6 +226,12 @@ struct Memories : SeesNothing {
     }
     template <class S> void given(const char* name, const S& structure) { member(name, structure); }
 
+    /// Of all; a memory of a given structure that holds the elements (`memory frames = pool.frames`) is in both maps.
+    std::uint64_t bytes() const {
+        std::map<const void*, std::uint64_t> all = elements;
+        all.insert(tables.begin(), tables.end());
+        return sum(all);
+    }
     static std::uint64_t sum(const std::map<const void*, std::uint64_t>& all) {
         std::uint64_t bytes = 0;
         for (const auto& [memory, size] : all) bytes += size;
@@ -277,7 +283,7 @@ public:
         structure.describe(memories);
         // An adaptor has no elements: all that it has is parts.
         constexpr bool is_adaptor = !requires { structure.domain(); };
-        json.put("bytes", Memories::sum(memories.elements) + Memories::sum(memories.tables));
+        json.put("bytes", memories.bytes());
         if (!is_adaptor) json.put("bytes_of_elements", Memories::sum(memories.elements));
         if constexpr (!is_adaptor) {
             constexpr unsigned rank = Axes<typename S::Address>::count;

@@ -14,7 +14,7 @@
 // parameters, and packs those of the wide form where the answer is true. On Vulkan devices it is true for a buffer
 // larger than a descriptor can cover, for more buffers than the device has descriptors, for an iteration in several
 // axes of more workgroups than one dispatch may have (not over blocks, not of draws), and for elements that are reached
-// by two bindings (Sharing::one_place), unless the kernel has images alone; on every device for a buffer of 2^32
+// by two bindings (Sharing::one_place), if the kernel has a wide form; on every device for a buffer of 2^32
 // elements or more. On Vulkan devices the runtime writes the address of each buffer into the wide form's parameters, at
 // Binding::address_offset (8-byte aligned).
 #pragma once

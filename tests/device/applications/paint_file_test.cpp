@@ -283,6 +283,7 @@ struct Saving : PaintFile {
     pid_t started(rlim_t most_bytes = RLIM_INFINITY) const {
         write_file(file("saved/a.paint"), old_bytes);
         const pid_t process = fork();
+        if (process < 0) throw std::runtime_error("no process can be started");
         if (process != 0) return process;
         prctl(PR_SET_PDEATHSIG, SIGKILL);
         const rlimit no_core{0, 0}, size{most_bytes, most_bytes};

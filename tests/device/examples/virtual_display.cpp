@@ -51,6 +51,7 @@ VirtualDisplay::VirtualDisplay() {
     int ends[2];
     if (pipe(ends) != 0) throw std::runtime_error("no pipe");
     process_ = fork();
+    if (process_ < 0) throw std::runtime_error("no process can be started");
     if (process_ == 0) {
         prctl(PR_SET_PDEATHSIG, SIGKILL);  // Xvfb ends also if the test is killed
         close(ends[0]);

@@ -39,6 +39,7 @@ class Running {
 public:
     Running(const std::string& out, const std::string& err, std::vector<std::string> words)
         : out_(out), err_(err), process_(fork()) {
+        if (process_ < 0) throw std::runtime_error("no process can be started");
         if (process_ != 0) return;
         prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (!std::freopen(out_.c_str(), "w", stdout) || !std::freopen(err_.c_str(), "w", stderr)) _exit(126);

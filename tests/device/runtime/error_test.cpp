@@ -193,6 +193,15 @@ TEST_P(CallErrors, OneMemoryReadAndWritten) {
     EXPECT_NO_THROW(device.commands().copy(f, f, apart));
 }
 
+TEST_P(CallErrors, ConditionsThatCannotBeRead) {
+    const auto f = buffer(device, "f.data", 256), other = buffer(glift::Device::open("host"), "g.data", 256);
+    const glift::Commands commands(device);
+    expect_complete(error_of([&] { commands.where({glift::Memory(), 0}); }), ErrorCode::wrong_argument);
+    EXPECT_EQ(error_of([&] { commands.where({other, 0}); }).code(), ErrorCode::wrong_argument);
+    EXPECT_EQ(error_of([&] { commands.where({f, 2}); }).code(), ErrorCode::wrong_argument);
+    EXPECT_EQ(error_of([&] { commands.where_not({f, 256}); }).code(), ErrorCode::wrong_argument);
+}
+
 TEST_P(CallErrors, MemoryOfAnotherDevice) {
     const auto other = glift::Device::open("host");
     const auto f = buffer(other, "f.data", 256), g = buffer(device, "g.data", 256);
