@@ -54,7 +54,7 @@ const glift::Kernel scan_sums_kernel = {.name = "scan of sums by hand",
                                         .line = 1,
                                         .rank = 1,
                                         .group = {256, 1, 1},
-                                        .loop_rounds = 8192,  // enough for 2^25 elements (128 MiB, lavapipe's limit)
+                                        .loop_rounds = 8192,  // enough for 2^25 elements (lavapipe's largest binding)
                                         .bindings = scan_sums_bindings,
                                         .direct = {.spirv = scan_sums, .parameter_bytes = 4, .push_constants = true}};
 const glift::Kernel scan_kernel = {.name = "scan by hand",

@@ -43,8 +43,8 @@ std::string place(Span span, const Sources& sources) {
 /// Whether a byte of UTF-8 begins a character.
 bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }
 
-/// A source line for terminals, and the carets below it. Control characters other than tabs become spaces; of a long
-/// line about `widest` bytes are shown, around the beginning of the span.
+/// A source line for terminals, and the carets below it. ASCII control characters other than tabs become spaces; of
+/// a long line about `widest` bytes are shown, around the beginning of the span.
 struct Shown {
     std::string line, carets;
 };

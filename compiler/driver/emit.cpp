@@ -127,7 +127,8 @@ void emit_cpp(const Options& options, const Compilation& c, std::uint32_t module
     }
 }
 
-/// Adds the GLSL libraries of public structures, which users include in their own shaders: `laplacian.Field.glsl`.
+/// Adds the GLSL libraries of public structures and views, which users include in their own shaders:
+/// `laplacian.Field.glsl`.
 void emit_libraries(const Compilation& c, std::uint32_t module, const std::string& base, std::vector<Output>& outputs) {
     for (const ir::Library& library : c.lowered.libraries)
         if (library.module == module)

@@ -12,8 +12,9 @@ namespace {
 
 bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// Reads `Grid(uint2(18, 16), 20, -1.0)`: a name, then numbers in parentheses. Types before the numbers (`uint2`,
-/// `float[2]`), parentheses, braces and commas are skipped. False if `call` is something else.
+/// Reads `Grid(uint2(18, 16), 20, -1.0)`: a name, then numbers in parentheses. Among the numbers, words (`uint2`,
+/// `float[2]`), parentheses, braces, commas and spaces are skipped, wherever they stand. False if there is anything
+/// else, or no name, or no ')' at the end.
 bool read_call(const std::string& call, std::string& name, std::vector<double>& numbers) {
     const std::size_t open = call.find('(');
     name = call.substr(0, open);

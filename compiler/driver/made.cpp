@@ -209,8 +209,8 @@ bool is_whole(const ir::Types& types, ir::TypeId scalar) {
     return scalar != types.float_ && scalar != types.half && scalar != types.double_;
 }
 
-/// The numbers that a scalar of the type can be: where it is whole, to 32 bits (a double holds more of them exactly,
-/// but no argument of a constructor needs them).
+/// The numbers that are accepted for a scalar of the type, if it is whole (bools and enumerators are numbers, too):
+/// those of 32 bits. A double holds more of them exactly, but no argument of a constructor needs them.
 struct Limits {
     double low, high;
     const char* text;

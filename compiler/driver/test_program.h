@@ -23,7 +23,7 @@ Ended run_and_wait(const std::vector<std::string>& words);
 struct TestSources {
     std::vector<Output> outputs;
     std::vector<std::string> include_folders;  ///< where the C++ compiler looks for imported headers
-    std::vector<std::string> read_files;       ///< the imported headers
+    std::vector<std::string> read_files;  ///< as Compilation::read_files: the imported headers, the file of --style
 };
 
 /// The cache of test programs: the folder `tests` in GLIFT_CACHE_DIR, else in XDG_CACHE_HOME/glift, else in
@@ -36,7 +36,7 @@ public:
     TestPrograms(const TestPrograms&) = delete;
     TestPrograms& operator=(const TestPrograms&) = delete;
 
-    /// The cache's name of the program: a hash of the outputs, the folders' paths, what imported headers contain, the
+    /// The cache's name of the program: a hash of the outputs, the folders' paths, what read_files contain, the
     /// compiler's options, and tools_.
     std::string name_of(const TestSources& sources) const;
     /// Whether the cache has the program, which may be from an earlier run.

@@ -20,7 +20,8 @@ using ir::TypeKind;
 struct Operator {
     const char* text;
     Level level;
-    Level operand;  ///< the loosest level of an operand that needs no parentheses
+    /// The loosest level of an operand that needs no parentheses; if it is `level`, the right operand must be tighter.
+    Level operand;
 };
 
 Operator operator_of(BinaryOp op) {

@@ -7,7 +7,8 @@ namespace gliftc::cpp {
 
 namespace {
 
-/// Functions of the runtime that argument-dependent lookup would find for arguments that are its vectors and arrays.
+/// Functions of the runtime that argument-dependent lookup would find for arguments of its types: vectors, arrays,
+/// bools in memory (glift::Bool).
 const NameSet& functions_of_runtime() {
 #define INTRINSIC(name, signature, exactness) #name,
     static const NameSet names = {

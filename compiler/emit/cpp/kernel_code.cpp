@@ -229,7 +229,7 @@ static std::uint32_t shared_bytes_of(const ir::Lowered::Forms& forms) {
     return std::max({forms.direct.shared_bytes, forms.general.shared_bytes, forms.wide.shared_bytes});
 }
 
-/// Prints the fields of glift::Kernel that most kernels leave at their defaults.
+/// Prints further fields of glift::Kernel, each only where it differs from its default.
 static void print_rare_fields(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, const std::string& name) {
     const Pass& any = forms.general.exists ? forms.general : forms.direct;
     const std::array<std::uint32_t, 3>& items = variant_for(any, ir::Devices::shaders).assumes.elements;

@@ -109,7 +109,7 @@ struct Surroundings {
 Globals make_globals(const ir::Program& program, const Sources& sources, const ProgramNames& names,
                      Surroundings surroundings);
 
-/// Prints one function, kernel or method body.
+/// Prints one body, of a function, kernel, pipeline or method, or expressions outside of one.
 struct Printer {
     Globals& globals;
     const ir::Program& program;
