@@ -181,7 +181,8 @@ struct Function {
     TypeId result;
     std::vector<StmtId> body;  ///< a function with a group returns only by its last statement
     bool is_pub = false;
-    bool reads_memory = false;    ///< it or a function that it calls reads elements of structures
+    /// It or a function that it calls has operations of level structure (levels.h): reads, translations, ids, …
+    bool reads_memory = false;
     std::vector<Effect> effects;  ///< those that it declares, and those inherited from functions that it calls
     std::uint32_t module = 0;
     std::string extern_name;  ///< the C++ function to call instead (host only); else empty
@@ -538,7 +539,7 @@ struct Program {
         /// The kernel that lists the elements that are there, and the structures (indices in Program::structures) that
         /// it fills: virtual addresses, physical addresses (`places`), values, and the number of entries (`counter`).
         /// All are 0xffffffff in `gliftc test`, and for structures for which has_resident_part() of ir/chain.h is
-        /// false: views, and structures without blocks whose addresses each have an element of their own.
+        /// false: views, and structures without blocks all of whose translators are total and one-to-one.
         std::uint32_t list_kernel;
         std::uint32_t addresses, places, values, counter;
     };

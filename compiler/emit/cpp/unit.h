@@ -104,7 +104,7 @@ void print_class_members(Unit& unit, Writer& out, std::uint32_t structure);
 /// each only if the program has a kernel for it (ir::Program::transfers).
 void print_transfers(Unit& unit, Writer& out, std::uint32_t structure);
 /// In the class: the declaration of the function that lists the resident elements; nothing for views, and for
-/// structures without blocks whose addresses each have an element of their own (ir::has_resident_part).
+/// structures without blocks all of whose translators are total and one-to-one (ir::has_resident_part).
 void print_list_declaration(const Unit& unit, Writer& out, std::uint32_t structure);
 
 // descriptions.cpp
