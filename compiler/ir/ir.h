@@ -44,7 +44,8 @@ using Operands = SmallVector<ExprId, 4>;
 /// own expressions (memory sizes, via arguments, …) root 0 is the structure itself; in a translator's functions root i
 /// is the i-th of the translator's structure-typed fields. In pipelines and tests `root` is unused: the path starts at
 /// the Expr's or Stmt's `local` (a temp, a structure parameter, a slice), or without a local at the adaptor that owns
-/// the pipeline. This holds for every operation that has a place (member, domain, host_read, slice, …).
+/// the pipeline. This holds for every operation that has a place (member, domain, host_read, slice, …), but not for the
+/// statement `replace`: its place is a path from that adaptor.
 struct Place {
     std::uint32_t root = 0;
     RareVector<std::uint32_t> members;
