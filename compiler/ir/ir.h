@@ -5,7 +5,8 @@
 // the program and the passes.
 //
 // "Instance": sema makes one Function, Struct, Translator, Structure, Kernel or Pipeline for each set of generic
-// arguments that is used. An instance of a structure is named by its index in Program::structures.
+// arguments that is used; of a kernel also one for each set of its value parameters that calls give values on the
+// device (Pattern::argument). An instance of a structure is named by its index in Program::structures.
 //
 // Kernels, pipelines and passes share these nodes. ir/levels.h says which operation belongs to which level.
 #pragma once
