@@ -53,8 +53,9 @@ struct ModuleParts {
 };
 
 /// The code in one namespace that is made for a module. The namespace is the module's own, or that of another module
-/// that it uses. Another module's namespace gets only what the module uses and no other header or source of this run
-/// defines: mostly instances of generics, and what it uses of modules that this run makes no files for.
+/// that it uses. Another module's namespace gets only what the module uses and what neither a header that the module
+/// includes nor an earlier source of this run defines: mostly instances of generics, and what it uses of modules that
+/// this run makes no files for.
 struct Unit {
     const ir::Program& program;
     const ir::Lowered& lowered;
