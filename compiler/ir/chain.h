@@ -55,11 +55,12 @@ bool is_total(const Program& program, const Structure& structure);
 bool leads_through_partial(const Program& program, const Structure& structure);
 
 /// Whether an address may have no element, or several addresses may have the same element: some translator of the chain
-/// is partial, or is neither declared one-to-one nor has `invert`.
+/// is partial, or is neither declared one-to-one nor has `invert`. That addresses may lead outside the memory (see
+/// is_contained()) does not count.
 bool may_be_sparse(const Program& program, const Structure& structure);
 
-/// Whether a structure stores elements, but perhaps not one for every address of its domain: it has blocks, or may be
-/// sparse. Programs can then list the elements that are there.
+/// Whether a structure stores elements and has blocks or may be sparse (may_be_sparse()). Programs can then list the
+/// elements that are there.
 bool has_resident_part(const Program& program, const Structure& structure);
 
 /// The first structure of the chain that has a translator, else its root, as a path of members.

@@ -56,8 +56,9 @@ std::optional<Value> call(const Program& program, FunctionId function, std::vect
 /// Makes an expression with this value: a constant, or one that is built of constants.
 ExprId materialize(Program& program, const Value& value, Span span);
 
-/// The value of a scalar, enum, vector or matrix as written in the language: 4, 1.5, uint2(8, 8). Of other types, the
-/// type and the scalars in parentheses (of one scalar, only the scalar), floats among these as 0.
+/// The value of a scalar, vector or matrix much as the language writes it: 4, 1.5, uint2(8, 8); of an enum, the name of
+/// the enumerator alone. Of other types, the type and the scalars in parentheses (of one scalar, only the scalar),
+/// floats among these as 0.
 std::string to_text(const Program& program, const Value& value);
 
 /// The name of a type as written in the language: uint3, float?, Array<4, float>. Types that cannot be written so are

@@ -5,7 +5,8 @@
 // the program and the passes.
 //
 // "Instance": sema makes one Function, Struct, Translator, Structure, Kernel or Pipeline for each set of generic
-// arguments that is used. An instance of a structure is named by its index in Program::structures.
+// arguments that is used; of a kernel also one for each set of its value parameters that calls give values on the
+// device (Pattern::argument). An instance of a structure is named by its index in Program::structures.
 //
 // Kernels, pipelines and passes share these nodes. ir/levels.h says which operation belongs to which level.
 #pragma once
@@ -44,7 +45,8 @@ using Operands = SmallVector<ExprId, 4>;
 /// own expressions (memory sizes, via arguments, …) root 0 is the structure itself; in a translator's functions root i
 /// is the i-th of the translator's structure-typed fields. In pipelines and tests `root` is unused: the path starts at
 /// the Expr's or Stmt's `local` (a temp, a structure parameter, a slice), or without a local at the adaptor that owns
-/// the pipeline. This holds for every operation that has a place (member, domain, host_read, slice, …).
+/// the pipeline. This holds for every operation that has a place (member, domain, host_read, slice, …), but not for the
+/// statement `replace`: its place is a path from that adaptor.
 struct Place {
     std::uint32_t root = 0;
     RareVector<std::uint32_t> members;
@@ -181,7 +183,8 @@ struct Function {
     TypeId result;
     std::vector<StmtId> body;  ///< a function with a group returns only by its last statement
     bool is_pub = false;
-    bool reads_memory = false;    ///< it or a function that it calls reads elements of structures
+    /// It or a function that it calls has operations of level structure (levels.h): reads, translations, ids, …
+    bool reads_memory = false;
     std::vector<Effect> effects;  ///< those that it declares, and those inherited from functions that it calls
     std::uint32_t module = 0;
     std::string extern_name;  ///< the C++ function to call instead (host only); else empty
@@ -538,7 +541,7 @@ struct Program {
         /// The kernel that lists the elements that are there, and the structures (indices in Program::structures) that
         /// it fills: virtual addresses, physical addresses (`places`), values, and the number of entries (`counter`).
         /// All are 0xffffffff in `gliftc test`, and for structures for which has_resident_part() of ir/chain.h is
-        /// false: views, and structures without blocks whose addresses each have an element of their own.
+        /// false: views, and structures without blocks all of whose translators are total and one-to-one.
         std::uint32_t list_kernel;
         std::uint32_t addresses, places, values, counter;
     };

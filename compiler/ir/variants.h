@@ -31,7 +31,7 @@ struct Bounds {
 
 struct Assumptions {
     std::array<std::uint32_t, 3> elements = {1, 1, 1};  ///< number of elements that an invocation takes along each axis
-    std::optional<Interior> interior;                   ///< none: the body is valid at every address
+    std::optional<Interior> interior;                   ///< none: neighbours may be outside the domain
     /// The values advance by one from each element of a row to the next, and their limits are the same for the whole
     /// row, so that a printer can compute the part of the row where all bounds hold. The expressions use locals of
     /// the variant with the same assumptions and no bounds.

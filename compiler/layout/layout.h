@@ -26,8 +26,9 @@ inline constexpr std::uint32_t push_constant_limit = 128;
 /// Bytes of a uniform buffer that every device supports.
 inline constexpr std::uint32_t uniform_buffer_limit = 16384;
 
-/// Gives the parameters of every pass their offsets, decides whether they are push constants or in a uniform or storage
-/// buffer, and allocates workgroup memory.
+/// For each form of each kernel: gives the parameters their offsets, decides whether they are push constants or in a
+/// uniform or storage buffer, and allocates workgroup memory. Passes of library functions (Lowered::libraries) are left
+/// as they are.
 void lay_out(ir::Program& program, ir::Lowered& lowered);
 
 }  // namespace gliftc::layout

@@ -2,9 +2,9 @@
 // that is along no axis longer than a block lies in the invocation's own block or in an adjacent one. The neighbour's
 // physical address is computed for each of these blocks, and the access selects one of the addresses. This is done only
 // if all loads that compute the addresses, such as look-ups in a page table, depend on the block alone (where they are
-// at an address divided by the block size, quotients.cpp folds that to the block's number), and if the structure can
-// have no neighbours outside of its domain. Unlike a halo (halos.cpp) this makes no copy, for which shaders would need
-// a barrier, and also works for memory that the pass writes.
+// at an address divided by the block size, quotients.cpp folds that to the block's number), and if the structure is
+// known to map no address outside of its domain. Unlike a halo (halos.cpp) this makes no copy, for which shaders would
+// need a barrier, and also works for memory that the pass writes.
 #include "ir/effects.h"
 #include "lower/blocks.h"
 #include "lower/expand.h"

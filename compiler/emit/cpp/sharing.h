@@ -7,7 +7,7 @@
 namespace gliftc::cpp {
 
 /// Whether a call may give one memory for two bindings of the pass, at least one of which is written: they have the
-/// same shape and format.
+/// same shape and format. A layer or face has another shape than its image: a call that gives both is always refused.
 bool may_share(const ir::Pass& pass);
 
 /// The fields of glift::Binding that say which parameter the memory belongs to and how the parameter accesses it.

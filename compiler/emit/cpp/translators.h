@@ -22,10 +22,11 @@ void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, 
                   const std::function<Text(Printer&, const ir::Expr&)>& surroundings = {});
 
 /// Whether the class of a structure gets place() and row_memory(), with which the runtime copies a box by rows where it
-/// finds that the elements of a row are contiguous. This holds if the elements lie in a buffer, in the same layout as
-/// on the host, and each structure on the way to that buffer (the structure, its memory, that one's memory, …) has no
-/// translator (its elements lie in order) or one that is affine, total, not many-to-one, reads no structures and can be
-/// printed by print_method; no address leads beyond the memory of any of them.
+/// finds that the elements of a row are contiguous. This holds if the elements are structs, bools, or numbers or
+/// vectors or matrices of numbers (not enums or arrays), and lie in a buffer, and each structure on the way to that
+/// buffer (the structure, its memory, that one's memory, …) has no translator (its elements lie in order) or one that
+/// is affine, total, not many-to-one, reads no structures and can be printed by print_method; no address leads beyond
+/// the memory of any of them.
 bool has_rows(const ir::Program& program, const ir::Structure& structure);
 
 /// The C++ expression, within the class, of the memory that holds the elements of a structure which has rows.

@@ -53,8 +53,9 @@ struct ModuleParts {
 };
 
 /// The code in one namespace that is made for a module. The namespace is the module's own, or that of another module
-/// that it uses. Another module's namespace gets only what the module uses and no other header or source of this run
-/// defines: mostly instances of generics, and what it uses of modules that this run makes no files for.
+/// that it uses. Another module's namespace gets only what the module uses and what neither a header that the module
+/// includes nor an earlier source of this run defines: mostly instances of generics, and what it uses of modules that
+/// this run makes no files for.
 struct Unit {
     const ir::Program& program;
     const ir::Lowered& lowered;
@@ -104,7 +105,7 @@ void print_class_members(Unit& unit, Writer& out, std::uint32_t structure);
 /// each only if the program has a kernel for it (ir::Program::transfers).
 void print_transfers(Unit& unit, Writer& out, std::uint32_t structure);
 /// In the class: the declaration of the function that lists the resident elements; nothing for views, and for
-/// structures without blocks whose addresses each have an element of their own (ir::has_resident_part).
+/// structures without blocks all of whose translators are total and one-to-one (ir::has_resident_part).
 void print_list_declaration(const Unit& unit, Writer& out, std::uint32_t structure);
 
 // descriptions.cpp

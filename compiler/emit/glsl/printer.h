@@ -283,8 +283,8 @@ std::string file_name(std::string_view path);
 
 // emit.cpp: the parts of a shader that a file of library functions has, too
 void name_structs(Printer& p);
-std::string callees_text(Printer& p);  ///< names and prints the functions of the pass
-std::string enumerators_text(const Printer& p);
+std::string callees_text(Printer& p);            ///< names and prints the functions of the pass
+std::string enumerators_text(const Printer& p);  ///< of a shader; library.cpp has its own
 std::string extensions_text(Printer& p);
 
 }  // namespace gliftc::glsl

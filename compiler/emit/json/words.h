@@ -26,7 +26,7 @@ struct Root {
     std::uint32_t structure = 0;
 };
 
-/// An expression over structures' state, much as the language writes it: div_ceil(extent, 8u), f.data.extent.x.
+/// An expression over structures' state, much as the language writes it: div_ceil(extent, 8), f.data.extent.x.
 std::string expression_text(const ir::Program& program, ir::ExprId expr, const std::vector<Root>& roots);
 
 /// The index of the structure at a place, and the place as the source spells it: f.table.

@@ -252,7 +252,7 @@ private:
 };
 
 /// The definitions that `name` may mean: the one with exactly this qualified name; else, if `name` has no `::`, those
-/// with this name in any namespace.
+/// with this name in any namespace. Definitions within classes and in system headers are not found.
 std::vector<const CXXRecordDecl*> find_records(ASTContext& context, llvm::StringRef name) {
     std::vector<const CXXRecordDecl*> found;
     const auto search = [&](const auto& self, const DeclContext& scope) -> void {
