@@ -511,8 +511,8 @@ Copy Widener::copied(FunctionId id, const std::vector<Width>& params) {
     Copy result;
     for (const auto& [stmt, returned] : frame.returns) {
         if (returned.wide) result.result = Width::wide;
-        // Not for the translator itself (`outer` is null): its result is an address of 32 bits, and a translator after
-        // it in `via` takes it as such.
+        // Not where `outer` is null: for a translator, whose result is an address of 32 bits, which a translator after
+        // it in `via` takes as such; and for a function that an extent calls directly.
         else if (outer != nullptr && result.result == Width::narrow && wraps(p.exprs[returned.narrow]))
             result.result = Width::exact;
     }
