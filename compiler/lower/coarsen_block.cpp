@@ -32,7 +32,7 @@ bool may_be_looped(const Context& cx, const std::vector<StmtId>& body) {
     return may;
 }
 
-/// A body, divided into the statements that depend on the block alone and those for each element.
+/// A body, divided into the `let`s whose values depend on the block alone and the other statements, for each element.
 struct Parts {
     std::vector<StmtId> of_block, of_element;
     ExprId holds;  ///< the value of the `evaluate` that Expander::visited_block makes with Guards::block: whether the

@@ -61,7 +61,7 @@ StmtId effect_alone(Program& p, const Stmt& stmt, Live& live) {
     return p.stmts.add(std::move(alone));
 }
 
-/// Whether no statement that follows this one in its list is reached.
+/// Whether the statement is a return, break or continue: no statement that follows it in its list is reached.
 bool leaves(const Stmt& stmt) {
     return stmt.op == StmtOp::return_ || stmt.op == StmtOp::break_ || stmt.op == StmtOp::continue_;
 }

@@ -46,7 +46,7 @@ enum class Guards { checked, interior, block };
 /// them and leaves the enclosing loops of the function. Statements after it are put into the other side of an `if`, or
 /// test `left`.
 struct Leaving {
-    LocalId value, has;  ///< variables of the result; `value` absent: no result; `has` absent: it is no optional
+    LocalId value, has;  ///< variables of the result; `value` absent: it has no data; `has` absent: it is no optional
     LocalId left;        ///< a bool variable: a return was executed; absent: nothing tests it
     unsigned loops = 0;  ///< how many loops of the function enclose the statement that is being expanded
 };

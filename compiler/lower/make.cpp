@@ -259,7 +259,8 @@ std::optional<ExprId> Make::simpler_binary(const Expr& node, ExprId a, ExprId b)
     return std::nullopt;
 }
 
-/// A component of an operation on vectors, as the operation on the operands' components; none if that is not possible.
+/// A component of an operation on vectors, as the operation on the operands' components; none if that is not possible,
+/// or if it is a select between two values neither of which is a construction.
 std::optional<ExprId> Make::simpler_component(ExprId vector, std::uint32_t lane) {
     const Expr& node = p.exprs[vector];
     if (node.op == Op::swizzle) return component(node.operands[0], node.lanes[lane]);

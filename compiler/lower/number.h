@@ -43,9 +43,10 @@ public:
     /// Whether equal numbers mean equal values: false for what has an effect or differs at each evaluation.
     bool is_pure(ExprId id) { return !(traits_of(id) & impure); }
     bool has_load(ExprId id) { return traits_of(id) & loads; }
-    /// Whether the value cannot change within the pass, except from one iteration to the next of a `for` loop whose
-    /// variable it uses: neither the expression nor a function that it calls is impure (is_pure) or loads from memory
-    /// that the pass writes, and the expression uses no mutable local or workgroup memory.
+    /// Whether the value cannot change within the pass, except that a variable of a `for` loop, and an immutable local
+    /// declared in a loop, have one for each iteration: neither the expression nor a function that it calls is impure
+    /// (is_pure) or loads from memory that the pass writes, and the expression uses no mutable local or workgroup
+    /// memory.
     bool is_fixed(ExprId id) { return !(traits_of(id) & (changes | impure)); }
 
 private:

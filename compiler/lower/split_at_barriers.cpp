@@ -112,8 +112,8 @@ std::vector<StmtId> regions_between_barriers(Context& cx, const std::vector<Stmt
 std::vector<StmtId> split_at_barriers(Context& cx, const std::vector<StmtId>& body) {
     std::vector<StmtId> whole = cx.pass.prologue;
     whole.insert(whole.end(), body.begin(), body.end());
-    // drop_dead leaves out the statements of the prologue that compute the address of `at`, where the body does not use
-    // it.
+    // drop_dead leaves out the statements of the prologue that declare `address` and `in_range`, where nothing uses
+    // them.
     return regions_between_barriers(cx, drop_dead(cx, whole));
 }
 

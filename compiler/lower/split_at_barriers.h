@@ -15,8 +15,7 @@ namespace gliftc::lower {
 
 std::vector<StmtId> split_at_barriers(Context& cx, const std::vector<StmtId>& body);
 
-/// The same without the prologue, for the fragment part of a draw (split_at_derivatives.h): it declares all locals that
-/// it uses, but for interpolated values, colours and the depth, which the host code around it declares (emit/host).
+/// The same without the prologue, for the fragment part of a draw (split_at_derivatives.h), which has none.
 std::vector<StmtId> regions_between_barriers(Context& cx, const std::vector<StmtId>& body);
 
 }  // namespace gliftc::lower
