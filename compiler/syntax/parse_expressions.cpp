@@ -61,8 +61,8 @@ std::optional<UnaryOp> prefix_of(TokenKind kind) {
     return std::nullopt;
 }
 
-/// The largest height of an expression's tree, over which later stages recurse: the tree of `a + a + …` is as high as
-/// the expression has operators.
+/// The largest height of an expression's tree, over which later stages recurse: the tree of `a + a + …` is one level
+/// higher for each operator.
 constexpr std::uint16_t highest = 1000;
 
 }  // namespace

@@ -8,7 +8,8 @@
 
 namespace gliftc {
 
-/// Never fails: a syntax error is reported, and the construct that has it becomes an error node, or is left out.
+/// Never fails: a syntax error is reported, and the construct that has it becomes an error node, is left out, or lacks
+/// what could not be read.
 ast::Module parse(std::uint32_t file, const Sources& sources, Names& names, ast::Tree& tree, Diagnostics& diagnostics);
 
 /// The same for a file that has been lexed. Sets the roles of the tokens. A token that it consumes in parts, such as

@@ -121,7 +121,7 @@ ast::Identifier Parser::parse_name(std::string_view what) {
     return {{}, here()};
 }
 
-/// The `///` lines right before a token, without slashes and the space after them.
+/// The `///` lines between a token and the one before it, without slashes and the space after them.
 std::string Parser::doc_before(std::uint32_t token) const {
     auto [begin, end] =
         std::equal_range(comments_.begin(), comments_.end(), Comment{0, 0, token, false, false},

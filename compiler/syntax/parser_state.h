@@ -204,7 +204,7 @@ private:
     bool lost_ = false;
     bool has_open_string_;
     int depth_ = 0;
-    int open_angles_ = 0;                 // how many lists of generic arguments are open here
+    int open_angles_ = 0;                 // how many lists of generic arguments or parameters are open here
     std::uint32_t first_expr_;            // index in the tree of this file's first expression
     std::vector<std::uint16_t> heights_;  // height of the tree of each expression from first_expr_ on; limited by add()
     std::uint32_t unclosed_at_ =

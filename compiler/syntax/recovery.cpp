@@ -93,9 +93,9 @@ void Parser::skip_balanced() {
     } while (open > 0 && !at_end() && !at_declaration_in_first_column());
 }
 
-/// Skips past the next `;` or `{ … }`, or to a `}`, to a line that begins with the keyword of a statement or item, or
-/// to a declaration in the first column, whichever comes first. A `{ … }` before `else` does not end the skipping, nor
-/// does that of a `do … while`, which C has and the language does not.
+/// Skips past the next `;` or `{ … }`, or to a `}`, to a line that begins with a keyword of a statement or item that
+/// at_statement_keyword() knows, or to a declaration in the first column, whichever comes first. A `{ … }` before
+/// `else` does not end the skipping, nor does that of a `do … while`, which C has and the language does not.
 void Parser::recover_in_list() {
     lost_ = false;
     while (!at_end() && !at(close_brace) && !at_declaration_in_first_column()) {

@@ -24,9 +24,10 @@ struct Box {
 };
 
 /// Reads a file of any format that assimp knows (PLY, OBJ, glTF, FBX, …). Points of one mesh of the file that
-/// are equal in all that the file says of them are joined; then the triangles of all its meshes become one mesh. Points
-/// without a colour are light grey. A file whose name ends in .gz (`dragon.ply.gz`) is unpacked first. Throws
-/// std::runtime_error, which names the file and what is wrong, also where a triangle has a corner that is not finite.
+/// are equal in all that the file says of them are joined, and some that differ by less than 1e-5; then the triangles
+/// of all its meshes become one mesh. Points without a colour are light grey. A file whose name ends in .gz
+/// (`dragon.ply.gz`) is unpacked first. Throws std::runtime_error, which names the file and what is wrong, also where a
+/// triangle has a corner that is not finite.
 Mesh read(const std::string& path);
 
 /// The bounding box of the triangles; points that no triangle has do not count. Of an empty mesh it is from 0 to 0.
