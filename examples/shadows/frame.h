@@ -81,7 +81,7 @@ public:
 
     const glift::Device& device() const { return device_; }
     const scenes::Scene& scene() const { return scene_; }
-    /// The scene's light, with its range made to hold the scene.
+    /// The scene's light, with near and far planes fitted to the scene (fitted_light).
     const camera::Camera& light() const { return light_; }
     glift::uint2 size() const { return size_; }
     LightKind light_kind() const { return settings_.light; }

@@ -80,7 +80,8 @@ public:
     explicit Timestamp(std::shared_ptr<detail::TimestampObject> object) : object_(std::move(object)) {}
     explicit operator bool() const { return bool(object_); }
 
-    double seconds() const;  ///< waits until the moment is reached; the origin of time is arbitrary
+    /// Waits until the moment is reached; the origin of time is arbitrary. Throws what kernels reported (StatusRecord).
+    double seconds() const;
 
 private:
     detail::Held<detail::TimestampObject> object_;
@@ -115,7 +116,7 @@ public:
 
     /// Puts one call of a kernel into the stream. Throws wrong_argument where the call does not fit the kernel,
     /// aliased_memory for bindings that may race (Sharing), and missing_form, missing_feature, too_large or loop_limit
-    /// where the device cannot run the kernel.
+    /// where the device cannot run the kernel; on the host device also what the kernel reports (StatusRecord).
     void dispatch(const Kernel& kernel, const Call& call) const;
 
     /// The same stream, whose kernels have the values of these parameters (named as in the generated GLSL, `f_extent`;

@@ -1,5 +1,5 @@
 // The pointer inside every public handle (Device, Memory, Commands, ...). A handle that was default-constructed or
-// moved from is empty: it may be copied, tested and compared; calls that need its object throw.
+// moved from is empty: it may be copied and tested (Device and Memory also compared); calls that need its object throw.
 #pragma once
 
 #include <glift/api.h>

@@ -97,7 +97,8 @@ template <class A> std::string json_counts(const std::vector<A>& addresses, cons
     return object.text();
 }
 
-/// What number_in returns for a number that is no less than this. Also stands for an element that is not resident.
+/// The largest result of number_in: stands for all numbers that are not smaller. Also for an element that is not
+/// resident.
 inline constexpr std::uint32_t no_place = UINT32_MAX;
 /// The physical address of an element (Resident::places) as one number, counted in row-major order in a memory of this
 /// extent; `no_place` at most.

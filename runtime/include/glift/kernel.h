@@ -6,7 +6,7 @@
 //             except for a number of blocks; parameters are push constants where they fit (over blocks never);
 //   general   ranges with origins, a state for each structure, sizes that may live on the device;
 //             parameters in a storage buffer at binding 0 (of draws in a uniform buffer, where they fit and
-//             none has halves), as those of the direct form are that are no push constants;
+//             none has halves); parameters of a direct form that are not push constants lie there, too;
 //   wide      like general, for larger sizes: physical addresses are computed in 64 bits, buffers are accessed by
 //             device address (without descriptors), and iterations may be split into several dispatches.
 //

@@ -6,8 +6,8 @@
 
 namespace glift {
 
-/// A value that all copies of this object share: a member of a container, which may get other memory, or its host
-/// state.
+/// A value that all copies of this object share: a container's member that may get other memory, or a value of the
+/// container's host state.
 template <class T> class Shared {
 public:
     Shared() : value_(std::make_shared<T>()) {}

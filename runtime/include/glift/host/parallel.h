@@ -283,9 +283,9 @@ template <std::size_t N, class T> void copy_row(const T* from, T* to) {
     std::memcpy(static_cast<void*>(to), from, N * sizeof(T));
 }
 
-/// Parts of rows are computed in blocks of this many elements: of 32-bit elements, one vector of the widest kind or a
-/// few narrow ones. There is no scalar remainder: where the length of a part is no multiple of this, its last block
-/// overlaps the one before it.
+/// Parts of rows whose elements may be computed twice are computed in blocks of this many elements: of 32-bit elements,
+/// one vector of the widest kind or a few narrow ones. Such a part has no scalar remainder: where its length is no
+/// multiple of this, its last block overlaps the one before it. Parts shorter than a block are computed otherwise.
 inline constexpr std::size_t block_elements = 16;
 
 /// The first element of a block in a part of `count` elements; `count` is at least block_elements. `block`, a multiple

@@ -52,8 +52,8 @@ struct Fragments {
     alignas(64) float smooth1[side * side], smooth2[side * side];
     alignas(64) float w[side * side];  ///< 1 / w, as gl_FragCoord.w
 
-    /// The late depth test: tests and writes depth; returns those of `pixels` that pass, all of them if there is no
-    /// depth target or the test was early.
+    /// The late depth test: tests depths, and stores those that pass if DepthTarget::is_written. Returns those of
+    /// `pixels` that pass, all of them if there is no depth target or the test was early.
     GLIFT_API std::uint64_t test(std::uint64_t pixels) const;
 };
 
@@ -73,7 +73,7 @@ struct Draw {
     uint2 viewport;                                  ///< size, at most 16384 along each axis
     uint2 framebuffer;                               ///< the viewport's first pixel in the framebuffer
     Cull cull = Cull::none;
-    bool has_smooth = false;  ///< whether the fragment shader uses smooth weights or w
+    bool has_smooth = false;  ///< whether the fragment shader may use smooth weights or w
     DepthTarget depth;
 };
 
