@@ -14,7 +14,8 @@ namespace glift::detail {
 class Instance {
 public:
     /// Creates an instance with the user's extensions, and with the validation layer if GLIFT_VALIDATE=1. Throws
-    /// no_loader, unsupported_version, missing_layer, missing_feature, no_device.
+    /// no_loader, unsupported_version, missing_layer, missing_feature, no_device; wrong_argument if GLIFT_VALIDATE is
+    /// not 0, 1 or empty.
     static std::unique_ptr<Instance> create(std::span<const std::string> extensions);
     static std::unique_ptr<Instance> adopt(VkInstance instance, PFN_vkGetInstanceProcAddr get);
     ~Instance();

@@ -7,7 +7,7 @@
 
 namespace glift::detail {
 
-/// A Vulkan function. Ignoring a VkResult is a compile error.
+/// A Vulkan function. Compilers warn where a VkResult is ignored.
 template <class Pointer> class Function;
 
 template <class Result, class... Parameters> class Function<Result(VKAPI_PTR*)(Parameters...)> {

@@ -1,4 +1,4 @@
-// Timestamp queries, from pools, each used by one Timestamp at a time.
+// Timestamp queries, taken from pools. One Timestamp at a time uses a query.
 #pragma once
 
 #include "context.h"
