@@ -101,7 +101,7 @@ def on_terminal(**environment):
 expect("\x1b[" in on_terminal(NO_COLOR=""), "errors are coloured on a terminal")
 expect("\x1b[" not in on_terminal(NO_COLOR="1"), "NO_COLOR turns colours off")
 
-# Modules whose name differs from that of their file: accepted if only a '-' became a '_'.
+# A module's name, or its part after the last dot, has to be its file's name, with '_' for what names cannot have, such as '-'.
 here.write("my-file.glift", "module my_file;\npub fn one() -> int { return 1; }\n")
 says(here.run("--check", "my-file.glift"), 0)
 here.write("other.glift", "module wrong;\nfn f() -> int { return y; }\n")

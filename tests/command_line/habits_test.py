@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Tests every hint for users of other languages (compiler/syntax/habits.cpp): the code that it suggests compiles, and the word that
-it explains is not a word of Glift: habits_test.py GLIFTC"""
+"""Tests the tables of hints for users of other languages (compiler/syntax/habits.cpp): the code that hints suggest compiles, and each
+word of `names` and `declarations` is answered by its hint. habits_test.py GLIFTC"""
 import re
 
 from gliftc import Folder, expect, finish, says, sources
@@ -80,7 +80,8 @@ lines += [f"fn of_matrix{n}(x: float{n}x{n}) -> float{n}x{n} {{ return x; }}" fo
 here.write("name.glift", "\n".join(lines) + "\n")
 says(here.run("--check", "name.glift"), 0)
 
-# The words themselves: each is unknown to Glift, and the error has its hint.
+# The words themselves: each is an error, those of `names` as a name, those of `declarations` (also words of Glift, such as `let`) at
+# the start of a declaration; the error has the word's hint.
 for k, (word, hint) in enumerate(names.items()):
     here.write(f"n{k}.glift", f"module n{k};\nfn f() -> int {{ return {word}; }}\n")
 for k, (word, hint) in enumerate(declarations.items()):

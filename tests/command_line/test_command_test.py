@@ -23,8 +23,8 @@ says(here.run("test", "--filter", "typo", wrong), 2, "no test has 'typo' in its 
 says(here.run("test", "--filter", "a square", wrong, CXX="no-such-compiler"), 4,
      "there is no 'no-such-compiler' here", "CXX")
 
-# `gliftc test` reuses a program that it built before if the files that it read are unchanged and `use` finds no other file
-# before them.
+# `gliftc test` reuses a program that it built before if the files that it read are unchanged and `use` finds no other file earlier in
+# its search order.
 here.write("user.glift", "module user;\nuse base;\ntest \"the base\" { expect(base_value() == 1u); }\n")
 base = "module base;\npub fn base_value() -> uint {{ return {}u; }}\n"
 here.write("late/base.glift", base.format(1))

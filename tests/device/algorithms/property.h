@@ -4,7 +4,8 @@
 //
 // Environment: GLIFT_PROPERTY_ROUNDS, rounds for each property (15); GLIFT_PROPERTY_LIMIT, the largest number of
 // elements (20000); GLIFT_PROPERTY_SEED, the seed of the first round (1), incremented for each round. Seed and limit
-// determine a round: a failure prints both. GLIFT_DEVICE names the device that is not the host (lavapipe).
+// determine a round: a failure made by Round::wrong() prints both. GLIFT_DEVICE names the device that is not the host
+// (lavapipe).
 #pragma once
 
 #include <glift/glift.h>

@@ -130,8 +130,8 @@ protected:
         }
         return worst;
     }
-    /// The same for two layers. Circles of the background are raised to at least half the largest one, and at least one
-    /// pixel, as dof.glift does.
+    /// The same for two layers. Circles of the background are raised to at least half of that of infinitely distant
+    /// points, and at least one pixel, as dof.glift does.
     double error_of_two(const Input& input) const {
         const std::vector<float4> result = blurred(input, Layers::two);
         const Plane circles = input.circles();

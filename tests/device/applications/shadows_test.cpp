@@ -228,7 +228,7 @@ TEST_P(Shadows, DegradeWithTheirPool) {
         Frame some = frame(settings);
         const Compared compared = compare(some, settings.bias);
         EXPECT_LE(some.pool().resident, settings.pages) << part;
-        // Where a page would be coarser than the standard shadow map, the standard map is used instead.
+        // Instead of a page that is coarser than the pixel needs and than the standard shadow map, that map is used.
         EXPECT_GE(compared.rmsm().share(), compared.standard().share().value() - 0.005) << part;
     }
 }

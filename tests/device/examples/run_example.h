@@ -1,6 +1,6 @@
 // Runs an example as a process: caches in the build tree, one thread of lavapipe (tests run side by side), no leak
-// reports (the Vulkan loader and drivers keep memory until exit). `environment` is NAME=VALUE… and comes last. The
-// device is lavapipe unless that or an option in `arguments` names another.
+// reports (the Vulkan loader and drivers keep memory until exit). `environment`, NAME=VALUE…, overrides the variables
+// that are set for this. The device is lavapipe unless that or an option in `arguments` names another.
 #pragma once
 
 #include "support/process.h"
