@@ -23,7 +23,7 @@ class Intrinsic:
     def __init__(self, name, signature, exact):
         self.name, self.exact = name, exact
         letters, self.result = signature.split(":")
-        # "Nn" and "Fn": the argument may be a vector like the first argument, or a scalar of its element type.
+        # "Nn" and "Fn": the argument has the type that the letter stands for, or is a scalar of its element type.
         self.params = re.findall(r"[NF]n|.", letters)
 
     def arguments_for(self, wanted, random):
