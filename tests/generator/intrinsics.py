@@ -44,7 +44,8 @@ class Intrinsic:
 
     def _shape_for(self, wanted, random):
         """The type that the signature's first letter has to stand for if the result is to have the wanted type; None if there is no
-        such type. If the letter always stands for one type, gives `wanted` instead."""
+        such type, and for functions of matrices other than transpose. If the letter always stands for one type, gives `wanted`
+        instead."""
         first = self.params[0][0] if self.params else ""
         if self.result in FIXED and FIXED[self.result] != wanted:
             return None
