@@ -23,7 +23,7 @@ class Intrinsic:
     def __init__(self, name, signature, exact):
         self.name, self.exact = name, exact
         letters, self.result = signature.split(":")
-        # "Nn" and "Fn": the argument may be a vector like the first argument, or a scalar of its element type.
+        # "Nn" and "Fn": the argument has the type that the letter stands for, or is a scalar of its element type.
         self.params = re.findall(r"[NF]n|.", letters)
 
     def arguments_for(self, wanted, random):
@@ -44,7 +44,8 @@ class Intrinsic:
 
     def _shape_for(self, wanted, random):
         """The type that the signature's first letter has to stand for if the result is to have the wanted type; None if there is no
-        such type. If the letter always stands for one type, gives `wanted` instead."""
+        such type, and for functions of matrices other than transpose. If the letter always stands for one type, gives `wanted`
+        instead."""
         first = self.params[0][0] if self.params else ""
         if self.result in FIXED and FIXED[self.result] != wanted:
             return None

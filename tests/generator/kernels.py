@@ -38,8 +38,8 @@ BAG_FUNCTIONS = ["mark", "raise", "enter", "both"]
 class Parameter:
     def __init__(self, name, text, structure=None, value=None, moves=False, extent=None):
         self.name, self.text, self.structure, self.value = name, text, structure, value
-        self.moves = moves    # whether the kernel iterates over it, so that it has the kernel's extent
-        self.extent = extent  # its own extent if the kernel does not iterate over it
+        self.moves = moves    # whether it follows the iteration (each, near, at), so that it has the kernel's extent
+        self.extent = extent  # its own extent if it does not follow the iteration
 
 
 class Bag(Structure):
@@ -93,7 +93,7 @@ class Kernels:
         return [s for s in self.structures.all if s.axes == axes and (s.each or not each)]
 
     def visited(self, kernel, each=False):
-        """Structures for another parameter that the kernel iterates over. A kernel visits the blocks of what it writes by `each`,
+        """Structures for another parameter that follows the iteration. A kernel visits the blocks of what it writes by `each`,
         or else of what it reads. Of either kind only one may have blocks, since two structures list different ones."""
         has_blocks = any(p.moves and p.structure.block and p.text.startswith("in ") != each for p in kernel.params)
         return [s for s in self.of_axes(kernel.axes, each) if not s.block or not has_blocks]

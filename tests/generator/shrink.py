@@ -80,7 +80,7 @@ class Shrinker:
             if part.type is not None:
                 part = self.simplest(node, i)
             elif isinstance(node, Items) and self.unwrap(node, i):
-                continue  # the statements of the body stand here now; the next round simplifies them
+                continue  # the statements of the body stand here now; the next round simplifies the first of them
             self.simplify(node.parts[i])
 
     def simplest(self, node, i):

@@ -244,7 +244,7 @@ class Structures:
                     f"to[a] = made_{name}(digest(a) * 7u + seed);\n}}")
 
     def prepared(self, name, structure, extent, seed):
-        """Statements of a test that construct a structure and fill it."""
+        """Statements of a test that construct a structure, and fill it if it allows `out each`."""
         lines = [f"temp {name} = {structure.make(extent)};"]
         if structure.capacity:
             step = next(s for s in range(3, 100, 2) if coprime(s, pages_of(extent, structure.capacity)))

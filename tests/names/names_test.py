@@ -8,8 +8,8 @@ For each position in the language (names of fields, of locals, of kernels, …) 
 several ways. gliftc compiles the modules to C++ and, for positions whose names reach shaders, to GLSL, and the GLSL to SPIR-V; then the C++
 compiler reads the C++ after the C and POSIX headers. Words are keywords of C++ and GLSL, names that headers of C and of the runtime
 declare, and names in gliftc's own output; without --all (or GLIFT_NAMES_ALL in the environment) a sample of them.
-Left out are reserved words of the language, names that the modules of the position use themselves, and words that begin with z, as the
-modules' own names do.
+Left out are reserved words of the language, names that the modules of the position use themselves, and words that begin with z, as most
+of the modules' own names do.
 """
 import concurrent.futures
 import os

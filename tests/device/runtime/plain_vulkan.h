@@ -13,7 +13,7 @@
 struct Pretence {
     bool vulkan_1_2 = false;
     bool no_timeline = false;
-    bool lost = false;  ///< every vkQueueSubmit2 and every vkWaitSemaphores fails
+    bool lost = false;  ///< every vkQueueSubmit2 and every vkWaitSemaphores fails, if failing_call is 0
     bool no_memory = false;
     bool no_shuffles = false;          ///< subgroups support no shuffles and no 64-bit reductions
     bool no_push_descriptors = false;  ///< the device has no functions of VK_KHR_push_descriptor

@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The function libraries of the public structures of a module `own` with this text.
+/// The function libraries of the public structures and views of a module `own` with this text.
 std::vector<std::string> libraries(const std::string& text) {
     FileSystem files = disk();
     auto read = files.read;

@@ -21,7 +21,7 @@ TEST(Types, EqualTypesHaveOneId) {
 
 TEST(Types, KnowTheTypesOfACopy) {
     ir::Types types, copy = types;
-    types.vector(types.uint, 2);  // from here on, equal ids mean different types in the two tables
+    types.vector(types.uint, 2);  // from here on, different new types have equal ids in the two tables
     const ir::TypeId made = copy.optional(copy.vector(copy.float_, 3));
     EXPECT_EQ(types.same_as(copy, made), types.optional(types.vector(types.float_, 3)));
     EXPECT_EQ(types.same_as(copy, copy.bool_), types.bool_);
