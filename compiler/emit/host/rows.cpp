@@ -205,8 +205,8 @@ void Rows::print_plain_loop(const ir::Variant& variant, const std::string& begin
     }
     IdSet<ir::Local> read;
     const std::vector<StmtId> kept = without_unused(statements, read);
-    // The rows of a block are short: GLIFT_BLOCK keeps the compiler from unrolling the loop, which it could then not
-    // vectorise.
+    // The rows of a block are short: GLIFT_BLOCK keeps the compiler from unrolling the loop, since it could not
+    // vectorise the unrolled code.
     if (variant.order != ir::RowOrder::ascending)
         p.out.line(variant.assumes.row != 0 ? "GLIFT_BLOCK" : "GLIFT_INDEPENDENT");
     if (accesses.empty()) {
