@@ -357,8 +357,11 @@ Parts Following::of(ExprId id) {
     case Op::intrinsic: return of_intrinsic(node);
     case Op::call: return of_call(node);
     case Op::none: return {};
-    case Op::some:
-    case Op::value: return of(node.operands[0]);
+    case Op::some: return of(node.operands[0]);
+    case Op::value: {
+        Parts parts = of(node.operands[0]);
+        return parts.empty() ? unknown(node.type) : parts;  // the value of none: no path reaches this
+    }
     case Op::state: return of_structure(stage_->scalars[node.slot]);
     case Op::member:
     case Op::memory_extent:

@@ -82,11 +82,12 @@ void Following::assign(ExprId target, const Parts& value) {
         whole = unknown(base.type);
         return;
     }
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        const std::size_t slot =
-            node.op == Op::swizzle ? node.lanes[i] : static_cast<std::size_t>(*at) * value.size() + i;
-        if (slot < whole.size()) whole[slot] = value[i];
-    }
+    if (value.empty() || whole.size() < value.size()) return give_up();
+    // An index beyond the array is clamped to its last element, as it is at run time.
+    const std::size_t last = whole.size() / value.size() - 1;
+    const std::size_t element = at && *at >= 0 ? std::min(static_cast<std::size_t>(*at), last) : last;
+    for (std::size_t i = 0; i < value.size(); ++i)
+        whole[node.op == Op::swizzle ? node.lanes[i] : element * value.size() + i] = value[i];
 }
 
 void Following::run_if(const Stmt& stmt) {
@@ -106,7 +107,11 @@ void Following::run_if(const Stmt& stmt) {
     }
     for (auto& [local, parts] : frame_->locals) {
         const auto other = after.find(local);
-        if (other == after.end() || other->second.size() != parts.size()) continue;
+        if (other == after.end()) continue;
+        if (other->second.size() != parts.size()) {  // an optional that is none on one side
+            parts = joined(other->second, parts);
+            continue;
+        }
         for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = chosen(condition, other->second[i], parts[i]);
     }
 }

@@ -367,9 +367,12 @@ ExprId Expander::expand_invocation(const Expr& node) {
     }
     case Invocation::group_count: {
         ExprId total = make.uint(1);
-        for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis) {
-            std::uint32_t width = (axis < 3 ? group[axis] : 1) * cx.pass.items;
-            ExprId up = make.add(make.component(cx.size, axis), make.uint(width - 1));
+        for (std::uint32_t axis = 0; axis < std::min(cx.pass.rank, 3u); ++axis) {
+            const std::uint32_t width = group[axis] * cx.pass.items;
+            ExprId size = make.component(cx.size, axis);
+            // The third and the fourth axis are one axis of the dispatch.
+            if (axis == 2 && cx.pass.rank == 4) size = make.multiply(size, make.component(cx.size, 3));
+            ExprId up = make.add(size, make.uint(width - 1));
             total = make.multiply(total, make.binary(BinaryOp::divide, up, make.uint(width)));
         }
         return total;

@@ -301,7 +301,8 @@ ExprId Expander::replaced(ExprId target, ExprId value) {
             parts.push_back(part);
         }
     } else {
-        std::uint64_t at = make.bits_of(value_of(node.operands[1])).value_or(0);
+        const std::uint64_t last = p.types[type].count - 1;  // where an index beyond the array leads
+        const std::uint64_t at = std::min(make.bits_of(value_of(node.operands[1])).value_or(0), last);
         for (std::uint32_t i = 0; i < p.types[type].count; ++i)
             parts.push_back(i == at ? value : make.index(whole, make.uint(i)));
     }

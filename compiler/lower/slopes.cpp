@@ -236,7 +236,8 @@ bool RowSlopes::assign(ExprId target, const Slopes& value) {
         return true;
     }
     const Slope index = of(expr.operands[1])[0];
-    if (!index.constant || *index.constant < 0 || *index.constant >= 4) return false;
+    const std::uint32_t axes = program_.types.components(program_.exprs[expr.operands[0]].type);
+    if (!index.constant || *index.constant < 0 || *index.constant >= axes) return false;
     whole[static_cast<std::size_t>(*index.constant)] = value[0];
     return true;
 }

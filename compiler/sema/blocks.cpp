@@ -90,11 +90,16 @@ ir::ExprId bound_of(const ir::Program& p, ir::ExprId value) {
 
 }  // namespace
 
-void BlockItems::note(const Context& c, ast::DeclId decl) {
+void BlockItems::note(Context& c, ast::DeclId decl) {
     const std::string& name = c.text(c[decl].name.name);
-    if (name == "blocks") blocks = decl;
-    if (name == "block") block = decl;
-    if (name == "block_size") block_size = decl;
+    const auto keep = [&](const char* wanted, ast::DeclId& kept) {
+        if (name != wanted) return;
+        if (kept) c.error(Diag::duplicate_name, c[decl].name.span, {name});
+        kept = decl;
+    };
+    keep("blocks", blocks);
+    keep("block", block);
+    keep("block_size", block_size);
 }
 
 void add_blocks(Context& c, const Env& env, std::uint32_t index, const BlockItems& items) {

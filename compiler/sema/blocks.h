@@ -11,8 +11,8 @@ namespace gliftc::sema {
 struct BlockItems {
     ast::DeclId blocks, block, block_size;
 
-    /// Keeps the declaration if it has one of these names.
-    void note(const Context&, ast::DeclId);
+    /// Keeps the declaration if it has one of these names; reports a second one of the name.
+    void note(Context&, ast::DeclId);
 };
 
 /// Checks the declarations, if there are any, and sets Structure::blocks. To be called once Structure::domain_type is

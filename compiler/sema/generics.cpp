@@ -210,6 +210,7 @@ void Arguments::infer_value(ast::ExprId pattern, const ir::Value& actual) {
 }
 
 void Arguments::infer_structure(ast::ExprId pattern, std::uint32_t structure) {
+    if (!pattern) return;
     infer(pattern, context.types().of_structure(structure));
     // The constraint Structure<D, T> of a parameter also determines D and T.
     const ast::Expr& expr = context[pattern];

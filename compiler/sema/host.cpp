@@ -114,6 +114,10 @@ std::optional<ir::Operands> kernel_arguments(Body& body, std::uint32_t kernel_in
                 values.back() =
                     make_local(body.program(), emit_temporary(body, c.text(param.name), values.back(), span), span);
         } else {
+            if (!arguments[i].structure && !arguments[i].waits && !arguments[i].operand.type) {
+                to_value(body, arguments[i].operand);  // reports what is no value
+                return std::nullopt;
+            }
             if (!arguments[i].structure || *arguments[i].structure != param.structure) {
                 std::string have = arguments[i].structure ? body.program().structures[*arguments[i].structure].display
                                    : arguments[i].waits   ? "a number"

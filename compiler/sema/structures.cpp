@@ -280,6 +280,7 @@ bool fill_stages(Body& body, const ast::Expr& call, const std::vector<Operand>& 
         const auto& fields = std::get<ast::Translator>(c[c.translator_decl.at(t)].body).fields;
         const Env& env = *c.translator_env.at(t);
         for (const ast::Field& field : fields) {
+            if (next == arguments.size()) break;  // a field is declared twice, which collect_modules has reported
             const Operand& argument = arguments[next];
             ast::ExprId written = call.operands[1 + next++];
             ir::TypeId type = type_of(c, env, field.type);
@@ -563,9 +564,15 @@ ir::TypeId make_structure(Context& c, ast::DeclId id, const Env& env) {
             has_via = true;
             add_via(body, index, item);
             break;
-        case ast::ItemKind::otherwise: otherwise = &item; break;
+        case ast::ItemKind::otherwise:
+            if (otherwise) c.error(Diag::duplicate_name, item.span, {"otherwise"});
+            otherwise = &item;
+            break;
         case ast::ItemKind::function:
-            if (c.text(c[item.decl].name.name) == "domain") domain = &item;
+            if (c.text(c[item.decl].name.name) == "domain") {
+                if (domain) c.error(Diag::duplicate_name, c[item.decl].name.span, {"domain"});
+                domain = &item;
+            }
             blocks.note(c, item.decl);
             break;
         case ast::ItemKind::host:
@@ -601,8 +608,11 @@ ir::TypeId make_view(Context& c, ast::DeclId id, const Env& env) {
     for_each_item(c, env, written.items, [&](const ast::Item& item) {
         bool function = item.kind == ast::ItemKind::function;
         if (!function) c.error(Diag::item_not_here, item.span, {"a view"});
-        else if (c.text(c[item.decl].name.name) == "at") at = item.decl;
-        else if (c.text(c[item.decl].name.name) == "domain") {
+        else if (c.text(c[item.decl].name.name) == "at") {
+            if (at) c.error(Diag::duplicate_name, c[item.decl].name.span, {"at"});
+            at = item.decl;
+        } else if (c.text(c[item.decl].name.name) == "domain") {
+            if (c.program.structures[index].domain) c.error(Diag::duplicate_name, c[item.decl].name.span, {"domain"});
             ir::ExprId extent = domain_from_item(body, item, c.program.structures[index].domain_type);
             c.program.structures[index].domain = extent;
         }

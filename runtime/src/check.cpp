@@ -224,7 +224,8 @@ void check_image_copies(const DeviceObject* device, const Memory& from, const Me
     if (source.format != target.format || source.format == Format::none) {
         wrong("images of different formats cannot be copied", call, memory_text(source) + " to " + memory_text(target));
     }
-    if (from == to) wrong("an image cannot be copied to itself", call, memory_text(source));
+    if (shares_texels(from.object(), to.object()))
+        wrong("an image cannot be copied to itself, or to a part of itself", call, memory_text(source));
     for (const ImageCopyRegion& region : regions) {
         check_box(source, region.from, region.extent, region.from_mip, region.from_face, call);
         check_box(target, region.to, region.extent, region.to_mip, region.to_face, call);

@@ -112,6 +112,8 @@ std::vector<FixedWord> fixed_words(const Kernel& kernel, const Call& call, const
         if (!names.empty() && std::find(names.begin(), names.end(), parameter.name) == names.end()) continue;
         for (std::uint32_t at = parameter.offset; at + 4 <= parameter.offset + parameter.bytes; at += 4) {
             if (at + 4 > call.parameters.size()) break;
+            const auto is_here = [at](const Patch& patch) { return patch.offset == at; };
+            if (std::any_of(call.patches.begin(), call.patches.end(), is_here)) continue;  // the device knows its value
             FixedWord word{at, 0};
             std::memcpy(&word.value, call.parameters.data() + at, 4);
             words.push_back(word);

@@ -58,7 +58,9 @@ bool may_share(const ir::Pass& pass) {
         const ir::PassBinding& other = pass.bindings[k];
         for (std::size_t i = 0; i < k; ++i) {
             const ir::PassBinding& one = pass.bindings[i];
-            if (one.shape == other.shape && one.format == other.format && (writes(one) || writes(other))) return true;
+            // Images of different shapes may share texels: a cube and a face of it.
+            const bool are_alike = (one.shape == ir::MemoryShape::buffer) == (other.shape == ir::MemoryShape::buffer);
+            if (are_alike && one.format == other.format && (writes(one) || writes(other))) return true;
         }
     }
     return false;

@@ -169,7 +169,6 @@ void write_doc(Writer& writer, std::string_view doc) {
         std::string_view line = doc.substr(0, end);
         doc = end == std::string_view::npos ? std::string_view() : doc.substr(end + 1);
         while (line.ends_with(' ')) line.remove_suffix(1);
-        if (line.starts_with(' ')) line.remove_prefix(1);
         const bool is_fence = line.starts_with("```");
         std::string_view rest = line;
         if (is_item(paragraph) && rest.starts_with("  ")) rest.remove_prefix(2);

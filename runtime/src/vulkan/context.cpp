@@ -119,6 +119,7 @@ void Context::read_limits(const FeatureChain& features) {
     instance->vk().vkGetPhysicalDeviceMemoryProperties(physical, &memory);
     const VkQueueFamilyProperties family = queue_families(*instance, physical)[queue_family];
     timestamp_bits = family.timestampValidBits;
+    can_draw = (family.queueFlags & VK_QUEUE_GRAPHICS_BIT) != 0;
     max_piece_bytes = properties.max_allocation_bytes;
     // Of an adopted device it is not known whether the feature sparseBinding was enabled.
     const bool is_sparse =

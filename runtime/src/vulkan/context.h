@@ -59,6 +59,7 @@ public:
     bool shares_queue = false;
     DeviceTable vk;
     DeviceProperties properties;
+    bool can_draw = false;  ///< the queue's family has graphics
     VkPhysicalDeviceProperties core = {};
     VkPhysicalDeviceMemoryProperties memory = {};
     std::uint32_t max_push_descriptors = 0;

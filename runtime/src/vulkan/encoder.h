@@ -91,7 +91,7 @@ private:
     /// as long as it has room and, since prepared_at_, no command has written the values that the added pass needs.
     Slice prepared_;
     std::uint32_t prepared_count_ = 0;
-    std::uint64_t prepared_at_ = 0;  ///< Hazards::writes() when the preparing pass was recorded
+    std::uint64_t prepared_at_ = 0;  ///< Hazards::ordered_writes() when the preparing pass was recorded
     bool reported_ = false;          ///< a draw since the last barrier may have written its status record
     bool draws_ = false;             ///< barriers order graphics stages, too: from the first draw on
 };

@@ -42,8 +42,8 @@ bool Encoder::patches_size(const Pipeline& pipeline, const Call& call) const {
     });
 }
 
-/// Whether no command recorded since the last preparing pass has written these values: that pass can then read them for
-/// one more pass.
+/// Whether no command has written these values since the last barrier before the last preparing pass: that pass can
+/// then read them for one more pass.
 bool Encoder::is_prepared_with(std::span<const Patch> patches, std::span<const Condition> conditions) const {
     const auto was_written = [&](const DeviceValue& value) {
         return hazards_.was_written_since(vulkan_memory(value.memory).id, prepared_at_);
@@ -68,9 +68,9 @@ void Encoder::open_preparation(std::span<const Patch> patches, std::span<const C
     const VkDeviceAddress address = prepared_.address();
     device_.prepare_pass().bind(commands_, &address);
     bound_ = VK_NULL_HANDLE;
+    prepared_at_ = hazards_.ordered_writes();  // later writes may still be going on in the preparing pass
     context_.vk.vkCmdDispatch(commands_, 1, 1, 1);
     barrier_before_indirect();
-    prepared_at_ = hazards_.writes();
 }
 
 /// Adds a pass to the list of the last preparing pass; a new preparing pass is recorded first where there is none yet,

@@ -51,8 +51,12 @@ public:
     /// Notes that a new memory has storage that others used: the next access of any memory needs a barrier before it.
     void note_storage_reuse() { storage_was_reused_ = true; }
 
+    /// The number of writes that a barrier has followed.
+    std::uint64_t ordered_writes() const { return ordered_; }
+
     /// After a barrier nothing is pending.
     void barrier() {
+        ordered_ = writes_;
         ++epoch_;
         storage_was_reused_ = false;
     }
@@ -67,6 +71,7 @@ private:
     std::vector<State> states_;
     std::uint64_t epoch_ = 1;
     std::uint64_t writes_ = 0;
+    std::uint64_t ordered_ = 0;
     bool storage_was_reused_ = false;
 };
 

@@ -46,6 +46,12 @@ void check_limits(const Context& context, const Kernel& kernel, const Form& form
 }
 
 void check_requirements(const Context& context, const Kernel& kernel, const Form& form) {
+    if (kernel.drawing && !context.can_draw) {
+        throw Error(ErrorCode::missing_feature, "the device's queue cannot draw", kernel_text(kernel),
+                    context.properties.name + " runs kernels on a queue of a family without graphics",
+                    "adopt a queue of a family with VK_QUEUE_GRAPHICS_BIT, or run it on another device "
+                    "(GLIFT_DEVICE=host)");
+    }
     std::string missing = lacking(words_of(form.spirv), context.properties);
     if (missing.empty() && !form.fragment.empty()) missing = lacking(words_of(form.fragment), context.properties);
     if (missing.empty() && kernel.drawing && kernel.drawing->derives_loads && !context.properties.helpers_load) {
