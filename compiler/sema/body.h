@@ -112,7 +112,7 @@ struct Body {
     /// checked and that no other `if` or loop encloses. Only it may be a return, since all invocations must reach every
     /// barrier. Kernels with a workgroup: empty, so that no statement may.
     Span last;
-    unsigned enclosing = 0;  ///< how many loops, blocks and `if`s that are not constant enclose the statement
+    unsigned enclosing = 0;                 ///< how many blocks and `if`s that are not constant enclose the statement
     std::vector<std::uint32_t> structures;  ///< functions: the structures that calls pass, by Place::root
     std::vector<ir::Place> coherent;        ///< the places that are accessed by the pattern coherent
     /// Functions: what they and called functions write; kernels: what called functions write; null: calls of functions
@@ -192,6 +192,9 @@ Operand value_operand(Body&, ir::ExprId, Span);
 bool is_constant(const Context&, const Meta&);
 Operand constant_operand(Body&, const Meta& constant, Span);
 Operand error_operand(Span);
+/// Pipelines: if the operand constructs a structure (such as a view) within an expression, declares a temporary, and
+/// gives that. Any other operand is returned as it is.
+Operand declared(Body&, const Operand&);
 ir::ExprId error_value(Body&, Span);
 bool is_error(const Body&, ir::ExprId);
 

@@ -51,8 +51,8 @@ void emit_temp(Body& body, ir::LocalId local, ir::Operands arguments, Span span)
     require_transfers(body.context, body.types()[body.program().locals[local].type].index, span);
 }
 
-/// If the operand constructs a structure (such as a view) within an expression: declares a temporary, and gives that.
-/// Any other operand is returned as it is.
+}  // namespace
+
 Operand declared(Body& body, const Operand& operand) {
     if (operand.kind != OperandKind::value || body.types().kind(operand.type) != ir::TypeKind::structure)
         return operand;
@@ -62,6 +62,8 @@ Operand declared(Body& body, const Operand& operand) {
     emit_temp(body, local, made.operands, operand.span);
     return operand_of_local(body, local, made.type, operand.span);
 }
+
+namespace {
 
 struct Argument : PassArgument {
     Operand operand;

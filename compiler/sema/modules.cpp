@@ -30,8 +30,17 @@ template <class Things> void report_duplicates(Context& c, const Things& things)
             }
 }
 
+/// Reports attributes of a declaration that takes none: only translators and kernels do, which check theirs themselves.
+void report_attributes(Context& c, const ast::Decl& decl) {
+    if (std::holds_alternative<ast::Translator>(decl.body) || std::holds_alternative<ast::Kernel>(decl.body)) return;
+    for (const ast::Attribute& attribute : decl.attributes)
+        note(c.error(Diag::unknown_attribute, attribute.span, {c.text(attribute.name.name)}), attribute.span,
+             "only translators and kernels have attributes");
+}
+
 void own_members(Context& c, ast::DeclId id, std::uint32_t module) {
     c.module_of[id] = module;
+    report_attributes(c, c[id]);
     report_duplicates(c, c[id].generics);
     const auto& body = c[id].body;
     if (auto* translator = std::get_if<ast::Translator>(&body)) {

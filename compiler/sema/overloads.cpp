@@ -43,6 +43,7 @@ CheckedArguments check_arguments(Body& body, const std::vector<ast::ExprId>& arg
         Operand operand;
         if (!waits) {
             operand = check(body, argument);
+            if (body.kind == BodyKind::pipeline) operand = declared(body, operand);
             if (operand.kind == OperandKind::iterator) {
                 const ir::KernelParam& param = body.kernel->params[operand.slot];
                 if (param.pattern != ir::Pattern::near)

@@ -163,7 +163,9 @@ void check_if_let(Body& body, const ast::Stmt& stmt) {
     body.program().stmts[let].value =
         add(body.program(), ir::Op::value, element, stmt.span, {make_local(body.program(), found, stmt.span)});
     emit(body, let);
+    ++body.enclosing;
     check_block(body, stmt.body);
+    --body.enclosing;
     close_scope(body);
     body.block = outer;
     body.program().stmts[id].body = std::move(then_body);
@@ -186,7 +188,7 @@ std::vector<ir::StmtId> check_in_scope(Body& body, const std::vector<ast::StmtId
 /// Checks one branch of an `if` with a constant condition, in a function with a workgroup. The branch may end in a
 /// return: only the branch that is selected is kept, so that all invocations return together.
 std::vector<ir::StmtId> check_branch(Body& body, const std::vector<ast::StmtId>& branch) {
-    if (body.enclosing > 0) return check_nested(body, branch);
+    if (body.enclosing > 0 || body.loops > 0) return check_nested(body, branch);
     Span outer = std::exchange(body.last, branch.empty() ? Span{} : body.context[branch.back()].span);
     auto result = check_in_scope(body, branch);
     body.last = outer;

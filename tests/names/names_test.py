@@ -100,10 +100,21 @@ POSITIONS = {
         f"pub kernel zl{i}({w}: float, zy: out each<ZLine>) {{ zy = {w}; }}\n"))),
     "parameters over blocks": (ALL, 8, lambda entries: BLOCKS + declared(lambda i, w: (
         f"pub kernel zk{i}({w}: float, zg: inout each<ZPages>) {{ zg = {w} * zg + 1.0; }}\n"))(entries)),
+    "parameters of groups": (ALL, 8, declared(lambda i, w: (
+        f"pub kernel zk{i}({w}: float, zy: inout each<ZLine>) group(64) {{ shared zs: float[64]; zs[local_index()] = {w}; barrier(); "
+        f"zy = zs[63u - local_index()] + {w} + float(group_index() + group_count()); }}\n"))),
+    "parameters of draws": (ALL, 8, lambda entries: "use std.image;\nstructure ZCorners = Array<1, float4>;\nstructure ZImage = Image<rgba8>;\n"
+        + declared(lambda i, w: (
+        f"pub raster zd{i}(zc: in each<ZCorners>, {w}: float, zt: out target<ZImage>) {{ linear zv: float; "
+        f"vertex {{ zv = {w} * zc.x; place(zc); }} fragment {{ zt = float4(zv + {w}); }} }}\n"))(entries)),
     "functions of structures": (CPP, 1, declared(lambda i, w: (
         f"fn {w}(zn: uint) -> uint {{ var zs = zn; for zi in 0u..zn {{ zs += zi; }} return zs; }}\n"
         f"pub structure Z{i}(zn: uint) {{ memory zdata = buffer<float>[{w}(zn)]; via Linear({w}(zn)); }}\n"
-        f"pub kernel zk{i}(zy: inout each<Z{i}>) {{ zy = 2.0; }}\n"))),
+        f"pub kernel zk{i}(zy: inout each<Z{i}>) {{ zy = 2.0; }}\n"
+        f"pub translator ZT{i} : uint -> uint {{ zn: uint; domain() {{ return zn; }} translate(za) {{ return {w}(za); }} "
+        f"invert(za) {{ return za; }} }}\n"
+        f"pub structure ZS{i}(zn: uint) {{ memory zdata = buffer<float>[zn]; via ZT{i}(zn); }}\n"
+        f"pub kernel zl{i}(zy: inout each<ZS{i}>) {{ zy = 2.0; }}\n"))),
     "pipelines": (CPP, 1, called(
         lambda i, w: f"pub pipeline {w}(zy: out ZLine) {{ zone(zy); }}\n",
         lambda i, w: f"    {w}(zy);\n", "pub pipeline zall(zy: out ZLine) {\n")),

@@ -13,7 +13,7 @@
 namespace glift::test {
 namespace {
 
-/// A file is cut at every (size / cuts)th byte, rounded down, a short one at every byte: at fewer than 2 * cuts places.
+/// A file is cut every size / cuts bytes (rounded down, at least 1), thus at fewer than 2 * cuts places.
 constexpr std::size_t cuts = 150;
 
 /// Which part of which file is being compiled: a message that is printed if the compiler crashes.

@@ -381,8 +381,7 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index) {
     if (!constructor.parameters.empty())
         out.line((constructor.parameters.size() == 1 ? "explicit " : "") + type + "(" + constructor.text() + ");");
     if (has_parts(structure)) {
-        out.line("/// Makes the structure over the given " + parts_text(structure) +
-                 ", instead of making it with new memory.");
+        out.line("/// Makes the structure with the given " + parts_text(structure) + ".");
         out.line(type + "(" + constructor.text() + memory_parameters(unit, index, names) + ");");
     }
     out.gap();

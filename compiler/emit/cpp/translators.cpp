@@ -19,9 +19,11 @@ bool uses_state_elsewhere(const ir::Program& program, ir::FunctionId id) {
 }
 
 std::vector<std::string> print_state(Unit& unit, Writer& out, std::uint32_t structure, const ir::Stage& stage,
-                                     const std::string& object, std::initializer_list<const char*> taken) {
+                                     const std::string& object, std::initializer_list<const char*> taken,
+                                     const NameSet* hiding) {
     const ir::Translator& translator = unit.program.translators[stage.translator];
     Printer p(unit.globals);
+    p.class_names = hiding;
     p.outer_expression = [&](const ir::Expr& expr) {
         return structure_property(unit.globals, expr, structure, object);
     };
@@ -40,9 +42,10 @@ std::vector<std::string> print_state(Unit& unit, Writer& out, std::uint32_t stru
 
 void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, const std::string& result,
                   const std::vector<std::string>& states,
-                  const std::function<Text(Printer&, const ir::Expr&)>& surroundings) {
+                  const std::function<Text(Printer&, const ir::Expr&)>& surroundings, const NameSet* hiding) {
     const ir::Function& function = unit.program.functions[id];
     Printer p(unit.globals);
+    p.class_names = hiding;
     for (const std::string& state : states) p.names.declare(state);
     std::string parameters;
     for (ir::LocalId local : function.params) {
@@ -99,10 +102,12 @@ void print_place(Unit& unit, Writer& out, std::uint32_t index) {
     if (!structure.via.empty()) {
         const ir::Stage& stage = structure.via[0];
         const ir::Translator& translator = unit.program.translators[stage.translator];
+        const NameSet& hiding = unit.globals.class_names[index].all;
         const std::vector<std::string> states =
-            print_state(unit, out, index, stage, "", {"address", "translate", "place"});
+            print_state(unit, out, index, stage, "", {"address", "translate", "place"}, &hiding);
         const ir::FunctionId exact = stage.wide ? stage.wide : translator.translate;
-        print_method(unit, out, "translate", exact, unit.type(unit.program.functions[exact].result), states);
+        print_method(unit, out, "translate", exact, unit.type(unit.program.functions[exact].result), states, {},
+                     &hiding);
         place = "translate(address)";
     }
     if (!structure.base.empty()) {

@@ -11,15 +11,18 @@ bool uses_state_elsewhere(const ir::Program& program, ir::FunctionId function);
 
 /// Declares the scalar state of a stage (one translator of `via`), in terms of the structure that `object` reaches
 /// ("structure.", or "" for this), and gives the names. None of them is one of `taken`, a type's name, or one that the
-/// class's own functions use.
+/// class's own functions use. `hiding`: within a class, the names that hide those of the namespace
+/// (Printer::class_names).
 std::vector<std::string> print_state(Unit& unit, Writer& out, std::uint32_t structure, const ir::Stage& stage,
-                                     const std::string& object, std::initializer_list<const char*> taken);
+                                     const std::string& object, std::initializer_list<const char*> taken,
+                                     const NameSet* hiding = nullptr);
 
 /// `const auto translate = [&](uint4 va) -> std::optional<uint> { … };` Operations on structures are spelled by
-/// `surroundings`.
+/// `surroundings`; `hiding` as above.
 void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, const std::string& result,
                   const std::vector<std::string>& states,
-                  const std::function<Text(Printer&, const ir::Expr&)>& surroundings = {});
+                  const std::function<Text(Printer&, const ir::Expr&)>& surroundings = {},
+                  const NameSet* hiding = nullptr);
 
 /// Whether the class of a structure gets place() and row_memory(), with which the runtime copies a box by rows where it
 /// finds that the elements of a row are contiguous. This holds if the elements are structs, bools, or numbers or

@@ -1,8 +1,9 @@
 // Operations whose result the language defines for all operands, but GLSL only for some. The printer adds guards (a
-// max, a mask, a clamp) for the other operands; this file decides where a guard can be left out.
+// max, a mask, a clamp) for the other operands; this file decides where those of divisors, shift amounts and indices
+// can be left out.
 //
-// The meaning is the same on every target: division by zero divides by one (and INT_MIN / -1 too), shift amounts count
-// modulo the width, indices are clamped to the valid range, conversions of floats to integers saturate.
+// The meaning is the same on every target: an integer divided by zero is divided by one (INT_MIN / -1, too), shift
+// amounts count modulo the width, indices are clamped to the valid range, conversions of floats to integers saturate.
 #include "emit/glsl/printer.h"
 
 namespace gliftc::glsl {

@@ -222,8 +222,9 @@ void print_local_function(Body& body, ir::FunctionId id) {
 
 }  // namespace
 
-Body::Body(cpp::Globals& globals, const ir::Pass& pass) : pass(pass), p(globals) {
+Body::Body(cpp::Globals& globals, const ir::Pass& pass, std::span<const char* const> taken) : pass(pass), p(globals) {
     for (const char* name : cpp::locals_of_kernels) p.names.declare(name);
+    for (const char* name : taken) p.names.declare(name);
     for (const ir::PassBinding& binding : pass.bindings) binding_names.push_back(p.names.declare(binding.name));
     for (const ir::PassParameter& parameter : pass.parameters)
         parameter_names.push_back(p.names.declare(parameter.name));

@@ -7,6 +7,7 @@
 
 #include <map>
 #include <set>
+#include <span>
 
 namespace gliftc::host {
 
@@ -24,7 +25,8 @@ struct Body {
     bool first_only = false;  ///< in workgroups: the printed code runs once, with the values of the first invocation
     std::string group_text;   ///< in workgroups: their size, as a uint3
 
-    Body(cpp::Globals& globals, const ir::Pass& pass);
+    /// `taken`: names that code of this kind declares itself, beside those of all kernels (emit/cpp/names.h).
+    Body(cpp::Globals& globals, const ir::Pass& pass, std::span<const char* const> taken = {});
     Body(const Body&) = delete;
 };
 

@@ -53,8 +53,8 @@ struct Part {
 };
 
 Part::Part(cpp::Globals& globals, const ir::Pass& pass)
-    : body(globals, pass), program(globals.program), raster(*program.kernels[pass.kernel].raster), p(body.p) {
-    for (const char* taken : cpp::locals_of_draws) p.names.declare(taken);
+    : body(globals, pass, cpp::locals_of_draws), program(globals.program), raster(*program.kernels[pass.kernel].raster),
+      p(body.p) {
     p.outer_local = [this](LocalId local) {
         const auto found = arrays.find(local);
         if (found == arrays.end()) return std::string();

@@ -36,7 +36,7 @@ struct Groups {
 };
 
 Groups::Groups(cpp::Globals& globals, const ir::Pass& pass)
-    : body(globals, pass), program(globals.program), pass(pass), p(body.p) {
+    : body(globals, pass, cpp::locals_of_groups), program(globals.program), pass(pass), p(body.p) {
     body.first_only = true;
     body.group_text = "uint3(" + std::to_string(pass.group[0]) + ", " + std::to_string(pass.group[1]) + ", " +
                       std::to_string(pass.group[2]) + ")";
@@ -111,7 +111,6 @@ void Groups::print_statement(const Stmt& stmt, const std::function<void(const St
 std::string group_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::string& name) {
     Groups groups(globals, pass);
     cpp::Printer& p = groups.p;
-    for (const char* taken : cpp::locals_of_groups) p.names.declare(taken);
     const std::vector<StmtId>& all = variant_for(pass, ir::Devices::host).body;
     groups.may_return = returns_early(globals.program, all);
 

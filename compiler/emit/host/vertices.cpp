@@ -18,9 +18,8 @@ std::uint32_t floats_of(const ir::Program& program, const ir::Varying& varying) 
 
 std::string vertex_part(cpp::Globals& globals, const ir::Pass& pass, const std::string& name) {
     const ir::Raster& raster = *globals.program.kernels[pass.kernel].raster;
-    Body body(globals, pass);
+    Body body(globals, pass, cpp::locals_of_draws);
     cpp::Printer& p = body.p;
-    for (const char* taken : cpp::locals_of_draws) p.names.declare(taken);
     const std::vector<ir::StmtId>& statements = variant_for(pass, ir::Devices::host).body;
     std::vector<ir::LocalId> outputs{raster.place};
     outputs.insert(outputs.end(), raster.clip_distances.begin(), raster.clip_distances.end());

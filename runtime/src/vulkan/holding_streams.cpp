@@ -151,7 +151,8 @@ void ExternalStream::finish() {
     open();
     close();
     encoder_.full_barrier();
-    // Memories that were allocated meanwhile are initialised in the device's own stream, which must run before.
+    // Memories that were allocated meanwhile are zeroed in the device's own stream: submitted here, it runs before the
+    // user's command buffer.
     device_.stream_of_device().submit();
 }
 

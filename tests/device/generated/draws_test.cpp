@@ -94,8 +94,8 @@ TEST(Draws, GoIntoTheProgramsCommandBuffer) {
     for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
 }
 
-/// Draws `left_half` into images that the program made, in its own command buffer, between its clears and its copy:
-/// into one layer of one level, with the program's depths.
+/// Draws into one layer of one level of images that the program made, after the clears in the program's command buffer:
+/// `left_half`, and `everything` behind the program's depths. All other texels keep what they were cleared to.
 TEST(Draws, GoIntoTheProgramsImages) {
     const PlainVulkan mine;
     const auto device = glift::vulkan::adopt(mine.objects());

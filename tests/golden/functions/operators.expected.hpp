@@ -6,7 +6,9 @@
 #include <glift/glift.h>
 #include <glift/structure.h>
 
-/// Operators as values of structs. In a shader each field of them is a parameter; one without fields has none.
+/// Operators that are values of structs. A kernel's shader has a push constant for each scalar field of its
+/// operator: one for `Affine`, none for `Max`, which has no fields. Functions of the shader take the struct itself,
+/// and no parameter for one without fields.
 
 namespace std_array {
 
@@ -21,7 +23,7 @@ public:
 
     Array_1_uint_none_buffer() = default;
     Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.

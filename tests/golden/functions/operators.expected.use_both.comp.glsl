@@ -1,5 +1,5 @@
 #version 460
-// use_both, operators.glift:34: direct form: whole structures, of equal sizes where declared with one type.
+// use_both, operators.glift:35: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_basic : require
 
@@ -36,58 +36,58 @@ bool another_round(uint idle_rounds, uint line) {
     return false;
 }
 
-// operators.glift:14
+// operators.glift:15
 uint combine(uint a, uint b) {
     return max(a, b);
 }
 
 // repeated<Max>
-// operators.glift:24
+// operators.glift:25
 uint repeated(uint a, uint limit) {
-    // operators.glift:25
-    uint x = 1u;
     // operators.glift:26
-    uint rounds = 0u;
+    uint x = 1u;
     // operators.glift:27
-    while (another_round(0u, 27u) && rounds < limit) {
-        // operators.glift:28
-        x = combine(x, a);
+    uint rounds = 0u;
+    // operators.glift:28
+    while (another_round(0u, 28u) && rounds < limit) {
         // operators.glift:29
+        x = combine(x, a);
+        // operators.glift:30
         rounds += 1u;
     }
-    // operators.glift:31
+    // operators.glift:32
     return x;
 }
 
-// operators.glift:21
+// operators.glift:22
 uint combine_1(Affine op, uint a, uint b) {
     return combine(a * b + a, b) % max(op.modulus, 1u);
 }
 
 // repeated<Affine>
-// operators.glift:24
+// operators.glift:25
 uint repeated_Affine(Affine op, uint a, uint limit) {
-    // operators.glift:25
-    uint x = 1u;
     // operators.glift:26
-    uint rounds = 0u;
+    uint x = 1u;
     // operators.glift:27
-    while (another_round(0u, 27u) && rounds < limit) {
-        // operators.glift:28
-        x = combine_1(op, x, a);
+    uint rounds = 0u;
+    // operators.glift:28
+    while (another_round(0u, 28u) && rounds < limit) {
         // operators.glift:29
+        x = combine_1(op, x, a);
+        // operators.glift:30
         rounds += 1u;
     }
-    // operators.glift:31
+    // operators.glift:32
     return x;
 }
 
 void main() {
     if (loop_round_limit != 0u) loop_rounds[gl_SubgroupID] = 2u;
-    // operators.glift:34
+    // operators.glift:35
     uint address = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 256u) + gl_GlobalInvocationID.x;
     if (address >= a_extent) return;
-    // operators.glift:35
+    // operators.glift:36
     uint a_value = a_data[address];
     a_data[address] = repeated(a_value, 4u) + repeated_Affine(Affine(affine_modulus), a_value, 5u);
 }

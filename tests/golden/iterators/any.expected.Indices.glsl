@@ -1,5 +1,5 @@
 // Array<1, uint, none, buffer>, array.glift:20.
-// Define INDICES_BINDING before including. The structure's arguments are at that binding, memory k at INDICES_BINDING + 1 + k.
+// Define INDICES_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at INDICES_BINDING + 1 + k.
 // Optional: INDICES_SET (the descriptor set, else 0), INDICES_STATE (see below), INDICES_READONLY (nothing is written).
 #ifndef GLIFT_INDICES
 #define GLIFT_INDICES 550445139

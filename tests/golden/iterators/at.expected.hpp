@@ -21,7 +21,7 @@ public:
 
     Array_2_float_none_buffer() = default;
     Array_2_float_none_buffer(const glift::Commands& commands, glift::uint2 extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Array_2_float_none_buffer(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.

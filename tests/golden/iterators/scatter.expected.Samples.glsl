@@ -1,5 +1,5 @@
 // Array<1, uint, none, buffer>, array.glift:20.
-// Define SAMPLES_BINDING before including. The structure's arguments are at that binding, memory k at SAMPLES_BINDING + 1 + k.
+// Define SAMPLES_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at SAMPLES_BINDING + 1 + k.
 // Optional: SAMPLES_SET (the descriptor set, else 0), SAMPLES_STATE (see below), SAMPLES_READONLY (nothing is written).
 #ifndef GLIFT_SAMPLES
 #define GLIFT_SAMPLES 1196286467

@@ -1,5 +1,5 @@
 // ImageLayer<rgba8>, image.glift:28.
-// Define LAYER_BINDING before including. The structure's arguments are at that binding, memory k at LAYER_BINDING + 1 + k.
+// Define LAYER_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at LAYER_BINDING + 1 + k.
 // Optional: LAYER_SET (the descriptor set, else 0), LAYER_STATE (see below), LAYER_READONLY (nothing is written).
 #ifndef GLIFT_LAYER
 #define GLIFT_LAYER 375282449

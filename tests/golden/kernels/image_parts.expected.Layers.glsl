@@ -1,5 +1,5 @@
 // ImageLayers<rgba8>, image.glift:22.
-// Define LAYERS_BINDING before including. The structure's arguments are at that binding, memory k at LAYERS_BINDING + 1 + k.
+// Define LAYERS_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at LAYERS_BINDING + 1 + k.
 // Optional: LAYERS_SET (the descriptor set, else 0), LAYERS_STATE (see below), LAYERS_READONLY (nothing is written).
 #ifndef GLIFT_LAYERS
 #define GLIFT_LAYERS 1266878079

@@ -1,5 +1,5 @@
 // ImageLevels<r32f>, image.glift:36.
-// Define LEVELS_BINDING before including. The structure's arguments are at that binding, memory k at LEVELS_BINDING + 1 + k.
+// Define LEVELS_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at LEVELS_BINDING + 1 + k.
 // Optional: LEVELS_SET (the descriptor set, else 0), LEVELS_STATE (see below), LEVELS_READONLY (nothing is written).
 #ifndef GLIFT_LEVELS
 #define GLIFT_LEVELS 59129377

@@ -154,6 +154,7 @@ void resample(const glift::Commands& commands, const glift::Range<Levels>& from,
     iteration.any("from", from);
     iteration.any("layers", layers);
     const glift::Memory memories[] = {from->data(), layers->data(), to->data()};
+    if (iteration.is_shared(memories)) iteration.share(memories, {from, layers, a, to});
     if (commands.needs_wide(resample_kernel, memories, iteration.size())) {
         const resample_wide_parameters parameters = {
             .size = a.size(),
@@ -169,7 +170,7 @@ void resample(const glift::Commands& commands, const glift::Range<Levels>& from,
         };
         commands.dispatch(resample_kernel, {.form = glift::FormName::wide, .memories = memories,
             .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(resample_wide_parameters, size)})});
+            .patches = iteration.patches({offsetof(resample_wide_parameters, size)}), .sharing = iteration.sharing()});
     } else if (iteration.is_whole() && a->same_state(to.structure())) {
         const resample_direct_parameters parameters = {
             .a_data_extent = a->data_extent(),
@@ -179,7 +180,7 @@ void resample(const glift::Commands& commands, const glift::Range<Levels>& from,
             .layers_data_extent_y = float(layers->data_extent().y),
         };
         commands.dispatch(resample_kernel, {.form = glift::FormName::direct, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size()});
+            .parameters = glift::bytes_of(parameters), .size = iteration.size(), .sharing = iteration.sharing()});
     } else {
         const resample_general_parameters parameters = {
             .size = a.size(),
@@ -194,7 +195,8 @@ void resample(const glift::Commands& commands, const glift::Range<Levels>& from,
         };
         commands.dispatch(resample_kernel, {.form = glift::FormName::general, .memories = memories,
             .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(resample_general_parameters, size)})});
+            .patches = iteration.patches({offsetof(resample_general_parameters, size)}),
+            .sharing = iteration.sharing()});
     }
 }
 

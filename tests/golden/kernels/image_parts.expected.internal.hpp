@@ -14,7 +14,7 @@ public:
 
     Box_2_float() = default;
     Box_2_float(const glift::Commands& commands, glift::uint2 extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Box_2_float(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -59,7 +59,7 @@ public:
 
     Box_3_float4() = default;
     Box_3_float4(const glift::Commands& commands, glift::uint3 extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Box_3_float4(const glift::Commands& commands, glift::uint3 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -104,7 +104,7 @@ public:
 
     Box_2_float4() = default;
     Box_2_float4(const glift::Commands& commands, glift::uint2 extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Box_2_float4(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.

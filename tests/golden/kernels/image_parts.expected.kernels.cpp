@@ -337,10 +337,11 @@ static void resample_wide(const glift::HostCall& call) {
 
 const glift::Binding resample_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::image2d, .access = glift::Access::read, .sampled = true,
-        .sampler = {.filter = glift::Filter::linear}},
+        .sampler = {.filter = glift::Filter::linear}, .reach = glift::Reach::range},
     {.name = "layers.data", .kind = glift::MemoryKind::image2darray, .access = glift::Access::read, .sampled = true,
-        .sampler = {.filter = glift::Filter::linear}},
-    {.name = "to.data", .kind = glift::MemoryKind::image2d, .access = glift::Access::write},
+        .sampler = {.filter = glift::Filter::linear}, .parameter = 1, .reach = glift::Reach::range},
+    {.name = "to.data", .kind = glift::MemoryKind::image2d, .access = glift::Access::write, .parameter = 3,
+        .reach = glift::Reach::element},
 };
 constexpr glift::Parameter resample_parameters[] = {
     {"a_data_extent", 0, sizeof(resample_direct_parameters::a_data_extent)},

@@ -21,7 +21,7 @@ public:
 
     Array_1_uint_none_buffer() = default;
     Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -78,7 +78,7 @@ public:
 
     Array_2_float_none_buffer() = default;
     Array_2_float_none_buffer(const glift::Commands& commands, glift::uint2 extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Array_2_float_none_buffer(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -128,7 +128,7 @@ public:
     Listed() = default;
     Listed(const glift::Commands& commands, const Numbers& table, const Numbers& active, glift::uint2 extent,
         glift::uint capacity);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given nested structures.
     Listed(const glift::Commands& commands, const Numbers& table, const Numbers& active, glift::uint2 extent,
         glift::uint capacity, ::std_array::Array_2_float_none_buffer frames);
 

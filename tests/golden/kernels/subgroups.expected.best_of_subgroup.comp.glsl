@@ -1,5 +1,5 @@
 #version 460
-// best_of_subgroup, subgroups.glift:21: direct form: whole structures, of equal sizes where declared with one type.
+// best_of_subgroup, subgroups.glift:22: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -77,44 +77,44 @@ uint shuffled(uint value, uint lane) {
     return lane < gl_SubgroupSize ? other : value;
 }
 
-// subgroups.glift:14
+// subgroups.glift:15
 Best better(Best a, Best b) {
-    // subgroups.glift:15
+    // subgroups.glift:16
     if (b.value < a.value) {
-        // subgroups.glift:16
+        // subgroups.glift:17
         return b;
     }
-    // subgroups.glift:18
+    // subgroups.glift:19
     return a;
 }
 
 void main() {
     if (loop_round_limit != 0u) loop_rounds[gl_SubgroupID] = 0u;
-    // subgroups.glift:21
+    // subgroups.glift:22
     uint address = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 64u) + gl_GlobalInvocationID.x;
     bool in_range = address < from_extent;
-    // subgroups.glift:22
-    uint lane = gl_SubgroupInvocationID;
     // subgroups.glift:23
+    uint lane = gl_SubgroupInvocationID;
+    // subgroups.glift:24
     uint from_value = 0u;
     if (in_range) {
         from_value = from_data[address];
     }
     Best best = Best(float(from_value), uvec2(lane, gl_SubgroupID), int[2](1, 2));
-    // subgroups.glift:24
-    uint stride = gl_SubgroupSize / 2u;
     // subgroups.glift:25
-    while (another_round(0u, 25u) && stride > 0u) {
-        // subgroups.glift:26
-        best = better(best, shuffled_xor(best, stride));
+    uint stride = gl_SubgroupSize / 2u;
+    // subgroups.glift:26
+    while (another_round(0u, 26u) && stride > 0u) {
         // subgroups.glift:27
+        best = better(best, shuffled_xor(best, stride));
+        // subgroups.glift:28
         stride /= 2u;
     }
-    // subgroups.glift:29
-    uvec2 first = broadcast(best.where, 0u);
     // subgroups.glift:30
-    uvec4 mask = subgroupBallot(lane == first.x);
+    uvec2 first = broadcast(best.where, 0u);
     // subgroups.glift:31
+    uvec4 mask = subgroupBallot(lane == first.x);
+    // subgroups.glift:32
     if (in_range) {
         to_data[address] = first.x + mask.x + gl_NumSubgroups + shuffled(from_value, lane + 1u);
     }

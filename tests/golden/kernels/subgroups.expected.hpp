@@ -6,7 +6,8 @@
 #include <glift/glift.h>
 #include <glift/structure.h>
 
-/// Values exchanged between the lanes of a subgroup: one function a type.
+/// Values of several types, a struct among them, exchanged between the lanes of a subgroup: the GLSL has a helper
+/// function for each operation and type.
 
 namespace std_array {
 
@@ -21,7 +22,7 @@ public:
 
     Array_1_uint_none_buffer() = default;
     Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.

@@ -11,21 +11,21 @@ using namespace glift::types;
 
 namespace {
 
-// subgroups.glift:14: better
+// subgroups.glift:15: better
 inline Best better(Best a, Best b) {
-    // subgroups.glift:15
+    // subgroups.glift:16
     if (b.value < a.value) {
-        // subgroups.glift:16
+        // subgroups.glift:17
         return b;
     }
-    // subgroups.glift:18
+    // subgroups.glift:19
     return a;
 }
 
 }  // namespace
 
 // ----------------------------------------------------------------------------------------------------
-// subgroups.glift:21: best_of_subgroup
+// subgroups.glift:22: best_of_subgroup
 
 namespace {
 struct best_of_subgroup_direct_parameters {
@@ -33,7 +33,7 @@ struct best_of_subgroup_direct_parameters {
 };
 static_assert(offsetof(best_of_subgroup_direct_parameters, from_extent) == 0);
 
-// subgroups.glift:21: runs one workgroup of best_of_subgroup.
+// subgroups.glift:22: runs one workgroup of best_of_subgroup.
 GLIFT_HOST_KERNEL
 static void best_of_subgroup_direct_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -47,31 +47,31 @@ static void best_of_subgroup_direct_group(const glift::HostCall& call, [[maybe_u
     for (uint local_index = 0; local_index < 64; ++local_index) {
         const uint3 local_id{local_index % 64, local_index / 64 % 1, local_index / 64};
         const uint3 global_id = group_id * uint3(64, 1, 1) + local_id;
-        // subgroups.glift:21
+        // subgroups.glift:22
         const uint address_2 = global_id.y * (group_count.x * 64u) + global_id.x;
         const bool in_range = address_2 < from_extent;
-        // subgroups.glift:22
-        const uint lane_2 = 0u;
         // subgroups.glift:23
+        const uint lane_2 = 0u;
+        // subgroups.glift:24
         uint from_value = 0u;
         if (in_range) {
             from_value = from_data[address_2];
         }
         Best best = Best{float(from_value), uint2(lane_2, local_index), glift::array<int, 2>{{1, 2}}};
-        // subgroups.glift:24
-        uint stride = 1u / 2u;
         // subgroups.glift:25
+        uint stride = 1u / 2u;
+        // subgroups.glift:26
         while (stride > 0u) {
-            // subgroups.glift:26
-            best = better(best, glift::subgroupShuffleXor(best, stride));
             // subgroups.glift:27
+            best = better(best, glift::subgroupShuffleXor(best, stride));
+            // subgroups.glift:28
             stride = stride / 2u;
         }
-        // subgroups.glift:29
-        const uint2 first_2 = glift::subgroupBroadcast(best.where, 0u);
         // subgroups.glift:30
-        const uint4 mask = glift::subgroupBallot(lane_2 == first_2.x);
+        const uint2 first_2 = glift::subgroupBroadcast(best.where, 0u);
         // subgroups.glift:31
+        const uint4 mask = glift::subgroupBallot(lane_2 == first_2.x);
+        // subgroups.glift:32
         if (in_range) {
             to_data[address_2] = first_2.x + mask.x + 64u + glift::subgroupShuffle(from_value, lane_2 + 1u);
         }
@@ -93,7 +93,7 @@ static_assert(offsetof(best_of_subgroup_general_parameters, size) == 0);
 static_assert(offsetof(best_of_subgroup_general_parameters, from_origin) == 4);
 static_assert(offsetof(best_of_subgroup_general_parameters, to_origin) == 8);
 
-// subgroups.glift:21: runs one workgroup of best_of_subgroup.
+// subgroups.glift:22: runs one workgroup of best_of_subgroup.
 GLIFT_HOST_KERNEL
 static void best_of_subgroup_general_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -109,35 +109,35 @@ static void best_of_subgroup_general_group(const glift::HostCall& call, [[maybe_
     for (uint local_index = 0; local_index < 64; ++local_index) {
         const uint3 local_id{local_index % 64, local_index / 64 % 1, local_index / 64};
         const uint3 global_id = group_id * uint3(64, 1, 1) + local_id;
-        // subgroups.glift:21
+        // subgroups.glift:22
         const uint address_2 = global_id.y * (group_count.x * 64u) + global_id.x;
         const bool in_range = address_2 < size;
-        // subgroups.glift:23
+        // subgroups.glift:24
         const uint from_address = from_origin + address_2;
-        // subgroups.glift:31
+        // subgroups.glift:32
         const uint to_address = to_origin + address_2;
-        // subgroups.glift:22
-        const uint lane_2 = 0u;
         // subgroups.glift:23
+        const uint lane_2 = 0u;
+        // subgroups.glift:24
         uint from_value = 0u;
         if (in_range) {
             from_value = from_data[from_address];
         }
         Best best = Best{float(from_value), uint2(lane_2, local_index), glift::array<int, 2>{{1, 2}}};
-        // subgroups.glift:24
-        uint stride = 1u / 2u;
         // subgroups.glift:25
+        uint stride = 1u / 2u;
+        // subgroups.glift:26
         while (stride > 0u) {
-            // subgroups.glift:26
-            best = better(best, glift::subgroupShuffleXor(best, stride));
             // subgroups.glift:27
+            best = better(best, glift::subgroupShuffleXor(best, stride));
+            // subgroups.glift:28
             stride = stride / 2u;
         }
-        // subgroups.glift:29
-        const uint2 first_2 = glift::subgroupBroadcast(best.where, 0u);
         // subgroups.glift:30
-        const uint4 mask = glift::subgroupBallot(lane_2 == first_2.x);
+        const uint2 first_2 = glift::subgroupBroadcast(best.where, 0u);
         // subgroups.glift:31
+        const uint4 mask = glift::subgroupBallot(lane_2 == first_2.x);
+        // subgroups.glift:32
         if (in_range) {
             to_data[to_address] = first_2.x + mask.x + 64u + glift::subgroupShuffle(from_value, lane_2 + 1u);
         }
@@ -163,7 +163,7 @@ static_assert(offsetof(best_of_subgroup_wide_parameters, to_origin) == 8);
 static_assert(offsetof(best_of_subgroup_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(best_of_subgroup_wide_parameters, to_data_address) == 24);
 
-// subgroups.glift:21: runs one workgroup of best_of_subgroup.
+// subgroups.glift:22: runs one workgroup of best_of_subgroup.
 GLIFT_HOST_KERNEL
 static void best_of_subgroup_wide_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -179,39 +179,39 @@ static void best_of_subgroup_wide_group(const glift::HostCall& call, [[maybe_unu
     for (uint local_index = 0; local_index < 64; ++local_index) {
         const uint3 local_id{local_index % 64, local_index / 64 % 1, local_index / 64};
         const uint3 global_id = group_id * uint3(64, 1, 1) + local_id;
-        // subgroups.glift:21
+        // subgroups.glift:22
         const uint address_2 = global_id.y * (group_count.x * 64u) + global_id.x;
         const bool in_range = address_2 < size;
-        // subgroups.glift:23
+        // subgroups.glift:24
         const uint from_address = from_origin + address_2;
-        // subgroups.glift:21
-        const std::uint64_t from_at = std::uint64_t(from_address);
-        // subgroups.glift:31
-        const uint to_address = to_origin + address_2;
-        // subgroups.glift:21
-        const std::uint64_t to_at = std::uint64_t(to_address);
         // subgroups.glift:22
-        const uint lane_2 = 0u;
+        const std::uint64_t from_at = std::uint64_t(from_address);
+        // subgroups.glift:32
+        const uint to_address = to_origin + address_2;
+        // subgroups.glift:22
+        const std::uint64_t to_at = std::uint64_t(to_address);
         // subgroups.glift:23
+        const uint lane_2 = 0u;
+        // subgroups.glift:24
         uint from_value = 0u;
         if (in_range) {
             from_value = from_data[from_at];
         }
         Best best = Best{float(from_value), uint2(lane_2, local_index), glift::array<int, 2>{{1, 2}}};
-        // subgroups.glift:24
-        uint stride = 1u / 2u;
         // subgroups.glift:25
+        uint stride = 1u / 2u;
+        // subgroups.glift:26
         while (stride > 0u) {
-            // subgroups.glift:26
-            best = better(best, glift::subgroupShuffleXor(best, stride));
             // subgroups.glift:27
+            best = better(best, glift::subgroupShuffleXor(best, stride));
+            // subgroups.glift:28
             stride = stride / 2u;
         }
-        // subgroups.glift:29
-        const uint2 first_2 = glift::subgroupBroadcast(best.where, 0u);
         // subgroups.glift:30
-        const uint4 mask = glift::subgroupBallot(lane_2 == first_2.x);
+        const uint2 first_2 = glift::subgroupBroadcast(best.where, 0u);
         // subgroups.glift:31
+        const uint4 mask = glift::subgroupBallot(lane_2 == first_2.x);
+        // subgroups.glift:32
         if (in_range) {
             to_data[to_at] = first_2.x + mask.x + 64u + glift::subgroupShuffle(from_value, lane_2 + 1u);
         }
@@ -239,7 +239,7 @@ extern const glift::Kernel best_of_subgroup_kernel;
 const glift::Kernel best_of_subgroup_kernel = {
     .name = "best_of_subgroup",
     .file = "subgroups.glift",
-    .line = 21,
+    .line = 22,
     .rank = 1,
     .group = {64, 1, 1},
     .loop_rounds = UINT64_MAX,
@@ -249,11 +249,11 @@ const glift::Kernel best_of_subgroup_kernel = {
     .wide = {.host = &best_of_subgroup_wide, .parameter_bytes = 32},
     .parameters = best_of_subgroup_parameters,
     .reports = true,
-    .longest_loop = {"subgroups.glift", 25},
+    .longest_loop = {"subgroups.glift", 26},
 };
 
 // ----------------------------------------------------------------------------------------------------
-// subgroups.glift:35: turn_subgroups
+// subgroups.glift:36: turn_subgroups
 
 namespace {
 struct turn_subgroups_direct_parameters {
@@ -261,7 +261,7 @@ struct turn_subgroups_direct_parameters {
 };
 static_assert(offsetof(turn_subgroups_direct_parameters, from_extent) == 0);
 
-// subgroups.glift:35: runs one workgroup of turn_subgroups.
+// subgroups.glift:36: runs one workgroup of turn_subgroups.
 GLIFT_HOST_KERNEL
 static void turn_subgroups_direct_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -276,16 +276,16 @@ static void turn_subgroups_direct_group(const glift::HostCall& call, [[maybe_unu
     for (uint local_index = 0; local_index < 64; ++local_index) {
         const uint3 local_id{local_index % 64, local_index / 64 % 1, local_index / 64};
         const uint3 global_id = group_id * uint3(64, 1, 1) + local_id;
-        // subgroups.glift:35
+        // subgroups.glift:36
         const uint address_2 = global_id.y * (group_count.x * 64u) + global_id.x;
         const bool in_range = address_2 < from_extent;
-        // subgroups.glift:37
+        // subgroups.glift:38
         uint from_value = 0u;
         if (in_range) {
             from_value = from_data[address_2];
         }
         values[local_index] = from_value;
-        // subgroups.glift:39
+        // subgroups.glift:40
         if (in_range) {
             to_data[address_2] = values[local_index + 1u - 1u - 2u * 0u];
         }
@@ -307,7 +307,7 @@ static_assert(offsetof(turn_subgroups_general_parameters, size) == 0);
 static_assert(offsetof(turn_subgroups_general_parameters, from_origin) == 4);
 static_assert(offsetof(turn_subgroups_general_parameters, to_origin) == 8);
 
-// subgroups.glift:35: runs one workgroup of turn_subgroups.
+// subgroups.glift:36: runs one workgroup of turn_subgroups.
 GLIFT_HOST_KERNEL
 static void turn_subgroups_general_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -324,20 +324,20 @@ static void turn_subgroups_general_group(const glift::HostCall& call, [[maybe_un
     for (uint local_index = 0; local_index < 64; ++local_index) {
         const uint3 local_id{local_index % 64, local_index / 64 % 1, local_index / 64};
         const uint3 global_id = group_id * uint3(64, 1, 1) + local_id;
-        // subgroups.glift:35
+        // subgroups.glift:36
         const uint address_2 = global_id.y * (group_count.x * 64u) + global_id.x;
         const bool in_range = address_2 < size;
-        // subgroups.glift:37
+        // subgroups.glift:38
         const uint from_address = from_origin + address_2;
-        // subgroups.glift:39
+        // subgroups.glift:40
         const uint to_address = to_origin + address_2;
-        // subgroups.glift:37
+        // subgroups.glift:38
         uint from_value = 0u;
         if (in_range) {
             from_value = from_data[from_address];
         }
         values[local_index] = from_value;
-        // subgroups.glift:39
+        // subgroups.glift:40
         if (in_range) {
             to_data[to_address] = values[local_index + 1u - 1u - 2u * 0u];
         }
@@ -363,7 +363,7 @@ static_assert(offsetof(turn_subgroups_wide_parameters, to_origin) == 8);
 static_assert(offsetof(turn_subgroups_wide_parameters, from_data_address) == 16);
 static_assert(offsetof(turn_subgroups_wide_parameters, to_data_address) == 24);
 
-// subgroups.glift:35: runs one workgroup of turn_subgroups.
+// subgroups.glift:36: runs one workgroup of turn_subgroups.
 GLIFT_HOST_KERNEL
 static void turn_subgroups_wide_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
     [[maybe_unused]] uint3 group_count) {
@@ -380,24 +380,24 @@ static void turn_subgroups_wide_group(const glift::HostCall& call, [[maybe_unuse
     for (uint local_index = 0; local_index < 64; ++local_index) {
         const uint3 local_id{local_index % 64, local_index / 64 % 1, local_index / 64};
         const uint3 global_id = group_id * uint3(64, 1, 1) + local_id;
-        // subgroups.glift:35
+        // subgroups.glift:36
         const uint address_2 = global_id.y * (group_count.x * 64u) + global_id.x;
         const bool in_range = address_2 < size;
-        // subgroups.glift:37
+        // subgroups.glift:38
         const uint from_address = from_origin + address_2;
-        // subgroups.glift:35
+        // subgroups.glift:36
         const std::uint64_t from_at = std::uint64_t(from_address);
-        // subgroups.glift:39
+        // subgroups.glift:40
         const uint to_address = to_origin + address_2;
-        // subgroups.glift:35
+        // subgroups.glift:36
         const std::uint64_t to_at = std::uint64_t(to_address);
-        // subgroups.glift:37
+        // subgroups.glift:38
         uint from_value = 0u;
         if (in_range) {
             from_value = from_data[from_at];
         }
         values[local_index] = from_value;
-        // subgroups.glift:39
+        // subgroups.glift:40
         if (in_range) {
             to_data[to_at] = values[local_index + 1u - 1u - 2u * 0u];
         }
@@ -425,7 +425,7 @@ extern const glift::Kernel turn_subgroups_kernel;
 const glift::Kernel turn_subgroups_kernel = {
     .name = "turn_subgroups",
     .file = "subgroups.glift",
-    .line = 35,
+    .line = 36,
     .rank = 1,
     .group = {64, 1, 1},
     .loop_rounds = 0,

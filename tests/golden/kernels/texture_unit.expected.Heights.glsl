@@ -1,5 +1,5 @@
 // Heights, texture_unit.glift:12.
-// Define HEIGHTS_BINDING before including. The structure's arguments are at that binding, memory k at HEIGHTS_BINDING + 1 + k.
+// Define HEIGHTS_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at HEIGHTS_BINDING + 1 + k.
 // Optional: HEIGHTS_SET (the descriptor set, else 0), HEIGHTS_STATE (see below), HEIGHTS_READONLY (nothing is written).
 #ifndef GLIFT_HEIGHTS
 #define GLIFT_HEIGHTS 937736942

@@ -1,5 +1,5 @@
 // Array<1, float3, none, buffer>, array.glift:20.
-// Define POINTS_BINDING before including. The structure's arguments are at that binding, memory k at POINTS_BINDING + 1 + k.
+// Define POINTS_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at POINTS_BINDING + 1 + k.
 // Optional: POINTS_SET (the descriptor set, else 0), POINTS_STATE (see below), POINTS_READONLY (nothing is written).
 #ifndef GLIFT_POINTS
 #define GLIFT_POINTS 646964856

@@ -1,5 +1,5 @@
 // Shadows, texture_unit.glift:7.
-// Define SHADOWS_BINDING before including. The structure's arguments are at that binding, memory k at SHADOWS_BINDING + 1 + k.
+// Define SHADOWS_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at SHADOWS_BINDING + 1 + k.
 // Optional: SHADOWS_SET (the descriptor set, else 0), SHADOWS_STATE (see below), SHADOWS_READONLY (nothing is written).
 #ifndef GLIFT_SHADOWS
 #define GLIFT_SHADOWS 958551079

@@ -19,7 +19,7 @@ public:
 
     Shadows() = default;
     Shadows(const glift::Commands& commands, glift::uint2 extent, glift::uint layers);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Shadows(const glift::Commands& commands, glift::uint2 extent, glift::uint layers, glift::Memory depths);
 
     /// The extent of the virtual domain.
@@ -58,7 +58,7 @@ public:
 
     Heights() = default;
     Heights(const glift::Commands& commands, glift::uint2 extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Heights(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -104,7 +104,7 @@ public:
 
     Array_2_uint_none_image2d() = default;
     Array_2_uint_none_image2d(const glift::Commands& commands, glift::uint2 extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Array_2_uint_none_image2d(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -158,7 +158,7 @@ public:
 
     Array_1_float3_none_buffer() = default;
     Array_1_float3_none_buffer(const glift::Commands& commands, glift::uint extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Array_1_float3_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -215,7 +215,7 @@ public:
 
     Array_1_float_none_buffer() = default;
     Array_1_float_none_buffer(const glift::Commands& commands, glift::uint extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Array_1_float_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.

@@ -1,5 +1,5 @@
 // Array<1, uint, none, buffer>, array.glift:20.
-// Define LINE_BINDING before including. The structure's arguments are at that binding, memory k at LINE_BINDING + 1 + k.
+// Define LINE_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at LINE_BINDING + 1 + k.
 // Optional: LINE_SET (the descriptor set, else 0), LINE_STATE (see below), LINE_READONLY (nothing is written).
 #ifndef GLIFT_LINE
 #define GLIFT_LINE 577865505

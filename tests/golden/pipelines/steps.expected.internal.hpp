@@ -14,7 +14,7 @@ public:
 
     Box_1_float() = default;
     Box_1_float(const glift::Commands& commands, glift::uint extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Box_1_float(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.

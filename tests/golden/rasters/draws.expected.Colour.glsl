@@ -1,5 +1,5 @@
 // Image<rgba8>, image.glift:9.
-// Define COLOUR_BINDING before including. The structure's arguments are at that binding, memory k at COLOUR_BINDING + 1 + k.
+// Define COLOUR_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at COLOUR_BINDING + 1 + k.
 // Optional: COLOUR_SET (the descriptor set, else 0), COLOUR_STATE (see below), COLOUR_READONLY (nothing is written).
 #ifndef GLIFT_COLOUR
 #define GLIFT_COLOUR 1760192777

@@ -1,5 +1,5 @@
 // Image<d32>, image.glift:9.
-// Define DEPTH_BINDING before including. The structure's arguments are at that binding, memory k at DEPTH_BINDING + 1 + k.
+// Define DEPTH_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at DEPTH_BINDING + 1 + k.
 // Optional: DEPTH_SET (the descriptor set, else 0), DEPTH_STATE (see below), DEPTH_READONLY (nothing is written).
 #ifndef GLIFT_DEPTH
 #define GLIFT_DEPTH 1196969447

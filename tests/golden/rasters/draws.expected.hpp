@@ -21,7 +21,7 @@ public:
 
     Array_1_float3_none_buffer() = default;
     Array_1_float3_none_buffer(const glift::Commands& commands, glift::uint extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Array_1_float3_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -78,7 +78,7 @@ public:
 
     Array_1_uint_none_buffer() = default;
     Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -126,16 +126,16 @@ namespace std_image {
 
 #ifndef GLIFT_std_image_HAS_Image_rgba8
 #define GLIFT_std_image_HAS_Image_rgba8
-/// Image<rgba8>. A 2-D image of texel format or type F, filtered linearly by `sample`. Coordinates of `sample` are
-/// in texels, the centre of texel (0, 0) at (0.5, 0.5); beyond the edge the nearest texel counts. Reads outside
-/// give zero, writes there go nowhere.
+/// Image<rgba8>. A 2-D image of texel format or type F. `sample` filters it linearly, if texels are floats; its
+/// coordinates are in texels, the centre of texel (0, 0) at (0.5, 0.5); beyond the edge the nearest texel counts.
+/// Reads outside give zero, writes there go nowhere.
 class Image_rgba8 : public glift::Structure<Image_rgba8, glift::uint2, glift::float4> {
 public:
     static constexpr const char* type_name = "Image<rgba8>";
 
     Image_rgba8() = default;
     Image_rgba8(const glift::Commands& commands, glift::uint2 extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Image_rgba8(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -180,16 +180,16 @@ namespace std_image {
 
 #ifndef GLIFT_std_image_HAS_Image_d32
 #define GLIFT_std_image_HAS_Image_d32
-/// Image<d32>. A 2-D image of texel format or type F, filtered linearly by `sample`. Coordinates of `sample` are in
-/// texels, the centre of texel (0, 0) at (0.5, 0.5); beyond the edge the nearest texel counts. Reads outside give
-/// zero, writes there go nowhere.
+/// Image<d32>. A 2-D image of texel format or type F. `sample` filters it linearly, if texels are floats; its
+/// coordinates are in texels, the centre of texel (0, 0) at (0.5, 0.5); beyond the edge the nearest texel counts.
+/// Reads outside give zero, writes there go nowhere.
 class Image_d32 : public glift::Structure<Image_d32, glift::uint2, float> {
 public:
     static constexpr const char* type_name = "Image<d32>";
 
     Image_d32() = default;
     Image_d32(const glift::Commands& commands, glift::uint2 extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Image_d32(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -238,7 +238,7 @@ public:
 
     Array_2_uint_none_buffer() = default;
     Array_2_uint_none_buffer(const glift::Commands& commands, glift::uint2 extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Array_2_uint_none_buffer(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.

@@ -14,7 +14,7 @@ public:
 
     Box_1_float3() = default;
     Box_1_float3(const glift::Commands& commands, glift::uint extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Box_1_float3(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -59,7 +59,7 @@ public:
 
     Box_1_uint() = default;
     Box_1_uint(const glift::Commands& commands, glift::uint extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Box_1_uint(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -104,7 +104,7 @@ public:
 
     Box_2_float4() = default;
     Box_2_float4(const glift::Commands& commands, glift::uint2 extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Box_2_float4(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -149,7 +149,7 @@ public:
 
     Box_2_float() = default;
     Box_2_float(const glift::Commands& commands, glift::uint2 extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Box_2_float(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -194,7 +194,7 @@ public:
 
     Box_2_uint() = default;
     Box_2_uint(const glift::Commands& commands, glift::uint2 extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Box_2_uint(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.

@@ -341,9 +341,9 @@ GLIFT_SHARED bool Everything::same_state(const Everything& other) const {
     return count_ == other.count_;
 }
 
-// image.glift:115: clear_depth<Image<d32>>
+// image.glift:116: clear_depth<Image<d32>>
 GLIFT_SHARED void clear_depth_89866a9c(const glift::Commands& commands, const Image_d32& z, float depth) {
-    // image.glift:116
+    // image.glift:117
     Everything made(3u);
     draw_depth_19ff2775(commands, made, z, depth);
     made = {};

@@ -13,7 +13,7 @@ namespace std_image {
 using namespace glift::types;
 
 // ----------------------------------------------------------------------------------------------------
-// image.glift:108: draw_depth<Image<d32>>
+// image.glift:109: draw_depth<Image<d32>>
 
 namespace {
 struct draw_depth_19ff2775_direct_parameters {
@@ -21,7 +21,7 @@ struct draw_depth_19ff2775_direct_parameters {
 };
 static_assert(offsetof(draw_depth_19ff2775_direct_parameters, depth) == 0);
 
-// image.glift:108: runs draw_depth<Image<d32>> for the given corners.
+// image.glift:109: runs draw_depth<Image<d32>> for the given corners.
 GLIFT_HOST_KERNEL
 static void draw_depth_19ff2775_direct_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
     [[maybe_unused]] std::uint32_t instance, float* corners) {
@@ -32,7 +32,7 @@ static void draw_depth_19ff2775_direct_vertex(const void* pointer, std::uint64_t
         [[maybe_unused]] const uint corner = static_cast<uint>(first) + i;
         float4 place{};
         const uint2 address_2 = uint2(corner, instance);
-        // image.glift:110
+        // image.glift:111
         place = float4(address_2.x == 1u ? 3.0f : -1.0f, address_2.x == 2u ? 3.0f : -1.0f, depth, 1.0f);
         corners = glift::host::put(corners, place);
     }
@@ -61,7 +61,7 @@ static_assert(offsetof(draw_depth_19ff2775_general_parameters, size) == 0);
 static_assert(offsetof(draw_depth_19ff2775_general_parameters, corner_origin) == 8);
 static_assert(offsetof(draw_depth_19ff2775_general_parameters, depth) == 12);
 
-// image.glift:108: runs draw_depth<Image<d32>> for the given corners.
+// image.glift:109: runs draw_depth<Image<d32>> for the given corners.
 GLIFT_HOST_KERNEL
 static void draw_depth_19ff2775_general_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
     [[maybe_unused]] std::uint32_t instance, float* corners) {
@@ -73,7 +73,7 @@ static void draw_depth_19ff2775_general_vertex(const void* pointer, std::uint64_
         [[maybe_unused]] const uint corner = static_cast<uint>(first) + i;
         float4 place{};
         const uint2 address_2 = uint2(corner, instance);
-        // image.glift:110
+        // image.glift:111
         const uint corner_address = corner_origin + address_2.x;
         place = float4(corner_address == 1u ? 3.0f : -1.0f, corner_address == 2u ? 3.0f : -1.0f, depth, 1.0f);
         corners = glift::host::put(corners, place);
@@ -105,7 +105,7 @@ extern GLIFT_SHARED const glift::Kernel draw_depth_19ff2775_kernel;
 const glift::Kernel draw_depth_19ff2775_kernel = {
     .name = "draw_depth",
     .file = "image.glift",
-    .line = 108,
+    .line = 109,
     .rank = 2,
     .group = {1, 1, 1},
     .loop_rounds = 0,

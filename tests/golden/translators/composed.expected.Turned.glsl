@@ -1,5 +1,5 @@
 // Turned, composed.glift:19.
-// Define TURNED_BINDING before including. The structure's arguments are at that binding, memory k at TURNED_BINDING + 1 + k.
+// Define TURNED_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at TURNED_BINDING + 1 + k.
 // Optional: TURNED_SET (the descriptor set, else 0), TURNED_STATE (see below), TURNED_READONLY (nothing is written).
 #ifndef GLIFT_TURNED
 #define GLIFT_TURNED 1348606716

@@ -19,7 +19,7 @@ public:
 
     Turned() = default;
     Turned(const glift::Commands& commands, glift::uint2 extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Turned(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.

@@ -19,7 +19,7 @@ public:
 
     Field() = default;
     Field(const glift::Commands& commands, glift::uint3 extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Field(const glift::Commands& commands, glift::uint3 extent, glift::Memory data);
 
     /// The extent of the virtual domain.

@@ -1,5 +1,5 @@
 // Pool, frames.glift:27.
-// Define POOL_BINDING before including. The structure's arguments are at that binding, memory k at POOL_BINDING + 1 + k.
+// Define POOL_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at POOL_BINDING + 1 + k.
 // Optional: POOL_SET (the descriptor set, else 0), POOL_STATE (see below), POOL_READONLY (nothing is written).
 #ifndef GLIFT_POOL
 #define GLIFT_POOL 1797404086

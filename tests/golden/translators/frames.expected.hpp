@@ -19,7 +19,7 @@ public:
 
     Frames() = default;
     Frames(const glift::Commands& commands, glift::uint n);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Frames(const glift::Commands& commands, glift::uint n, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -71,7 +71,7 @@ public:
 
     Pool() = default;
     Pool(const glift::Commands& commands, glift::uint pages, glift::uint capacity);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given nested structures and memory.
     Pool(const glift::Commands& commands, glift::uint pages, glift::uint capacity, Frames frames, glift::Memory data);
 
     /// The extent of the virtual domain.

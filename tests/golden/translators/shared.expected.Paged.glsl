@@ -1,5 +1,5 @@
 // Paged, shared.glift:26.
-// Define PAGED_BINDING before including. The structure's arguments are at that binding, memory k at PAGED_BINDING + 1 + k.
+// Define PAGED_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at PAGED_BINDING + 1 + k.
 // Optional: PAGED_SET (the descriptor set, else 0), PAGED_STATE (see below), PAGED_READONLY (nothing is written).
 #ifndef GLIFT_PAGED
 #define GLIFT_PAGED 124841848

@@ -1,5 +1,5 @@
 // Same, shared.glift:33.
-// Define SAME_BINDING before including. The structure's arguments are at that binding, memory k at SAME_BINDING + 1 + k.
+// Define SAME_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at SAME_BINDING + 1 + k.
 // Optional: SAME_SET (the descriptor set, else 0), SAME_STATE (see below), SAME_READONLY (nothing is written).
 #ifndef GLIFT_SAME
 #define GLIFT_SAME 550763677

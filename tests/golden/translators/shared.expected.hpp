@@ -22,7 +22,7 @@ public:
 
     Array_1_uint_none_buffer() = default;
     Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -79,7 +79,7 @@ public:
 
     Array_2_float_none_buffer() = default;
     Array_2_float_none_buffer(const glift::Commands& commands, glift::uint2 extent);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given memory.
     Array_2_float_none_buffer(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
@@ -130,7 +130,7 @@ public:
 
     Paged() = default;
     Paged(const glift::Commands& commands, const Table& table, glift::uint extent, glift::uint capacity);
-    /// Makes the structure of the given members and memories, instead of new ones.
+    /// Makes the structure with the given nested structures.
     Paged(const glift::Commands& commands, const Table& table, glift::uint extent, glift::uint capacity, Plane frames);
 
     /// The extent of the virtual domain.
