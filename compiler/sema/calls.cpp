@@ -283,8 +283,8 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         return error_value(body, call.span);
     };
     // A function that a structure declares comes before the built-in one of its name, such as `find`. But a declared
-    // `domain` is evaluated by Op::domain, a declared `at` by reads of elements, and call_of_blocks() handles `blocks`,
-    // `block` and `block_size`: these are not called as functions here. Adaptors have no such exceptions.
+    // `domain` is evaluated by Op::domain, the `at` of a view by reads of elements, and call_of_blocks() handles
+    // `blocks`, `block` and `block_size`: these are not called as functions here. Adaptors have no such exceptions.
     const std::vector<const ast::Item*> items = items_of(c, self.structure);
     std::vector<ast::DeclId> overloads, pipelines;
     for (const ast::Item* item : items) {

@@ -261,9 +261,12 @@ std::optional<Candidate> try_overload(Body& body, ast::DeclId id, const Env* own
     const auto& function = std::get<ast::Function>(c[id].body);
     for (std::size_t i = 0; i < function.params.size(); ++i) {
         const ir::TypeId given = operand_type(body, arguments.operands[i]);
+        ast::ExprId literal = call.operands[i + 1];
         if (!arguments.waits[i] && given)
             candidate.takes_as_they_are &= given == type_of(c, *env, function.params[i].type);
-        ast::ExprId literal = call.operands[i + 1];
+        else if (is_flexible(c, literal))
+            candidate.takes_as_they_are &=
+                c.types().kind(type_of(c, *env, function.params[i].type)) != ir::TypeKind::optional;
         if (!is_flexible(c, literal)) continue;
         const ir::TypeId own = operand_hint(c.types(), own_type(c, literal));
         candidate.takes_literals &= own == operand_hint(c.types(), type_of(c, *env, function.params[i].type));

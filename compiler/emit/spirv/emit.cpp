@@ -16,13 +16,13 @@ namespace gliftc::spirv {
 
 namespace {
 
-/// Makes glslang's tables of built-in functions at the first use; they are kept.
+/// Initialises glslang at the first use.
 void initialise_glslang() {
     static const bool done = glslang::InitializeProcess();
     (void)done;
 }
 
-/// The lines that say what is wrong, without glslang's closing summary.
+/// The lines that say what is wrong, without glslang's closing summary of a compilation.
 std::string errors_of(const std::string& log) {
     std::string text;
     for (std::size_t from = 0; from < log.size();) {
@@ -30,8 +30,7 @@ std::string errors_of(const std::string& log) {
         if (end == std::string::npos) end = log.size();
         std::string line = log.substr(from, end - from);
         from = end + 1;
-        if (line.find("compilation errors") != std::string::npos || line.find("ERROR: Linking") != std::string::npos)
-            continue;
+        if (line.find("compilation errors") != std::string::npos) continue;
         if (line.rfind("ERROR: ", 0) == 0) line.erase(0, 7);
         if (!line.empty()) text += (text.empty() ? "" : "\n") + line;
     }
