@@ -15,7 +15,7 @@ struct ShaderSet {
 };
 
 /// The shaders by index in Program::kernels; those of kernels that are not in `kernels` are empty. Throws
-/// std::runtime_error, with the .glift line, if glslang rejects the generated GLSL.
+/// std::runtime_error, with the kernel's name, if glslang rejects the generated GLSL or the validator the SPIR-V.
 std::vector<ShaderSet> compile_shaders(const Compilation& compilation, const std::set<std::uint32_t>& kernels,
                                        bool optimize);
 

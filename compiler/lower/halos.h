@@ -36,8 +36,8 @@ struct Halo {
 };
 
 /// The halos, in the order of the parameters. A near parameter has one if `offsets` has an offset other than zero for
-/// it and none that reaches beyond the adjacent blocks, if its elements are scalars or vectors (not of bools) and are
-/// not computed by a view, if the pass only reads its memory, which is not coherent, and if the copies, with those for
+/// it and none that reaches beyond the adjacent blocks, if its elements are numbers or vectors of numbers and are not
+/// computed by a view, if the pass only reads its memory, which is not coherent, and if the copies, with those for
 /// earlier parameters, have 32,768 scalars at most. None if the size of a block is not constant, or if a block has
 /// fewer than 8 or more than 32,768 elements.
 std::vector<Halo> halos_of(Context& cx, const NearOffsets& offsets);

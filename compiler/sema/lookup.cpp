@@ -61,6 +61,12 @@ ast::DeclId report_ambiguous(Context& c, ast::Identifier name, ast::DeclId one, 
 
 }  // namespace
 
+void report_private(Context& c, ast::Identifier name, ast::DeclId declared) {
+    std::string_view owner = c.text(c.modules[c.module_of.at(declared)].tree->name.name);
+    note(c.error(Diag::not_public, name.span, {c.text(name.name), owner}), c[declared].name.span,
+         "write 'pub' before it to export it");
+}
+
 bool is_function(const Context& c, const std::vector<ast::DeclId>& declarations) {
     return !declarations.empty() && std::holds_alternative<ast::Function>(c[declarations[0]].body);
 }

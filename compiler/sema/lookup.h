@@ -15,6 +15,9 @@ struct Visible {
 /// all declare functions, or all declare kernels or pipelines.
 Visible look_up(Context&, std::uint32_t module, ast::Identifier name);
 
+/// Reports a use of a declaration that is not public, in another module.
+void report_private(Context&, ast::Identifier name, ast::DeclId declared);
+
 /// Whether the declarations of one name are kernels or pipelines; false if there are none. Looks at the first one:
 /// kernels and pipelines are overloaded only with each other, functions only with functions.
 bool is_pass(const Context&, const std::vector<ast::DeclId>&);

@@ -265,12 +265,6 @@ Meta meta_of_array(Context& c, const Env& env, const ast::Expr& expr) {
     return of_type(type);
 }
 
-void report_private(Context& c, ast::Identifier name, ast::DeclId declared) {
-    std::string_view owner = c.text(c.modules[c.module_of.at(declared)].tree->name.name);
-    note(c.error(Diag::not_public, name.span, {c.text(name.name), owner}), c[declared].name.span,
-         "write 'pub' before it to export it");
-}
-
 void report_ambiguous_module(Context& c, ast::Identifier name, std::uint32_t one, std::uint32_t other) {
     std::string first = c.text(c.modules[one].tree->name.name), second = c.text(c.modules[other].tree->name.name);
     if (second < first) std::swap(first, second);
@@ -321,39 +315,6 @@ Meta find_meta(Context& c, const Env& env, ast::Identifier name) {
         meta.kind = MetaKind::module;
         meta.module = import;
         if (whole == text) return meta;
-    }
-    return meta;
-}
-
-std::optional<std::uint32_t> module_by_whole_name(Context& c, const Env& env, ast::ExprId id) {
-    std::string text;
-    for (; c[id].kind == ast::ExprKind::member; id = c[id].operands[0]) text = "." + c.text(c[id].name) + text;
-    if (c[id].kind != ast::ExprKind::name) return std::nullopt;
-    text = c.text(c[id].name) + text;
-    for (std::uint32_t import : c.scopes[env.module].imports) {
-        if (c.text(c.modules[import].tree->name.name) != text) continue;
-        const MetaKind first = find_meta(c, env, {c[id].name, c[id].span}).kind;
-        if (first == MetaKind::none || first == MetaKind::module) return import;
-    }
-    return std::nullopt;
-}
-
-Meta find_in_module(Context& c, const Env& env, std::uint32_t module, ast::Identifier name) {
-    Meta meta;
-    const auto& names = c.scopes[module].names;
-    const auto found = names.find(name.name);
-    if (found == names.end()) {
-        Env inside;
-        inside.module = module;
-        report_unknown(c, inside, name);
-        return meta;
-    }
-    meta.kind = MetaKind::declarations;
-    for (ast::DeclId decl : found->second)
-        if (c[decl].is_pub || module == env.module) meta.declarations.push_back(decl);
-    if (meta.declarations.empty()) {
-        report_private(c, name, found->second[0]);
-        meta.declarations = found->second;
     }
     return meta;
 }

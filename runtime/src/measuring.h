@@ -1,11 +1,12 @@
-// A device that runs nothing: it computes the workspace that a recording would need.
+// A device that runs nothing: it computes how large the workspace (workspace.h) of a recording of the same commands
+// would be.
 #pragma once
 
 #include "objects.h"
 
 namespace glift::detail {
 
-/// Has the properties of the real device. Memories allocated on it get places in a workspace, as in a recording, but no
+/// Has the properties of the real device. Memories allocated on it count in a workspace, as in a recording, but get no
 /// storage; commands are ignored, except that downloads, timestamps, waits and recordings throw.
 class MeasuringDevice final : public DeviceObject {
 public:

@@ -19,18 +19,19 @@ struct KernelCode {
 struct Globals;
 
 struct Options {
-    /// The code of the module's own kernels is spread over this many sources, and the code of the kernels of other
-    /// modules that it uses over as many more.
+    /// There are this many sources for the code of the module's own kernels, and as many more for that of the kernels
+    /// of other modules that it uses. Where there are few kernels, the last ones are empty.
     std::uint32_t shards = 1;
     bool spirv_files = false;  ///< SPIR-V in files beside the sources, else within
-    bool tests = false;        ///< also a function for each test of the module, and a table of them
+    bool tests = false;        ///< a test program: also tests, checks of translators, a table of them, main
     /// Prints `static void <name>(const glift::HostCall& call)` for a pass: kernel_of of emit/host, or null if no code
     /// for the host device is wanted.
     std::string (*host_kernel)(Globals& globals, const ir::Pass& pass, const std::string& name) = nullptr;
 };
 
+/// A test of the module, or the check of a structure's translators (TranslationCheck).
 struct TestName {
-    std::string title, place;  ///< `place`: of the test, or of the structure that is checked: grid.glift:8
+    std::string title, place;  ///< `place`: where the test or the structure is declared, as in "grid.glift:8"
 };
 
 struct File {
@@ -42,7 +43,7 @@ struct File {
 /// C++ for one module (module.cpp lists the files).
 struct Module {
     std::vector<File> files;
-    std::vector<TestName> tests;  ///< in a test program: the tests and checks in its table; else empty
+    std::vector<TestName> tests;  ///< of a test program: what its table lists; else empty
 };
 
 /// What the code of modules that were printed earlier in the same run defines, as indices in ir::Program: later modules

@@ -413,8 +413,8 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index) {
             out.line("std::uint64_t place(" + unit.type(structure.domain_type, true) + " address) const;");
             out.line("const glift::Memory& row_memory() const { return " + rows_of(unit, index) + "; }");
         }
-        out.line(is_written ? "/// Copy a box of elements to a linear buffer, the first axis fastest, and back."
-                            : "/// Copies a box of elements to a linear buffer, the first axis fastest.");
+        out.line(is_written ? "/// Copy the elements to a linear buffer, `box`, the first axis fastest, and back."
+                            : "/// Copies the elements to a linear buffer, `box`, the first axis fastest.");
         out.line("void copy_out" + parameters);
         if (is_written) out.line("void copy_in" + parameters);
         print_list_declaration(unit, out, index);

@@ -58,7 +58,7 @@ std::string addition(Printer& p, const AtomicUse& use) {
            element + ", expected, wanted);\n    } while (seen != expected);\n}\n\n";
 }
 
-/// How the function that combines a float's bits accesses the float.
+/// How the function for minima and maxima accesses the float.
 struct BitsPlace {
     std::string parameter;  ///< the function's parameter: the element's index, or the texel
     std::string load;
@@ -81,10 +81,11 @@ BitsPlace bits_place(const Printer& p, std::uint32_t slot) {
 }
 
 /// The function for minima and maxima. The bits of floats that are not negative have the order of ints, those of
-/// negative ones the reverse order. So one signed operation is enough for a value that is not negative. A negative
-/// value may overwrite a better one, which is put back at once; since nothing in this pass reads the element, only the
-/// final value counts. A NaN is not written; a NaN in memory is replaced by the first value. If the value read first
-/// (`there`) makes a write needless, it need not be the newest value: the final value is at least as good.
+/// negative ones (-0.0 is one) the reverse order. So one signed operation is enough for a value that is not negative. A
+/// negative value may overwrite a better one, which is put back at once; since nothing else in this pass reads the
+/// element, only the final value counts. A NaN is not written; a NaN in memory is replaced by the first value. If the
+/// value read first (`there`) makes a write needless, it need not be the newest value: the final value is at least as
+/// good.
 std::string extremum(const Printer& p, const AtomicUse& use) {
     const BitsPlace place = bits_place(p, use.binding);
     const auto call = [&](const std::string& operation, const std::string& value) {

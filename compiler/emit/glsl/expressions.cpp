@@ -1,4 +1,4 @@
-// Expressions, with parentheses only where GLSL or a careful reader needs them.
+// Expressions, with parentheses only where GLSL needs them or a reader may misread them (is_easily_misread).
 #include "base/concat.h"
 #include "emit/glsl/printer.h"
 #include "emit/glsl/signs.h"
@@ -170,7 +170,8 @@ Text print_binary(Printer& p, const Expr& expr) {
     return plain_binary(p, expr.binary, expr.operands[0], expr.operands[1]);
 }
 
-/// The negative of the choice between the negated constants.
+/// A choice between constants, at least one of them -0.0, as the negative of the choice between the negated constants:
+/// negative(c ? 0.0 : 1.0) for c ? -0.0 : -1.0. Else drivers may lose the sign of zero (signs.h).
 Text print_negative_choice(Printer& p, const Expr& expr) {
     const auto negated = [&](ExprId side) { return literal(p, expr.type, 0, -p.program.exprs[side].number); };
     return {need(p, Helper::negative, expr.type) + "(" + print(p, expr.operands[0], Level::logical_or) + " ? " +
@@ -266,8 +267,8 @@ Text print_local(Printer& p, const Expr& expr) {
                            (*p.program.names)[p.program.locals[expr.local].name]);
 }
 
-/// The operand of an index or a member access, in place: never composed of its parts, as its value would be if it holds
-/// arrays of bools in a block (blocks.cpp).
+/// The expression as it stands: to take a part of it, or to assign to it. print() composes some values of their parts:
+/// those that lie in a block and hold arrays of bools (blocks.cpp).
 std::string print_whole(Printer& p, ExprId id);
 
 Text print_index(Printer& p, const Expr& expr) {
@@ -277,8 +278,9 @@ Text print_index(Printer& p, const Expr& expr) {
     return {whole + "[" + guarded_index(p, expr.operands[1], of.count) + "]"};
 }
 
-/// One side of a select, or an argument of parts_of_whole. A struct, array or optional in a block is composed of its
-/// parts: glslang gives it another type than one in a variable, and does not convert between the two in `?:`.
+/// One side of a select, or an argument of a constructor (parts_of_whole). A struct, array or optional in a block is
+/// composed of its parts: glslang gives it another type than one in a variable, and does not convert between the two in
+/// `?:`.
 std::string print_side(Printer& p, ExprId id, Level least) {
     TypeId type = p.program.exprs[id].type;
     TypeKind kind = p.program.types.kind(type);

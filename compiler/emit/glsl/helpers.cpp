@@ -306,7 +306,7 @@ std::string arithmetic(Printer& p, const HelperUse& use) {
                "    return high < 0 ? -1l : (high | int(x)) != 0 ? 1l : 0l;\n}\n";
     }
     case Helper::negative:
-        return "// Drivers may drop the sign of zero where they negate a choice between 0.0 and 1.0.\n" +
+        return "// By the sign bit: drivers may drop the sign of zero of -x if x is a choice between 0.0 and 1.0.\n" +
                one_line(t + " negative(" + t + " x)", "uintBitsToFloat(floatBitsToUint(x) ^ 0x80000000u)");
     case Helper::reflection:
         return one_line(t + " reflection(" + t + " i, " + t + " n)",

@@ -17,9 +17,9 @@ namespace {
 
 constexpr std::size_t line_length = 110;
 
-/// The best place to break a line before `limit`: of the spaces before an operator or behind a comma, the last one at
-/// the lowest depth of brackets. Spaces at most 12 characters behind `from` do not count. npos if there is no such
-/// space.
+/// The best place to break a line before `limit`: of the spaces after a comma or before + - * / & | && || ? : < or >,
+/// the last one at the lowest depth of brackets. Spaces at most 12 characters after `from` do not count. npos if there
+/// is no such space.
 std::size_t break_point(const std::string& text, std::size_t from, std::size_t limit) {
     std::size_t best = std::string::npos;
     int depth = 0, best_depth = 1000;

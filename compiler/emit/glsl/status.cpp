@@ -57,9 +57,8 @@ std::string count_text(const Printer& p) {
     else text += "shared uint " + s.rounds + "[" + s.limit + " == 0u ? 1u : " + std::to_string(subgroups) + "u];\n\n";
     text += "// Counts an iteration of a loop. False where the limit is reached; the first loop that reaches it is "
             "reported.\n";
-    if (!p.raster())
-        text += "// A subgroup has one count: its lanes run in lockstep, so that an iteration of one is one of all.\n";
-    text += "// `idle_rounds`: iterations of loops inside this one that run with no lane active; they count, too.\n";
+    if (!p.raster()) text += "// A subgroup has one count: devices with a limit run its lanes in lockstep.\n";
+    text += "// `idle_rounds`: iterations of loops inside the caller's that may run with no lane active: they count.\n";
     text += "bool " + s.another_round + "(uint idle_rounds, " + place_parameters(p) + ") {\n";
     text += "    if (" + s.limit + " == 0u) return true;\n";
     text += "    uint rounds = " + rounds_place(p) + " + 1u + idle_rounds;\n";

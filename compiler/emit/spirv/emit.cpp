@@ -72,7 +72,7 @@ Spirv compile(const std::string& glsl, EShLanguage language) {
 /// The module without its GLSL text, which glslang adds together with the line numbers and which is most of the module.
 /// Nothing needs it: the line numbers are those of .glift files.
 std::vector<std::uint32_t> without_source(const std::vector<std::uint32_t>& words) {
-    constexpr std::size_t header_words = 5, source_words = 4;  // of OpSource: language, version and the file's name
+    constexpr std::size_t header_words = 5, source_words = 4;  // of OpSource: its first word, language, version, file
     std::vector<std::uint32_t> result(words.begin(), words.begin() + header_words);
     result.reserve(words.size());
     for (std::size_t at = header_words, count = 0; at < words.size(); at += count) {

@@ -16,9 +16,9 @@ struct Spirv {
     std::string error;                 ///< what glslang or the validator said; it is a fault of this compiler
 };
 
-/// A shader for Vulkan 1.3. The code that is left after optimisation keeps its names and source lines (`#line`). Float
-/// arithmetic is never contracted, and min, max and clamp give the other operand where one is NaN. Safe to call from
-/// several threads.
+/// A shader for Vulkan 1.3. The code that is left after optimisation keeps its names and, where the GLSL has `#line`,
+/// its source lines. Float arithmetic is never contracted. min and max of a number and a NaN give the number, and clamp
+/// is min(max(x, low), high). Safe to call from several threads.
 Spirv spirv_of(const std::string& glsl, Optimise optimise = Optimise::no, Stage stage = Stage::compute);
 
 }  // namespace gliftc::spirv

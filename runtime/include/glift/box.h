@@ -44,8 +44,9 @@ constexpr std::uint64_t volume_of(const Extent& extent) {
 
 GLIFT_API std::string text_of(const Extent& extent, unsigned rank);
 
-/// A box of addresses of the structure `name`, whose domain has the extent `domain`, for checks of bounds and overlap.
-/// Only the first `rank` axes count.
+/// A box of addresses, for checks of bounds and overlap. `name`, for messages: the structure's type or the kernel's
+/// parameter. `domain`: the extent of what the box must lie in: a structure's domain, a range or a mapped box. From
+/// `rank` on, origins are 0 and sizes 1.
 struct Box {
     const char* name;
     unsigned rank;

@@ -1,5 +1,5 @@
-// Footprints: the elements of one structure that a call may access, with the structure's type erased. Footprints are
-// compared where one memory is passed for several parameters.
+// Footprints: the ranges that a call gives to its parameters, with the structures' types erased. They are compared
+// where one memory is passed for several parameters.
 #pragma once
 
 #include <glift/api.h>
@@ -53,8 +53,8 @@ template <class S> [[gnu::noinline]] Box box_of(const char* name, const Range<S>
 
 /// The range that a call gives to one parameter.
 struct Footprint {
-    /// For parameters that have no range to compare: values on the device, and structures that are passed whole
-    /// (adaptors, and those of which the kernel calls functions), whose bindings may reach all elements.
+    /// For parameters that have no range to compare: values on the device, adaptors, and structures of which the kernel
+    /// calls functions. Their bindings may reach all elements.
     Footprint() = default;
     template <class S> [[gnu::noinline]] Footprint(const Range<S>& range)
         : structure(&range.structure()), table(&structure_table<S>), is_whole(range.is_whole()),

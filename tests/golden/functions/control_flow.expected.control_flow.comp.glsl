@@ -27,8 +27,8 @@ layout(constant_id = 101) const uint loop_round_limit = 0u;
 shared uint loop_rounds[loop_round_limit == 0u ? 1u : 64u];
 
 // Counts an iteration of a loop. False where the limit is reached; the first loop that reaches it is reported.
-// A subgroup has one count: its lanes run in lockstep, so that an iteration of one is one of all.
-// `idle_rounds`: iterations of loops inside this one that run with no lane active; they count, too.
+// A subgroup has one count: devices with a limit run its lanes in lockstep.
+// `idle_rounds`: iterations of loops inside the caller's that may run with no lane active: they count.
 bool another_round(uint idle_rounds, uint line) {
     if (loop_round_limit == 0u) return true;
     uint rounds = loop_rounds[gl_SubgroupID] + 1u + idle_rounds;
@@ -38,7 +38,7 @@ bool another_round(uint idle_rounds, uint line) {
     return false;
 }
 
-// Drivers may drop the sign of zero where they negate a choice between 0.0 and 1.0.
+// By the sign bit: drivers may drop the sign of zero of -x if x is a choice between 0.0 and 1.0.
 float negative(float x) {
     return uintBitsToFloat(floatBitsToUint(x) ^ 0x80000000u);
 }

@@ -23,8 +23,8 @@ layout(constant_id = 101) const uint loop_round_limit = 0u;
 shared uint loop_rounds[loop_round_limit == 0u ? 1u : 16u];
 
 // Counts an iteration of a loop. False where the limit is reached; the first loop that reaches it is reported.
-// A subgroup has one count: its lanes run in lockstep, so that an iteration of one is one of all.
-// `idle_rounds`: iterations of loops inside this one that run with no lane active; they count, too.
+// A subgroup has one count: devices with a limit run its lanes in lockstep.
+// `idle_rounds`: iterations of loops inside the caller's that may run with no lane active: they count.
 bool another_round(uint idle_rounds, uint line) {
     if (loop_round_limit == 0u) return true;
     uint rounds = loop_rounds[gl_SubgroupID] + 1u + idle_rounds;

@@ -31,13 +31,13 @@ public:
     /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
+    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Box_1_uint>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Box_1_uint>& range,
         const glift::Memory& box) const;
 
-    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    /// Calls a function of `see` for each part, with its name and value. glift/inspect.h has a `see`.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());

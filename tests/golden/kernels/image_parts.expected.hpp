@@ -35,13 +35,13 @@ public:
     /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<ImageLevels_r32f>& range);
-    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
+    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<ImageLevels_r32f>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLevels_r32f>& range,
         const glift::Memory& box) const;
 
-    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    /// Calls a function of `see` for each part, with its name and value. glift/inspect.h has a `see`.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.value("levels", levels_);
@@ -90,13 +90,13 @@ public:
     /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<ImageLevel_r32f>& range);
-    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
+    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<ImageLevel_r32f>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLevel_r32f>& range,
         const glift::Memory& box) const;
 
-    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    /// Calls a function of `see` for each part, with its name and value. glift/inspect.h has a `see`.
     template <class See> void describe(See&& see) const {
         see.value("level", level_);
         see.memory("data", data());
@@ -146,13 +146,13 @@ public:
     /// Gives every element, or those of a box, the same value.
     void fill(glift::float4 value);
     void fill(glift::float4 value, const glift::Range<ImageLayers_rgba8>& range);
-    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
+    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<ImageLayers_rgba8>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLayers_rgba8>& range,
         const glift::Memory& box) const;
 
-    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    /// Calls a function of `see` for each part, with its name and value. glift/inspect.h has a `see`.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.value("layers", layers_);
@@ -200,13 +200,13 @@ public:
     /// Gives every element, or those of a box, the same value.
     void fill(glift::float4 value);
     void fill(glift::float4 value, const glift::Range<ImageLayer_rgba8>& range);
-    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
+    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<ImageLayer_rgba8>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLayer_rgba8>& range,
         const glift::Memory& box) const;
 
-    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    /// Calls a function of `see` for each part, with its name and value. glift/inspect.h has a `see`.
     template <class See> void describe(See&& see) const {
         see.value("layer", layer_);
         see.memory("data", data());

@@ -31,10 +31,10 @@ public:
     /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
     bool same_state(const Shadows& other) const;
 
-    /// Copies a box of elements to a linear buffer, the first axis fastest.
+    /// Copies the elements to a linear buffer, `box`, the first axis fastest.
     void copy_out(const glift::Commands& commands, const glift::Range<Shadows>& range, const glift::Memory& box) const;
 
-    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    /// Calls a function of `see` for each part, with its name and value. glift/inspect.h has a `see`.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.value("layers", layers_);
@@ -72,11 +72,11 @@ public:
     /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Heights>& range);
-    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
+    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Heights>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Heights>& range, const glift::Memory& box) const;
 
-    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    /// Calls a function of `see` for each part, with its name and value. glift/inspect.h has a `see`.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
@@ -118,13 +118,13 @@ public:
     /// Gives every element, or those of a box, the same value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Array_2_uint_none_image2d>& range);
-    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
+    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_2_uint_none_image2d>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_2_uint_none_image2d>& range,
         const glift::Memory& box) const;
 
-    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    /// Calls a function of `see` for each part, with its name and value. glift/inspect.h has a `see`.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
@@ -175,13 +175,13 @@ public:
     /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
+    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float3_none_buffer>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float3_none_buffer>& range,
         const glift::Memory& box) const;
 
-    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    /// Calls a function of `see` for each part, with its name and value. glift/inspect.h has a `see`.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
@@ -232,13 +232,13 @@ public:
     /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
+    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float_none_buffer>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float_none_buffer>& range,
         const glift::Memory& box) const;
 
-    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    /// Calls a function of `see` for each part, with its name and value. glift/inspect.h has a `see`.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());

@@ -33,11 +33,11 @@ public:
     /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Field>& range);
-    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
+    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Field>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Field>& range, const glift::Memory& box) const;
 
-    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    /// Calls a function of `see` for each part, with its name and value. glift/inspect.h has a `see`.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());

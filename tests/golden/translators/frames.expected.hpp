@@ -36,7 +36,7 @@ public:
     /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
+    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Frames>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Frames>& range, const glift::Memory& box) const;
     /// The type of the physical addresses to which addresses are translated.
@@ -49,7 +49,7 @@ public:
         const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
         const glift::Memory& values) const;
 
-    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    /// Calls a function of `see` for each part, with its name and value. glift/inspect.h has a `see`.
     template <class See> void describe(See&& see) const {
         see.value("n", n_);
         see.memory("data", data());
@@ -87,7 +87,7 @@ public:
     /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Pool>& range);
-    /// Copy a box of elements to a linear buffer, the first axis fastest, and back.
+    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Pool>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Pool>& range, const glift::Memory& box) const;
     /// The type of the physical addresses to which addresses are translated.
@@ -100,7 +100,7 @@ public:
         const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
         const glift::Memory& values) const;
 
-    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    /// Calls a function of `see` for each part, with its name and value. glift/inspect.h has a `see`.
     template <class See> void describe(See&& see) const {
         see.value("pages", pages_);
         see.value("capacity", capacity_);
