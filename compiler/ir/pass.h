@@ -55,7 +55,8 @@ enum class ParameterSource : std::uint8_t {
               // parameters and of structures nested in them
     origin,   // first virtual address of the range of kernel parameter `param`; of a `near`: the address around which
               // the first invocation's window lies
-    size,     // extent of the range of Pass::address (uint or vector of uint); draws: {corners, instances}
+    size,     // extent of the range of Pass::address (uint or vector of uint); kernels over blocks: {elements of a
+              // block, number of blocks}; draws: {corners, instances}
     range_size,  // size of the range of kernel parameter `param`
     address,     // uint64: device address of binding `param`
     index,       // uint: the element index, in its buffer, of kernel parameter `param`, a value on the device

@@ -100,8 +100,9 @@ Stmt Reader::keep() {
     return stmt;
 }
 
-/// Reads the rest of: image_store(binding, at, value); or atomic_add(binding[at], value); (or another atomic_…)
-/// or report(binding, address); or report(view, address); also, for move_of_rows(), of load_rows and store_rows.
+/// Reads the rest of: image_store(binding, at, value); or atomic_add(binding[at], value); (or another atomic_…) or
+/// report(binding, address); or report(view, address); where `view` is this word and no binding. For move_of_rows(),
+/// the rest of load_rows or store_rows.
 Stmt Reader::memory_statement(StmtOp op, Combine combine) {
     Stmt stmt;
     stmt.op = op;

@@ -24,7 +24,7 @@ Program extending(const Program& trunk, Names& names) {
     return program;
 }
 
-/// Replaces references to nodes of the branch by the ids that these have in the trunk.
+/// Replaces the branch's ids of nodes, types and names by those of the trunk.
 class Settling {
 public:
     Settling(Program& trunk, const Growth& growth)

@@ -59,7 +59,7 @@ public:
     }
 
 private:
-    /// Accepts straight-line code and ifs, if nothing after a store loads from memory that is written.
+    /// Accepts straight-line code and ifs. After a store, expressions that load must be fixed (Numbers::is_fixed).
     void visit(const Stmt& stmt) {
         fits_ = fits_ && (stmt.op == StmtOp::let || stmt.op == StmtOp::assign || stmt.op == StmtOp::if_ ||
                           stmt.op == StmtOp::block);
@@ -210,9 +210,9 @@ private:
         return found_any;
     }
 
-    /// Replaces the second element's guards of reads at positive y by those of the first element's reads one row
-    /// further. Where there is no second element, its code has the first one's address, and these guards test the row
-    /// after the one that is read. That is harmless, since this code then stores nothing.
+    /// Replaces the second element's guards of reads at offsets that are positive along y by those of the first
+    /// element's reads one row further. Where there is no second element, its code has the first one's address, and
+    /// these guards test the row after the one that is read. That is harmless, since this code then stores nothing.
     void share_guards(StatementCopy& second, const std::vector<Expander::RowGuard>& guards) {
         for (const Expander::RowGuard& guard : guards) {
             const ExprId distance = cx.make.uint(static_cast<std::uint64_t>(guard.distance + 1));

@@ -84,7 +84,7 @@ struct Context {
     /// The functions in `instances`. They may load, so calls of them are not uniform.
     std::unordered_set<ir::FunctionId> made_functions;
     std::vector<LocalId> params;      ///< parameters of the function whose body is being simplified
-    ExprId size;                      ///< the size of the visited range
+    ExprId size;                      ///< the extent of the range of Pass::address (Expander::iteration_size)
     ir::Part part = ir::Part::whole;  ///< in a kernel that draws: the part that is being lowered
     NodeMap<ExprId, std::uint32_t> uniform_sizes{first_expr};  ///< caches uniform_size
     /// Caches Numbers::traits_of (number.h). Cleared after each expansion, during which bindings may become written.

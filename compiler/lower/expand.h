@@ -1,5 +1,5 @@
 // The pass "expand": from structures to memory. Makes a body of loads and stores out of a kernel's body, whose
-// operations access elements of structures. The Expander's methods are in the files named below.
+// operations access elements of structures. The Expander's private methods are in the files named below.
 //
 // Needs: a kernel that sema accepts. Guarantees: no operation of structures is left; if the offset of a `near` read is
 // not a constant within the parameter's radius, an error was reported; every load that could be outside a structure is
@@ -28,8 +28,8 @@ struct Pair {
     ExprId has;
 };
 
-/// The largest number of expression nodes that lowering a kernel to one form may have made while a body is expanded:
-/// several times what the largest kernel in stdlib needs.
+/// The limit of the expression nodes that lowering a kernel to one form makes, tested while a body is expanded: several
+/// times what the largest kernel in stdlib needs.
 constexpr std::uint32_t most_nodes = 1u << 19;
 
 /// Thrown by the expansion of a body when there are more than most_nodes nodes.
@@ -73,7 +73,8 @@ public:
     void read_arguments();
     ExprId part_of(ExprId part, ExprId element);
 
-    /// The size of the visited range: the domain of its structure, or a parameter.
+    /// The extent of the range of Pass::address: the domain of a visited structure, or a parameter
+    /// (ir::ParameterSource::size).
     ExprId iteration_size();
     std::vector<StmtId> size_statements;  ///< statements that iteration_size needs before it
 
@@ -91,10 +92,10 @@ public:
     };
     std::vector<NearValue> near_values;
     /// For kernels over blocks, the offsets at which each near parameter is read; only offset zero for a structure that
-    /// may have neighbours outside of its domain. Absent if a function that is not inlined reads neighbours.
+    /// may map addresses outside its domain. Absent if a function that is not inlined reads neighbours.
     std::optional<NearOffsets> near_offsets = NearOffsets();
     std::vector<Halo> halos;  ///< with Guards::block: the local copies from which neighbours are read
-    /// A guard of neighbour reads at positive y: at + distance < extent.
+    /// The test along y of a neighbour read whose offset is positive along y: at + distance < extent.
     struct RowGuard {
         ExprId condition, at, extent;
         std::int64_t distance;
@@ -218,7 +219,7 @@ private:
     Pair through_form(const ir::Place& place, const ir::Stage& stage, ExprId address, const std::string& name);
     const AddressForm& form_of(const ir::Place& place, const ir::Stage& stage, TypeId address);
     void find_form(AddressForm& form, TypeId address);
-    ir::FunctionId translate_of(const ir::Stage& stage) const;
+    ir::FunctionId translate_of(const ir::Stage& stage) const;  // in translate.cpp
     bool collect_nodes(AddressForm& form, ExprId first);
     Pair made_again(const AddressForm& form, ExprId address, const std::string& name);
     bool varies_in_all(ExprId address);
@@ -318,7 +319,7 @@ private:
 
     // beside.cpp
     using Ways = std::vector<const Way*>;  ///< one per axis; null: the offset is zero along it
-    /// A block in which a neighbour may lie. It is chosen axis by axis, the first axes first.
+    /// A block in which a neighbour may lie. It is chosen axis by axis, from x on.
     struct Beside {
         Operands address;  ///< the neighbour's address along the axes for which the block is chosen already
         std::string name;

@@ -35,9 +35,9 @@ ExprId Expander::without_inside(std::uint32_t root, ExprId condition, ExprId add
     return make.both(left, right);
 }
 
-/// Whether the structure of a near parameter may have neighbours outside of its domain: its first translator is partial
-/// and may map addresses outside, as Edge<N, Boundary.repeat> of std.edge does. A partial translator is known to map
-/// none of them only if it compares the whole address with the domain in one comparison and then gives `none`.
+/// Whether the structure of a near parameter may map addresses outside its domain: its first translator is partial and
+/// may map them, as Edge<N, Boundary.repeat> of std.edge does. A partial translator is known to map none of them only
+/// if it compares the whole address with the domain in one comparison and then gives `none`.
 bool Expander::may_map_outside(std::uint32_t root) {
     const Place place{root, {}};
     if (is_total(cx.structure_at(place))) return false;

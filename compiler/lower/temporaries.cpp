@@ -139,8 +139,9 @@ bool may_write(const Program& p, const Stmt& stmt, const std::vector<LocalId>& n
     return calls;
 }
 
-/// Marks reads that need no copy: no statement of `body` after the read, up to and including the last one that uses the
-/// value, may write the element, and no assignment uses the value.
+/// Marks reads that need no copy. The read is the value of an immutable local, which the pipeline does not return; no
+/// statement of `body` after it, up to and including the last one that uses the value, may write the element; and no
+/// assignment uses the value.
 void mark_reads(Program& p, const std::vector<StmtId>& body, const std::vector<StmtId>& pipeline) {
     std::vector<LocalId> temporaries;
     for_each_statement(p, pipeline, [&](const Stmt& stmt) {
@@ -166,8 +167,9 @@ void mark_reads(Program& p, const std::vector<StmtId>& body, const std::vector<S
     }
 }
 
-/// Those of the aliases that are declared after the temporary in the same list of statements. They are released
-/// together with it. Since a release changes them, they are made mutable here.
+/// Those of the aliases that a `let` declares after the temporary in the same list of statements. They are released
+/// together with it (aliases that are temporaries are released on their own). Since a release changes them, they are
+/// made mutable here.
 std::vector<LocalId> declared_beside(Program& p, const std::vector<StmtId>& body, std::size_t at,
                                      const std::vector<LocalId>& aliases) {
     std::vector<LocalId> result;

@@ -165,7 +165,7 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
 }
 
 /// `let x: T[4] = s.load(a)` and `s.store(a, x)`: consecutive elements along the first axis; `s.load(a, step)` and
-/// `s.store(a, step, x)`: rows of four, `step` addresses apart.
+/// `s.store(a, step, x)`: rows of four that begin `step` addresses apart.
 static Operand several_elements(Body& body, const Operand& self, ast::Identifier method, const ast::Expr& call,
                                 ir::TypeId wanted) {
     Context& c = body.context;

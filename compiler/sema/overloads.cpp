@@ -244,7 +244,7 @@ Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments
     return call_instance(body, *instance, given, std::move(values), call.span);
 }
 
-/// Whether a function's result has the expected type or can be wrapped into it, an optional; true if none is expected.
+/// Whether a function's result has the expected type, or that type is an optional of it; true if no type is expected.
 bool gives(Body& body, ir::TypeId result, ir::TypeId wanted) {
     return !wanted || becomes(body.types(), result, wanted);
 }

@@ -26,7 +26,8 @@ ast::Kernel Parser::parse_raster() {
     return kernel;
 }
 
-/// Consumes the word that begins a part, and reports a second part of one name. `first`: where the first one began.
+/// Consumes the word that begins a part. Sets `first` to its place; if `first` is set already, reports that the draw
+/// has a second part of this name.
 void Parser::begin_raster_part(Span& first) {
     const Span here = span_of(advance());
     if (!first) {

@@ -1,10 +1,10 @@
 // Paint in a file: a header, the numbers of the octree's resident pages, and their texels, all with checksums.
 //
-// Little-endian words of 32 bits. Header (64 bytes): "GLIFT3DP", version 2, levels, cells of a page, number of pages,
-// the ground's colour (three floats, 0 to 1), reserved zeros, the checksum of the header's words before it. Then the
-// numbers of the pages, ascending, each page with the coarser ones that it lies in, and their checksum; then for each
-// page its texels (17^3, RGBA8, x fastest) and the checksum of its number and its texels. Checksums are CRC-32
-// (zlib's). In version 1 a page's checksum was of its texels alone, so that pages could change places; it is not read.
+// Little-endian words of 32 bits. Header (64 bytes): "GLIFT3DP", version 2, levels, cells along a page's side, pages,
+// the ground's colour (three floats, 0 to 1), reserved zeros, a checksum of these. Then the pages' numbers (level by
+// level, coarsest first, x fastest), ascending, none without the coarser pages that it lies in, and their checksum;
+// then for each page its texels (17^3, RGBA8, x fastest) and the checksum of its number and texels. Checksums are
+// CRC-32 (zlib's). Files of version 1, in which pages could change places unnoticed, are refused.
 #pragma once
 
 #include "journal.glift.hpp"
@@ -30,7 +30,7 @@ Header check(const std::string& path, std::span<const glift::uint> words, std::s
 
 /// Loads the pages of a file into an octree, in place of those that it has. The file is read and checked whole before
 /// anything is changed, its header before the rest is read: throws std::runtime_error if it cannot be read, is
-/// truncated, altered or of another version, has not as many levels as the octree, or more pages than it has room for.
+/// truncated, altered or of another version, has another number of levels than the octree, or too many pages for it.
 Header load(const std::string& path, const glift::Device& device, journal::Octree& octree);
 
 }  // namespace paint_file

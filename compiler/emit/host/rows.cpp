@@ -42,8 +42,8 @@ std::vector<RowAccess> row_accesses(const ir::Program& program, const std::vecto
 /// Whether the statement is a `let` with a value, which can be left out if nothing reads its local.
 bool is_let(const Stmt& stmt) { return stmt.op == StmtOp::let && stmt.value; }
 
-/// The C++ expression of the part of a row that the variant runs over: `part`, or for a variant that runs in blocks of
-/// glift::host::block_elements, which needs at least one block, an empty part at `end` if `part` is shorter.
+/// The C++ expression of the part of a row that the variant runs over: `part`. But a variant that runs in blocks of
+/// glift::host::block_elements needs at least one block: if `part` is shorter, an empty part at `end`.
 std::string in_blocks_text(const ir::Variant& variant, const std::string& part, const std::string& end) {
     return variant.order == ir::RowOrder::in_blocks ? "glift::host::in_blocks(" + part + ", " + end + ")" : part;
 }
@@ -121,8 +121,8 @@ std::string Rows::type_of(const RowAccess& access) {
 }
 
 /// Each access goes to a buffer or a local array, at an index that advances along the row. For each distinct pair of
-/// these two, prints a pointer to the first element accessed; before these pointers, prints the values that the indices
-/// need.
+/// memory and index, prints a pointer to the first element accessed; before these pointers, prints the values that the
+/// indices need.
 void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::vector<RowAccess>& accesses,
                               const std::string& begin) {
     std::vector<ExprId> wanted;
@@ -205,8 +205,8 @@ void Rows::print_plain_loop(const ir::Variant& variant, const std::string& begin
     }
     IdSet<ir::Local> read;
     const std::vector<StmtId> kept = without_unused(statements, read);
-    // The rows of a block are short: GLIFT_BLOCK keeps the compiler from unrolling the loop, since it could not
-    // vectorise the unrolled code.
+    // The rows of a block are short: GLIFT_BLOCK also keeps GCC from unrolling the loop, since it could not vectorise
+    // the unrolled code.
     if (variant.order != ir::RowOrder::ascending)
         p.out.line(variant.assumes.row != 0 ? "GLIFT_BLOCK" : "GLIFT_INDEPENDENT");
     if (accesses.empty()) {
@@ -310,7 +310,7 @@ void Rows::print_strides(const std::vector<StmtId>& statements, const std::strin
 }
 
 /// Loops over the elements with x in [begin, end): one loop, or separate ones for the middle, where bounds hold, and
-/// the ends.
+/// the ends. With at<S, items>, over the iterations in [begin, end): print_strides().
 void Rows::print_loop(const ir::Variant& variant, const std::string& begin, const std::string& end) {
     p.local_names[pass.address] = "address";
     if (pass.items != 1) return print_strides(variant.body, begin, end);

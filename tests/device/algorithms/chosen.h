@@ -37,7 +37,7 @@ inline std::uint32_t limit_of(Round& round) {
     return round.chance(4) ? 0 : round.chance(4) ? UINT32_MAX : static_cast<std::uint32_t>(round.engine()());
 }
 
-/// Runs the algorithm twice over the same initial contents, expects equal results, and returns one.
+/// Runs the algorithm twice, each time with `before` written to its output `to`; expects equal results, returns one.
 template <class S, class T, class Run>
 Found<T> run_twice(const glift::Device& device, const Round& round, S& to, const std::vector<T>& before, Run run) {
     const auto once = [&] {
