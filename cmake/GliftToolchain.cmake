@@ -48,7 +48,7 @@ if(GLIFT_FUZZ)
     add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 if(GLIFT_SANITIZE OR GLIFT_FUZZ)
-    # Without the check vptr: it needs typeinfo, which glslang and SPIRV-Tools (built with -fno-rtti) lack.
+    # Without the check vptr: it needs typeinfo, which glslang (built with -fno-rtti) lacks.
     set(GLIFT_SANITIZER_FLAGS -fsanitize=address,undefined -fno-sanitize=vptr -fno-sanitize-recover=all
         -fno-omit-frame-pointer)
     add_compile_options(${GLIFT_SANITIZER_FLAGS})

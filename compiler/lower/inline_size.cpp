@@ -88,7 +88,7 @@ std::optional<std::size_t> InlineSizes::of(const Statements& body, Loops& loops)
         bool has_rest = false;
         switch (stmt.op) {
         case StmtOp::let: break;
-        case StmtOp::return_: return size;
+        case StmtOp::return_: return size > inline_limit ? std::nullopt : std::optional(size);
         case StmtOp::assign:
             if (!has_known_target(p, stmt.target, loops)) return std::nullopt;
             break;

@@ -101,6 +101,8 @@ TEST(Format, keeps_comments_wherever_they_stand) {
         "comments");
     std::string text = formatted("module m;\nfn f() { // sixth\n    g(); // ninth\n    // tenth\n}\n");
     EXPECT_EQ(text, "module m;\nfn f() {  // sixth\n    g();  // ninth\n    // tenth\n}\n");
+    // A line comment before a '{' does not swallow it.
+    expect_kept("module m;\nfn f() // before\n{\n    if a // again\n    { g(); }\n}\n", "comments before blocks");
 }
 
 }  // namespace
