@@ -81,9 +81,8 @@ std::vector<Output> sources_of(const Output& output, const Result& result) {
     return sources;
 }
 
-/// The folders in which headers of `extern struct` may be.
-/// The folders of the files, of imported modules with an `extern struct` (their headers may lie beside them), and those
-/// given by -I.
+/// The folders in which headers of `extern struct` may be: those of the files and of imported modules that declare one,
+/// and those given by -I.
 std::vector<std::string> include_folders(const Options& options, const Compilation& compilation) {
     std::vector<std::string> folders;
     const auto also = [&](const fs::path& folder) {

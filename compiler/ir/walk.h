@@ -71,6 +71,18 @@ void for_each_expression(const Program& program, const std::vector<StmtId>& body
     });
 }
 
+/// Whether the local is an operand in the expression, or in some expression of the statements.
+inline bool mentions(const Program& program, ExprId id, LocalId local) {
+    bool found = false;
+    for_each_node(program, id, [&](ExprId part) { found |= program.exprs[part].local == local; });
+    return found;
+}
+inline bool mentions(const Program& program, const std::vector<StmtId>& body, LocalId local) {
+    bool found = false;
+    for_each_expression(program, body, [&](ExprId id) { found |= program.exprs[id].local == local; });
+    return found;
+}
+
 namespace detail {
 template <class Visit> void walk_tree(const Program& program, ExprId id, Visit& visit) {
     visit(id);

@@ -7,6 +7,7 @@
 #include "lower/number.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace gliftc::lower {
 
@@ -30,7 +31,8 @@ constexpr std::size_t most_loads = 16, most_of_one = 600;
 
 /// Whether a function, or one that it calls, has a loop: then one element is work enough for an invocation, and
 /// lavapipe limits the iterations that an invocation may execute.
-bool has_loop(const Program& program, FunctionId function) {
+bool has_loop(const Program& program, FunctionId function, std::unordered_map<FunctionId, bool>& known) {
+    if (const auto found = known.find(function); found != known.end()) return found->second;
     const auto& body = program.functions[function].body;
     bool found = false;
     for_each_statement(program, body, [&](const Stmt& stmt) {
@@ -38,8 +40,9 @@ bool has_loop(const Program& program, FunctionId function) {
     });
     for_each_expression(program, body, [&](ExprId id) {
         const Expr& node = program.exprs[id];
-        found = found || (node.op == Op::call && has_loop(program, node.function));
+        found = found || (node.op == Op::call && has_loop(program, node.function, known));
     });
+    known.emplace(function, found);
     return found;
 }
 
@@ -108,7 +111,7 @@ private:
         ++nodes_;
         loads_ += is_load(node.op);
         fits_ = fits_ && node.op != Op::builtin;
-        if (node.op == Op::call) fits_ = fits_ && !writes_what_it_reads() && !has_loop(cx.p, node.function);
+        if (node.op == Op::call) fits_ = fits_ && !writes_what_it_reads() && !has_loop(cx.p, node.function, has_loop_);
     }
 
     /// Whether some binding is both read and written: functions may load from any binding.
@@ -120,6 +123,7 @@ private:
     Context& cx;
     Numbers numbers_;
     IdSet<Expr> seen_;
+    std::unordered_map<FunctionId, bool> has_loop_;  ///< what has_loop found
     bool fits_ = true, stores_ = false;
     std::size_t loads_ = 0, nodes_ = 0;
 };

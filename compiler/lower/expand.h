@@ -146,6 +146,7 @@ private:
     // inline.cpp
     Pair expand_call(const ir::Expr& node);
     ExprId known_call(const ir::Expr& node, const std::vector<Pair>& arguments);
+    bool may_not_end(ir::FunctionId function);
     ir::FunctionId kept_in_kernel(ir::FunctionId id);
     Pair inlined(ir::FunctionId function, std::vector<Pair> arguments, Frame frame);
     Pair bounded(const std::string& name, Pair pair);
@@ -460,7 +461,7 @@ private:
     std::vector<Fact> known_;
     InlineSizes inline_sizes_{cx.p};
     TreeSizes tree_sizes_{cx};
-    std::unordered_map<ir::FunctionId, bool> windows_, long_zeros_;
+    std::unordered_map<ir::FunctionId, bool> windows_, long_zeros_, endless_;
     std::unordered_map<ir::FunctionId, ir::FunctionId> kept_;  ///< the results of kept_in_kernel
     std::unordered_map<StmtId, bool> returning_;
     std::vector<AddressForm::Naming>* namings_ = nullptr;  ///< names of the address form that is being made

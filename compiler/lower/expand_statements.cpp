@@ -186,14 +186,6 @@ ExprId Expander::expand_target(ExprId id) {
     return p.exprs.add(std::move(copy));
 }
 
-/// Whether the local is an operand in the expression.
-static bool reads(const Program& p, ExprId id, LocalId local) {
-    bool found = false;
-    for_each_node(
-        p, id, [&](ExprId part) { found = found || (p.exprs[part].op == Op::local && p.exprs[part].local == local); });
-    return found;
-}
-
 void Expander::expand_assign(const Stmt& stmt) {
     const Expr& whole = p.exprs[stmt.target];
     if (whole.op == Op::local && p.types.kind(whole.type) == TypeKind::optional) {
@@ -201,7 +193,7 @@ void Expander::expand_assign(const Stmt& stmt) {
         if (found == nullptr) return;
         Pair target = *found, value = expand(stmt.value);
         // Whether there is a new value may depend on the old one, which the first assignment overwrites.
-        if (reads(p, value.has, p.exprs[target.value].local))
+        if (mentions(p, value.has, p.exprs[target.value].local))
             value.has =
                 make.local(let(prefixed((*p.names)[p.locals[whole.local].name]) + "_found", value.has, stmt.span));
         assign(p.exprs[target.value].local, value.value);

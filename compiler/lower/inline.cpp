@@ -30,19 +30,21 @@ bool is_short(const Program& p, const Function& function) {
     return size <= plain_call_limit;
 }
 
+}  // namespace
+
 /// Whether the function, or one that it calls, has a `while`.
-bool may_not_end(const Program& p, FunctionId function) {
-    bool found = false;
+bool Expander::may_not_end(FunctionId function) {
+    if (const auto found = endless_.find(function); found != endless_.end()) return found->second;
+    bool may = false;
     const std::vector<StmtId>& body = p.functions[function].body;
-    for_each_statement(p, body, [&](const Stmt& stmt) { found = found || stmt.op == StmtOp::while_; });
+    for_each_statement(p, body, [&](const Stmt& stmt) { may = may || stmt.op == StmtOp::while_; });
     for_each_expression(p, body, [&](ExprId id) {
         const Expr& node = p.exprs[id];
-        found = found || (node.op == Op::call && may_not_end(p, node.function));
+        may = may || (node.op == Op::call && may_not_end(node.function));
     });
-    return found;
+    endless_.emplace(function, may);
+    return may;
 }
-
-}  // namespace
 
 /// A copy of a function that may not end, for calls with uniform arguments under a condition: a call of the copy does
 /// not count as uniform, so that the host does not evaluate it where the condition keeps it out.
@@ -86,7 +88,7 @@ Pair Expander::expand_call(const Expr& node) {
     }
     bool is_optional = p.types.kind(function.result) == TypeKind::optional;
     if (holds_empty(p, function.result)) uniform = false;  // types with empty parts cannot be parameters
-    if (uniform && !constant && out_ != top_ && may_not_end(p, node.function)) {
+    if (uniform && !constant && out_ != top_ && may_not_end(node.function)) {
         Expr call = node;
         call.function = kept_in_kernel(node.function);
         for (std::size_t i = 0; i < arguments.size(); ++i)

@@ -22,13 +22,6 @@ bool Expander::sees_window(FunctionId function) {
     return sees;
 }
 
-static bool mentions(const Program& p, const std::vector<StmtId>& body, LocalId local) {
-    bool found = false;
-    for_each_expression(
-        p, body, [&](ExprId id) { found = found || (p.exprs[id].op == Op::local && p.exprs[id].local == local); });
-    return found;
-}
-
 /// Whether the function or one that it calls declares a long array that is zero-initialised, for which expansion makes
 /// a loop.
 bool Expander::has_long_zero(FunctionId function) {

@@ -16,9 +16,7 @@ bool uses(const Program& p, StmtId id, LocalId local) {
     const Stmt& stmt = p.stmts[id];
     if (stmt.local == local) return true;
     bool found = false;
-    for_each_root(stmt, [&](ExprId root) {
-        for_each_node(p, root, [&](ExprId part) { found = found || p.exprs[part].local == local; });
-    });
+    for_each_root(stmt, [&](ExprId root) { found = found || mentions(p, root, local); });
     auto inner = [&](StmtId nested) { found = found || uses(p, nested, local); };
     std::for_each(stmt.body.begin(), stmt.body.end(), inner);
     std::for_each(stmt.otherwise.begin(), stmt.otherwise.end(), inner);
@@ -29,7 +27,7 @@ bool is_returned(const Program& p, const std::vector<StmtId>& body, LocalId loca
     bool found = false;
     for_each_statement(p, body, [&](const Stmt& stmt) {
         if (stmt.op != StmtOp::return_ || !stmt.value) return;
-        for_each_node(p, stmt.value, [&](ExprId part) { found = found || p.exprs[part].local == local; });
+        found = found || mentions(p, stmt.value, local);
     });
     return found;
 }
@@ -46,18 +44,14 @@ std::vector<LocalId> aliases(const Program& p, const std::vector<StmtId>& body, 
     std::vector<LocalId> result{temporary};
     for (std::size_t i = 0; i < result.size(); ++i) {
         for_each_statement(p, body, [&](const Stmt& stmt) {
-            const auto names = [&](ExprId whole) {
-                bool found = false;
-                for_each_node(p, whole, [&](ExprId part) { found = found || p.exprs[part].local == result[i]; });
-                return found;
-            };
             const auto add = [&] {
                 if (std::find(result.begin(), result.end(), stmt.local) == result.end()) result.push_back(stmt.local);
             };
             if (stmt.op == StmtOp::temp) {
                 bool is_given = false;
                 for_each_root(stmt, [&](ExprId root) {
-                    is_given = is_given || (p.types.kind(p.exprs[root].type) == TypeKind::structure && names(root));
+                    is_given = is_given || (p.types.kind(p.exprs[root].type) == TypeKind::structure &&
+                                            mentions(p, root, result[i]));
                 });
                 if (is_given) add();
                 return;
@@ -66,7 +60,7 @@ std::vector<LocalId> aliases(const Program& p, const std::vector<StmtId>& body, 
             TypeKind kind = p.types.kind(p.locals[stmt.local].type);
             if (kind != TypeKind::slice && kind != TypeKind::structure && kind != TypeKind::device) return;
             if (is_computed(p, stmt.value)) return;
-            if (names(stmt.value)) add();
+            if (mentions(p, stmt.value, result[i])) add();
         });
     }
     return result;

@@ -53,6 +53,18 @@ fn g(b: util.Boundary) -> uint { return 1u; }
 """)
 says(here.run("--check", "inside.glift"), 1, "'Hidden' is not 'pub' in module x.util", "unknown name 'Boundary'")
 
+# Functions that call the one before twice: neither the time nor the code doubles with each.
+chain = ["module chain;\nuse std.array;\nstructure Line = Array<1, uint>;\n",
+         "fn f0(n: uint) -> uint { var k = n; for i in 0u..n { k += i; } return k; }\n", "fn g0(n: uint) -> uint { return n * n + 1u; }\n"]
+for i in range(1, 29):
+    chain.append(f"fn f{i}(n: uint) -> uint {{ var k = f{i - 1}(n); k += f{i - 1}(n + 1u); return k; }}\n")
+    chain.append(f"fn g{i}(n: uint) -> uint {{ return g{i - 1}(n + {i}u) ^ g{i - 1}(n * {i}u); }}\n")
+chain.append("pub kernel k(n: uint, a: at<Line>, to: out each<Line>) { var x = 0u; if n > 3u { x = f28(n); } to = x + g28(a); }\n")
+here.write("chain.glift", "".join(chain))
+says(here.run("--target=glsl", "-o", "chain", "chain.glift", timeout=60), 0)
+lines = (here.path / "chain/chain.k.comp.glsl").read_text().count("\n")
+expect(lines < 2000, "calls are inlined as far as the result stays small", str(lines))
+
 # Outputs.
 says(here.run("--host-only", "-o", "host", "properties.glift"), 0)
 expect(here.names("host") and not [n for n in here.names("host") if n.endswith(".spv")],

@@ -5,11 +5,7 @@
 
 namespace gliftc::cpp {
 
-inline bool mentions(const ir::Program& program, const std::vector<ir::StmtId>& body, ir::LocalId local) {
-    bool found = false;
-    ir::for_each_expression(program, body, [&](ir::ExprId id) { found |= program.exprs[id].local == local; });
-    return found;
-}
+using ir::mentions;
 
 /// What stands before a parameter: "[[maybe_unused]] " if the body does not mention it, else nothing.
 inline const char* unused_mark(const ir::Program& program, const std::vector<ir::StmtId>& body, ir::LocalId local) {
