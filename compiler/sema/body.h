@@ -127,9 +127,10 @@ struct Body {
     bool is_open = false;
     std::vector<ir::ExprId> leaves;  ///< pipelines: the values on the device (Op::device_value) in the expression being
                                      ///< checked whose elements have not been copied yet (values.cpp, keep_leaves)
-    /// Pipelines: the prefix of the keys (ir::Kernel::key) of the kernels that compute values on the device for this
-    /// pipeline. Each run of gliftc gives the same kernel the same key.
+    /// Pipelines: the declaration's name, with which the keys (ir::Kernel::key) of the kernels begin that compute
+    /// values on the device for its instances. Each run of gliftc gives the same kernel the same key.
     std::string key;
+    Span declared;  ///< pipelines: where the declaration is
     /// A branch, or the body of a loop, whose condition lies on the device.
     struct Arm {
         ir::LocalId condition;
@@ -151,7 +152,6 @@ struct Body {
         const std::vector<ir::StmtId>* block;  ///< the list that the statement is in
     };
     std::vector<Replacement> replacements;  ///< pipelines: all such statements (sema/replace.h)
-    unsigned values = 0;                    ///< pipelines: how many passes that compute values have been made
 
     bool grouped() const { return group[0] != 0; }
     bool is_coherent(const ir::Place& place) const { return std::ranges::find(coherent, place) != coherent.end(); }

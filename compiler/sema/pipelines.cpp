@@ -88,7 +88,6 @@ void check_pipeline_body(Body& body, const std::vector<ast::StmtId>& statements,
     while (body.device_variables.size() > fresh.device_variables.size()) {
         Body again = fresh;
         again.device_variables = body.device_variables;
-        again.values = body.values;
         const std::size_t known = again.device_variables.size();
         body.context.diagnostics.back_to(mark);
         pipeline.body.clear();
@@ -96,7 +95,6 @@ void check_pipeline_body(Body& body, const std::vector<ast::StmtId>& statements,
         const bool is_settled = again.device_variables.size() == known;
         std::swap(body.scopes, again.scopes);
         body.device_variables = again.device_variables;
-        body.values = again.values;
         body.returns = again.returns;
         body.range_result = again.range_result;
         body.host_needed = again.host_needed;
@@ -144,13 +142,14 @@ static std::vector<ast::DeclId> overloads_of(Context& c, ast::DeclId id, std::op
     return all;
 }
 
-/// A part of Body::key: the pipeline's container, if it has one; then, for all overloads but the first, the number of
-/// the overload.
-static std::string overload_text(Context& c, ast::DeclId id, std::optional<std::uint32_t> owner) {
+/// The name of the declaration with its module and its container, the same for all instances; then, for all overloads
+/// but the first, the number of the overload.
+static std::string name_of_declaration(Context& c, ast::DeclId id, std::optional<std::uint32_t> owner) {
     const std::vector<ast::DeclId> all = overloads_of(c, id, owner);
     const auto place = std::ranges::find(all, id) - all.begin();
-    const std::string container = owner ? "<" + c.program.structures[*owner].key + ">" : "";
-    return container + (place == 0 ? "" : "<overload " + std::to_string(place + 1) + ">");
+    return ir::module_text(c.program, c.module_of.at(id)) +
+           (owner ? c.text(c.program.structures[*owner].name) + "." : "") + c.text(c[id].name.name) +
+           (place == 0 ? "" : "<overload " + std::to_string(place + 1) + ">");
 }
 
 // If the declared result is T, the instance's result is T or T on the device, depending on the returned values.
@@ -179,14 +178,12 @@ std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, co
     pipeline.is_pub = decl.is_pub && std::ranges::find(passed, lies_on_device) == passed.end();
     pipeline.owner = owner;
     pipeline.doc = decl.doc;
-    Body body{.context = c, .env = env, .kind = BodyKind::pipeline, .block = &pipeline.body, .key = pipeline.key};
-    body.key += overload_text(c, id, owner);
-    for (std::size_t i = 0; i < passed.size(); ++i) {
-        const bool is_range = i < written.params.size() && written.params[i].pattern == ast::Pattern::range;
-        body.key += is_range                      ? "<" + c.program.structures[passed[i]].key + ">"
-                    : passed[i] == lies_on_device ? "<device>"
-                                                  : "<host>";
-    }
+    Body body{.context = c,
+              .env = env,
+              .kind = BodyKind::pipeline,
+              .block = &pipeline.body,
+              .key = name_of_declaration(c, id, owner),
+              .declared = pipeline.span};
     if (owner) bring_members_into_scope(body, *owner);
     open_scope(body);
     for (std::size_t i = 0; i < written.params.size(); ++i)
@@ -230,7 +227,8 @@ void instantiate_test(Context& c, ast::DeclId id) {
               .block = &pipeline.body,
               .result = pipeline.result,
               .in_test = true,
-              .key = "test " + written.title};
+              .key = "test " + written.title,
+              .declared = pipeline.span};
     open_scope(body);
     check_pipeline_body(body, written.body, pipeline);
     close_scope(body);

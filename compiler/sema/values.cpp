@@ -33,6 +33,7 @@ private:
     ir::LocalId passed(ir::Pattern pattern, std::string_view name, ir::TypeId type, ir::ExprId argument);
     ir::ExprId argument(ir::ExprId leaf);
     ir::ExprId rewritten(ir::ExprId id);
+    std::string key_for(ir::ExprId value) const;
     bool is_known(ir::ExprId id) const;
 
     Body& body_;
@@ -108,22 +109,34 @@ ir::ExprId Maker::rewritten(ir::ExprId id) {
     return p_.exprs.add(std::move(copy));
 }
 
+/// The kernel's key (ir::Kernel::key): where the expression is in its pipeline's declaration, and all that the kernel's
+/// code depends on. Instances of a generic pipeline share a kernel where they compute the same.
+std::string Maker::key_for(ir::ExprId value) const {
+    std::string key =
+        body_.key + "<" + std::to_string(span_.begin - body_.declared.begin) + ": " + ir::print(p_, value);
+    for (const ir::KernelParam& param : kernel_.params)
+        key += ", " + c_.text(param.name) + (param.pattern == ir::Pattern::value ? "" : " on the device");
+    ir::for_each_node(p_, value, [&](ir::ExprId node) {
+        const ir::Expr& expr = p_.exprs[node];
+        key += ", " + ir::to_qualified_text(p_, expr.type);
+        if (expr.op == ir::Op::call) key += " of " + p_.functions[expr.function].key;
+    });
+    return key + ">";
+}
+
 ir::ExprId Maker::call(ir::ExprId expr, std::uint32_t box) {
     const ir::TypeId type = p_.exprs[expr].type;
-    // A pipeline may be checked several times (check_pipeline_body): a value found again by this key keeps its kernel.
-    const std::string what = "value " + body_.key + " " + std::to_string(span_.begin) + " " +
-                             std::to_string(span_.end) + " " + ir::print(p_, expr);
     const ir::StmtId set = add(p_, ir::StmtOp::set_element, span_);
     const ir::ExprId value = rewritten(expr);
     p_.stmts[set].value = value;
     p_.stmts[set].place.root = static_cast<std::uint32_t>(kernel_.params.size());
     kernel_.body.push_back(set);
+    kernel_.key = key_for(value);
     add_param({.name = c_.names.intern("result"),
                .pattern = ir::Pattern::each,
                .direction = ir::Direction::out,
                .structure = box});
     ir::Pipeline pipeline;
-    kernel_.key = body_.key + "<" + std::to_string(body_.values) + ">";
     pipeline.name = kernel_.name;
     pipeline.display = kernel_.display;
     pipeline.key = kernel_.key;
@@ -139,9 +152,8 @@ ir::ExprId Maker::call(ir::ExprId expr, std::uint32_t box) {
         pipeline.params.push_back({.name = param.name, .span = span_, .local = local});
         passed_on.push_back(make_local(p_, local, span_));
     }
-    Instance& known = c_.instances[what];
+    Instance& known = c_.instances["value " + kernel_.key];
     if (known.state != Instance::State::done) {
-        ++body_.values;
         known.index = pipeline_of_kernel(c_, std::move(kernel_), std::move(pipeline), std::move(passed_on), box);
         known.state = Instance::State::done;
     }

@@ -65,6 +65,26 @@ says(here.run("--target=glsl", "-o", "chain", "chain.glift", timeout=60), 0)
 lines = (here.path / "chain/chain.k.comp.glsl").read_text().count("\n")
 expect(lines < 2000, "calls are inlined as far as the result stays small", str(lines))
 
+# Instances of a pipeline share the kernels of equal values on the device; values of other types or constants have their own.
+here.write("shares.glift", """module shares;
+use std.array;
+structure Line = Array<1, uint>;
+kernel fill(a: out each<Line>, value: uint) { a = value; }
+pipeline put<T: type, more: uint, S: Structure<uint, T>>(a: out Line, counts: in S) {
+    fill(a, uint(counts[0] + counts[1]));
+    fill(a, uint(counts[0]) + more);
+}
+pub pipeline all(a: out Line, uints: in Line, ints: in Array<1, int>) {
+    put<uint, 1u>(a, uints);
+    put<uint, 2u>(a, uints);
+    put<int, 2u>(a, ints);
+}
+""")
+ran = here.run("--dump=sema", "shares.glift")
+says(ran, 0)
+kernels = [line for line in ran.said.splitlines() if line.startswith("kernel value(")]
+expect(len(kernels) == 5, "uint sum, uint + 1, uint + 2, int sum, int + 2: a kernel each", kernels)
+
 # Outputs.
 says(here.run("--host-only", "-o", "host", "properties.glift"), 0)
 expect(here.names("host") and not [n for n in here.names("host") if n.endswith(".spv")],
