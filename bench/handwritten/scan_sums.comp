@@ -5,7 +5,7 @@
 
 layout(local_size_x = 256) in;
 
-const uint steps = 8;   // uvec4 that an invocation takes in a round
+const uint steps = 8;   // how many uvec4 an invocation takes in a round
 
 layout(push_constant) uniform Parameters { uint count; };
 

@@ -24,7 +24,8 @@ struct Compilation {
     LoadedModules loaded;
     ir::Program program;
     ir::Lowered lowered;
-    std::vector<std::string> read_files;  ///< files read besides the sources: imported C++ headers, and that of --style
+    std::vector<std::string> read_files;  ///< files read besides the sources: imported C++ headers, but for those of
+                                          ///< the system, and the file of --style
 };
 
 struct Output {
@@ -52,8 +53,8 @@ Result compile(const Options& options, const FileSystem& files, Compilation& com
 /// Compiles one text as the only file that exists, for fuzzers; returns what was reported.
 Diagnostics check_text(std::string_view text);
 
-/// A Makefile rule by which the outputs depend on every file that was read, standard input left out. Its paths are
-/// those by which the files were found.
+/// A Makefile rule by which the outputs depend on every file that was read, but for standard input and the system's C++
+/// headers. Its paths are those by which the files were found.
 std::string make_depfile(const Options& options, const Result& result, const Compilation& compilation);
 
 }  // namespace gliftc

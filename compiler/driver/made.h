@@ -10,11 +10,12 @@
 
 namespace gliftc {
 
-/// One memory of a structure that is made, or of a structure that it makes. Levels and layers of other images are left
-/// out.
+/// One memory of a structure that is made, or of a structure that it makes. Levels and layers of another image
+/// (ir::Memory::part) have no bytes of their own, and are not listed.
 struct MadeMemory {
     std::string path;                    ///< `pages.wanted.data`
-    std::optional<std::uint64_t> bytes;  ///< absent: depends on structures that are passed to the constructor
+    std::optional<std::uint64_t> bytes;  ///< absent: not known, mostly since it depends on structures that are
+                                         ///< passed to the constructor
     /// `elements of field` or `table of field`, where the translator of the structure with the path `field` (`it`: the
     /// structure that is made) reads tables; empty for the memories of other structures.
     std::string role;

@@ -11,7 +11,8 @@ void print_description(const Unit& unit, Writer& out, std::uint32_t index) {
         out.line(std::string("see.") + what + "(" + quoted(unit.name(name)) + ", " + value + ");");
     };
     out.gap();
-    out.line("/// Calls a function of `see` for each part, with its name and value. glift/inspect.h has a `see`.");
+    out.line("/// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example "
+             "of such a class.");
     out.open("template <class See> void describe(See&& see) const");
     for (std::size_t i = 0; i < structure.constructor.size(); ++i)
         part("value", unit.program.locals[structure.constructor[i]].name, names.argument_fields[i]);

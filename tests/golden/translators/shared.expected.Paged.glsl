@@ -1,4 +1,4 @@
-// Paged, shared.glift:26.
+// Paged, shared.glift:27.
 // Define PAGED_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at PAGED_BINDING + 1 + k.
 // Optional: PAGED_SET (the descriptor set, else 0), PAGED_STATE (see below), PAGED_READONLY (nothing is written).
 #ifndef GLIFT_PAGED

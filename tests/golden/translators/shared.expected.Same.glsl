@@ -1,4 +1,4 @@
-// Same, shared.glift:33.
+// Same, shared.glift:34.
 // Define SAME_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at SAME_BINDING + 1 + k.
 // Optional: SAME_SET (the descriptor set, else 0), SAME_STATE (see below), SAME_READONLY (nothing is written).
 #ifndef GLIFT_SAME

@@ -1,5 +1,5 @@
 #version 460
-// add, shared.glift:37: direct form: whole structures, of equal sizes where declared with one type.
+// add, shared.glift:38: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(local_size_x = 256) in;
@@ -21,7 +21,7 @@ layout(scalar, set = 0, binding = 5) readonly buffer To_table_data { uint to_tab
 layout(scalar, set = 0, binding = 6) writeonly buffer To_frames_data { float to_frames_data[]; };
 
 void main() {
-    // shared.glift:37
+    // shared.glift:38
     uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= f_extent) return;
     // Each invocation takes two elements: its own, and the one a workgroup's width further on if there is one.
@@ -73,7 +73,7 @@ void main() {
     uvec2 to_place = to_result;
     uint to_at = to_place.y * f_frames_extent.x + to_place.x;
     bool to_found_1 = to_found && to_place.y < f_frames_extent.y;
-    // shared.glift:38
+    // shared.glift:39
     float f_value = f_frames_data[f_found_1 ? f_at : 0u];
     uint value_1 = address + 1u;
     bool g_xp1_field_either = value_1 >= g_field_extent;
@@ -102,7 +102,7 @@ void main() {
     bool g_xp1_inside = g_xp1_field_found && g_xp1_field_place.y < g_field_frames_extent.y;
     uint g_xp1_at = g_xp1_field_place.y * g_field_frames_extent.x + g_xp1_field_place.x;
     float g_xp1 = g_field_frames_data[g_xp1_inside ? g_xp1_at : 0u];
-    // shared.glift:37
+    // shared.glift:38
     bool test_1 = next >= f_extent;
     bool f_either_1 = test_1;
     if (!f_either_1) {
@@ -148,7 +148,7 @@ void main() {
     uvec2 to_place_1 = to_result_1;
     uint to_at_1 = to_place_1.y * f_frames_extent.x + to_place_1.x;
     bool to_found_3 = to_found_2 && to_place_1.y < f_frames_extent.y;
-    // shared.glift:38
+    // shared.glift:39
     float f_value_1 = f_frames_data[f_found_3 ? f_at_1 : 0u];
     uint value_2 = next + 1u;
     bool g_xp1_field_either_1 = value_2 >= g_field_extent;

@@ -393,14 +393,14 @@ bool Growing::same_state(const Growing& other) const {
     return n_ == other.n_ && frames_.get().same_state(other.frames_.get());
 }
 
-// shared.glift:51: grow
+// shared.glift:52: grow
 void Growing::grow(const glift::Commands& commands) {
-    // shared.glift:52
-    Plane larger(commands, uint2(16u, 2u * capacity_.get()));
     // shared.glift:53
+    Plane larger(commands, uint2(16u, 2u * capacity_.get()));
+    // shared.glift:54
     commands.replace(frames_.get(), std::move(larger), {frames_.get().data()});
     larger = {};
-    // shared.glift:54
+    // shared.glift:55
     capacity_.get() = 2u * capacity_.get();
 }
 

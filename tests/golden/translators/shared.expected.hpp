@@ -7,7 +7,8 @@
 #include <glift/structure.h>
 
 /// Memory that is a structure: made for the one that has it (as in `Paged`), or a given one (as in `Same`). A frame
-/// that the table gives may be beyond the memory: its elements are absent. Only this axis, y, is checked.
+/// that the table gives may be beyond the memory: its elements are absent. Of a physical address, {element in its
+/// page, frame}, only the frame is checked: the compiler proves that the other lies inside.
 
 namespace std_array {
 
@@ -30,7 +31,7 @@ public:
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
+    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_uint_none_buffer& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -45,7 +46,7 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
         const glift::Memory& box) const;
 
-    /// Calls a function of `see` for each part, with its name and value. glift/inspect.h has a `see`.
+    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
@@ -87,7 +88,7 @@ public:
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
+    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Array_2_float_none_buffer& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -102,7 +103,7 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Array_2_float_none_buffer>& range,
         const glift::Memory& box) const;
 
-    /// Calls a function of `see` for each part, with its name and value. glift/inspect.h has a `see`.
+    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
@@ -123,7 +124,7 @@ using Plane = ::std_array::Array_2_float_none_buffer;
 
 #ifndef GLIFT_shared_HAS_Paged
 #define GLIFT_shared_HAS_Paged
-/// Paged, shared.glift:26.
+/// Paged, shared.glift:27.
 class Paged : public glift::Structure<Paged, glift::uint, float> {
 public:
     static constexpr const char* type_name = "Paged";
@@ -141,7 +142,7 @@ public:
     Table& table() { return table_; }
     const Plane& frames() const { return frames_; }
     Plane& frames() { return frames_; }
-    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
+    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Paged& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -160,7 +161,7 @@ public:
         const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
         const glift::Memory& values) const;
 
-    /// Calls a function of `see` for each part, with its name and value. glift/inspect.h has a `see`.
+    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.value("capacity", capacity_);
@@ -192,7 +193,7 @@ public:
     Paged& field() { return field_; }
     const Paged& elements() const { return field_; }
     Paged& elements() { return field_; }
-    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
+    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Same& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -211,7 +212,7 @@ public:
         const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
         const glift::Memory& values) const;
 
-    /// Calls a function of `see` for each part, with its name and value. glift/inspect.h has a `see`.
+    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
     template <class See> void describe(See&& see) const {
         see.memory("field", field());
     }
@@ -239,10 +240,10 @@ public:
     const Plane& frames() const { return frames_.get(); }
     Plane& frames() { return frames_.get(); }
     glift::uint capacity() const { return capacity_.get(); }
-    /// Whether both were made with equal arguments; kernels may then use the sizes of one for both.
+    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Growing& other) const;
 
-    /// Calls a function of `see` for each part, with its name and value. glift/inspect.h has a `see`.
+    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
     template <class See> void describe(See&& see) const {
         see.value("n", n_);
         see.value("capacity", capacity());

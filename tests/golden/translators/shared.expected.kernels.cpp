@@ -10,7 +10,7 @@ namespace shared {
 using namespace glift::types;
 
 // ----------------------------------------------------------------------------------------------------
-// shared.glift:37: add
+// shared.glift:38: add
 
 namespace {
 struct add_direct_parameters {
@@ -28,7 +28,7 @@ static_assert(offsetof(add_direct_parameters, g_field_extent) == 16);
 static_assert(offsetof(add_direct_parameters, g_field_table_extent) == 20);
 static_assert(offsetof(add_direct_parameters, g_field_frames_extent) == 24);
 
-// shared.glift:37: runs kernel add for the given rows.
+// shared.glift:38: runs kernel add for the given rows.
 GLIFT_HOST_KERNEL
 static void add_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const add_direct_parameters*>(call.parameters);
@@ -48,7 +48,7 @@ static void add_direct_rows(const glift::HostCall& call, const glift::host::Rows
         GLIFT_INDEPENDENT
         for (uint x = row.begin; x < row.end; ++x) {
             const uint address = x;
-            // shared.glift:37
+            // shared.glift:38
             const bool test = address >= f_extent;
             bool f_either = test;
             if (!f_either) {
@@ -94,7 +94,7 @@ static void add_direct_rows(const glift::HostCall& call, const glift::host::Rows
             const uint2 to_place = to_result;
             const uint to_at = to_place.y * f_frames_extent.x + to_place.x;
             const bool to_found_2 = to_found && to_place.y < f_frames_extent.y;
-            // shared.glift:38
+            // shared.glift:39
             const float f_value = f_frames_data[f_found_2 ? f_at : 0u];
             const uint value = address + 1u;
             bool g_xp1_field_either = value >= g_field_extent;
@@ -162,7 +162,7 @@ static_assert(offsetof(add_general_parameters, g_field_extent) == 48);
 static_assert(offsetof(add_general_parameters, g_field_table_extent) == 52);
 static_assert(offsetof(add_general_parameters, g_field_frames_extent) == 56);
 
-// shared.glift:37: runs kernel add for the given rows.
+// shared.glift:38: runs kernel add for the given rows.
 GLIFT_HOST_KERNEL
 static void add_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const add_general_parameters*>(call.parameters);
@@ -188,9 +188,9 @@ static void add_general_rows(const glift::HostCall& call, const glift::host::Row
         GLIFT_INDEPENDENT
         for (uint x = row.begin; x < row.end; ++x) {
             const uint address = x;
-            // shared.glift:38
+            // shared.glift:39
             const uint f_address = f_origin + address;
-            // shared.glift:37
+            // shared.glift:38
             bool f_either = f_address >= f_extent;
             if (!f_either) {
                 const uint f_table_address = f_address / 16u;
@@ -213,10 +213,10 @@ static void add_general_rows(const glift::HostCall& call, const glift::host::Row
             const uint2 f_place = f_result;
             const uint f_at = f_place.y * f_frames_extent.x + f_place.x;
             const bool f_found_2 = f_found && f_place.y < f_frames_extent.y;
-            // shared.glift:38
+            // shared.glift:39
             const uint g_address = g_origin + address;
             const uint to_address = to_origin + address;
-            // shared.glift:37
+            // shared.glift:38
             bool to_either = to_address >= to_extent;
             if (!to_either) {
                 const uint to_table_address = to_address / 16u;
@@ -239,7 +239,7 @@ static void add_general_rows(const glift::HostCall& call, const glift::host::Row
             const uint2 to_place = to_result;
             const uint to_at = to_place.y * to_frames_extent.x + to_place.x;
             const bool to_found_2 = to_found && to_place.y < to_frames_extent.y;
-            // shared.glift:38
+            // shared.glift:39
             const float f_value = f_frames_data[f_found_2 ? f_at : 0u];
             const uint value = g_address + 1u;
             bool g_xp1_field_either = value >= g_field_extent;
@@ -325,7 +325,7 @@ static_assert(offsetof(add_wide_parameters, g_field_frames_data_address) == 104)
 static_assert(offsetof(add_wide_parameters, to_table_data_address) == 112);
 static_assert(offsetof(add_wide_parameters, to_frames_data_address) == 120);
 
-// shared.glift:37: runs kernel add for the given rows.
+// shared.glift:38: runs kernel add for the given rows.
 GLIFT_HOST_KERNEL
 static void add_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const add_wide_parameters*>(call.parameters);
@@ -354,9 +354,9 @@ static void add_wide_rows(const glift::HostCall& call, const glift::host::Rows& 
         GLIFT_INDEPENDENT
         for (uint x = row.begin; x < row.end; ++x) {
             const uint address = x;
-            // shared.glift:38
+            // shared.glift:39
             const uint f_address = f_origin + address;
-            // shared.glift:37
+            // shared.glift:38
             bool f_either = f_address >= f_extent;
             if (!f_either) {
                 const uint f_table_address = f_address / 16u;
@@ -381,10 +381,10 @@ static void add_wide_rows(const glift::HostCall& call, const glift::host::Rows& 
             const uint2 f_place = f_result;
             const std::uint64_t f_at = std::uint64_t(f_place.y) * f_frames_extent_x + std::uint64_t(f_place.x);
             const bool f_found_2 = f_found && f_place.y < f_frames_extent_y;
-            // shared.glift:38
+            // shared.glift:39
             const uint g_address = g_origin + address;
             const uint to_address = to_origin + address;
-            // shared.glift:37
+            // shared.glift:38
             bool to_either = to_address >= to_extent;
             if (!to_either) {
                 const uint to_table_address = to_address / 16u;
@@ -411,7 +411,7 @@ static void add_wide_rows(const glift::HostCall& call, const glift::host::Rows& 
             const uint2 to_place = to_result;
             const std::uint64_t to_at = std::uint64_t(to_place.y) * to_frames_extent_x + std::uint64_t(to_place.x);
             const bool to_found_2 = to_found && to_place.y < to_frames_extent_y;
-            // shared.glift:38
+            // shared.glift:39
             const float f_value = f_frames_data[f_found_2 ? f_at : std::uint64_t{0u}];
             const uint value = g_address + 1u;
             bool g_xp1_field_either = value >= g_field_extent;
@@ -482,7 +482,7 @@ extern const glift::Kernel add_kernel;
 const glift::Kernel add_kernel = {
     .name = "add",
     .file = "shared.glift",
-    .line = 37,
+    .line = 38,
     .rank = 1,
     .group = {256, 1, 1},
     .loop_rounds = 0,
@@ -495,7 +495,7 @@ const glift::Kernel add_kernel = {
 };
 
 // ----------------------------------------------------------------------------------------------------
-// shared.glift:42: move
+// shared.glift:43: move
 
 namespace {
 struct move_direct_parameters {
@@ -507,7 +507,7 @@ static_assert(offsetof(move_direct_parameters, from_extent) == 0);
 static_assert(offsetof(move_direct_parameters, from_table_extent) == 4);
 static_assert(offsetof(move_direct_parameters, from_frames_extent) == 8);
 
-// shared.glift:42: runs kernel move for the given rows.
+// shared.glift:43: runs kernel move for the given rows.
 GLIFT_HOST_KERNEL
 static void move_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const move_direct_parameters*>(call.parameters);
@@ -522,7 +522,7 @@ static void move_direct_rows(const glift::HostCall& call, const glift::host::Row
         GLIFT_INDEPENDENT
         for (uint x = row.begin; x < row.end; ++x) {
             const uint address = x;
-            // shared.glift:42
+            // shared.glift:43
             bool to_either = address >= from_extent;
             if (!to_either) {
                 const uint to_table_address = address / 16u;
@@ -545,7 +545,7 @@ static void move_direct_rows(const glift::HostCall& call, const glift::host::Row
             const uint2 to_place = to_result;
             const uint to_at = to_place.y * from_frames_extent.x + to_place.x;
             const bool to_found_2 = to_found && to_place.y < from_frames_extent.y;
-            // shared.glift:43
+            // shared.glift:44
             const uint from_address = address / 2u;
             bool from_either = from_address >= from_extent;
             if (!from_either) {
@@ -604,7 +604,7 @@ static_assert(offsetof(move_general_parameters, from_extent) == 32);
 static_assert(offsetof(move_general_parameters, from_table_extent) == 36);
 static_assert(offsetof(move_general_parameters, from_frames_extent) == 40);
 
-// shared.glift:42: runs kernel move for the given rows.
+// shared.glift:43: runs kernel move for the given rows.
 GLIFT_HOST_KERNEL
 static void move_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const move_general_parameters*>(call.parameters);
@@ -625,10 +625,10 @@ static void move_general_rows(const glift::HostCall& call, const glift::host::Ro
         GLIFT_INDEPENDENT
         for (uint x = row.begin; x < row.end; ++x) {
             const uint address = x;
-            // shared.glift:43
+            // shared.glift:44
             const uint a_address = a_origin + address;
             const uint to_address = to_origin + address;
-            // shared.glift:42
+            // shared.glift:43
             bool to_either = to_address >= to_extent;
             if (!to_either) {
                 const uint to_table_address = to_address / 16u;
@@ -651,7 +651,7 @@ static void move_general_rows(const glift::HostCall& call, const glift::host::Ro
             const uint2 to_place = to_result;
             const uint to_at = to_place.y * to_frames_extent.x + to_place.x;
             const bool to_found_2 = to_found && to_place.y < to_frames_extent.y;
-            // shared.glift:43
+            // shared.glift:44
             const uint from_address = a_address / 2u;
             const uint from_virtual = from_origin + from_address;
             bool from_either = from_virtual >= from_extent;
@@ -723,7 +723,7 @@ static_assert(offsetof(move_wide_parameters, from_frames_data_address) == 64);
 static_assert(offsetof(move_wide_parameters, to_table_data_address) == 72);
 static_assert(offsetof(move_wide_parameters, to_frames_data_address) == 80);
 
-// shared.glift:42: runs kernel move for the given rows.
+// shared.glift:43: runs kernel move for the given rows.
 GLIFT_HOST_KERNEL
 static void move_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const move_wide_parameters*>(call.parameters);
@@ -746,10 +746,10 @@ static void move_wide_rows(const glift::HostCall& call, const glift::host::Rows&
         GLIFT_INDEPENDENT
         for (uint x = row.begin; x < row.end; ++x) {
             const uint address = x;
-            // shared.glift:43
+            // shared.glift:44
             const uint a_address = a_origin + address;
             const uint to_address = to_origin + address;
-            // shared.glift:42
+            // shared.glift:43
             bool to_either = to_address >= to_extent;
             if (!to_either) {
                 const uint to_table_address = to_address / 16u;
@@ -776,7 +776,7 @@ static void move_wide_rows(const glift::HostCall& call, const glift::host::Rows&
             const uint2 to_place = to_result;
             const std::uint64_t to_at = std::uint64_t(to_place.y) * to_frames_extent_x + std::uint64_t(to_place.x);
             const bool to_found_2 = to_found && to_place.y < to_frames_extent_y;
-            // shared.glift:43
+            // shared.glift:44
             const uint from_address = a_address / 2u;
             const uint from_virtual = from_origin + from_address;
             bool from_either = from_virtual >= from_extent;
@@ -839,7 +839,7 @@ extern const glift::Kernel move_kernel;
 const glift::Kernel move_kernel = {
     .name = "move",
     .file = "shared.glift",
-    .line = 42,
+    .line = 43,
     .rank = 1,
     .group = {256, 1, 1},
     .loop_rounds = 0,

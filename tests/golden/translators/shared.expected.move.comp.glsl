@@ -1,5 +1,5 @@
 #version 460
-// move, shared.glift:42: direct form: whole structures, of equal sizes where declared with one type.
+// move, shared.glift:43: direct form: whole structures, of equal sizes where declared with one type.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(local_size_x = 256) in;
@@ -16,7 +16,7 @@ layout(scalar, set = 0, binding = 3) readonly buffer To_table_data { uint to_tab
 layout(scalar, set = 0, binding = 4) writeonly buffer To_frames_data { float to_frames_data[]; };
 
 void main() {
-    // shared.glift:42
+    // shared.glift:43
     uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= from_extent) return;
     // Each invocation takes two elements: its own, and the one a workgroup's width further on if there is one.
@@ -45,7 +45,7 @@ void main() {
     uvec2 to_place = to_result;
     uint to_at = to_place.y * from_frames_extent.x + to_place.x;
     bool to_found_1 = to_found && to_place.y < from_frames_extent.y;
-    // shared.glift:43
+    // shared.glift:44
     uint from_address = address / 2u;
     bool from_either = from_address >= from_extent;
     if (!from_either) {
@@ -70,7 +70,7 @@ void main() {
     bool from_value_inside = from_found && from_place.y < from_frames_extent.y;
     uint from_value_at = from_place.y * from_frames_extent.x + from_place.x;
     float from_value = from_frames_data[from_value_inside ? from_value_at : 0u];
-    // shared.glift:42
+    // shared.glift:43
     bool to_either_1 = next >= from_extent;
     if (!to_either_1) {
         uint to_table_address = next / 16u;
@@ -93,7 +93,7 @@ void main() {
     uvec2 to_place_1 = to_result_1;
     uint to_at_1 = to_place_1.y * from_frames_extent.x + to_place_1.x;
     bool to_found_3 = to_found_2 && to_place_1.y < from_frames_extent.y;
-    // shared.glift:43
+    // shared.glift:44
     uint from_address_1 = next / 2u;
     bool from_either_1 = from_address_1 >= from_extent;
     if (!from_either_1) {
