@@ -32,14 +32,14 @@
 //               | "guarded_load(" … ")" | place "." property | "state" n | "none" | "(" expr [ ":" type ] ")" ;
 //     property  = "domain" | "member" n | "memory" n | "host" n ;
 //
-// "declared": the source declares the group. "tmp" is a let that a pass of lower/ introduced; n counts from 0; place is a
-// path from a kernel's parameter through nested members, such as f.table; "given" is a local that a draw exchanges with
-// the rasteriser; intrinsic is also "some", "has_value" or "value", for optionals. A primary "(" expr ":" type ")"
+// "declared": the source declares the group. "tmp" is a let that a pass of lower/ introduced; n counts from 0; place is
+// a path from a kernel's parameter through nested members, such as f.table; "given" is a local that a draw exchanges
+// with the rasteriser; intrinsic is also "some", "has_value" or "value", for optionals. A primary "(" expr ":" type ")"
 // gives the type of an expression whose operands do not imply it (ir/implied_type.h). "fact" is a condition that is
 // known to hold throughout the body; tests and --dump-after write it. "member" n is the n-th argument of the
 // structure's constructor, "memory" n the extent of its n-th memory, "host" n the n-th host state of an adaptor,
-// "state" n the n-th scalar field of a translator; "of" place n names the n-th memory of the structure at the place, and
-// each word before it sets a member of PassBinding, one_place and compare with the word after them (read_pass.cpp).
+// "state" n the n-th scalar field of a translator; "of" place n names the n-th memory of the structure at the place,
+// and each word before it sets a member of PassBinding, one_place and compare with the word after them (read_pass.cpp).
 // "loops", "reports", "inexact" set members of Pass; "keep" marks locals whose values cross a barrier; the section
 // "block" is Variant::block. "…": as print_statements.cpp and print_expressions.cpp write it.
 #pragma once

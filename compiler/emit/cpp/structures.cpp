@@ -395,7 +395,7 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index) {
         out.close();
     }
     print_accessors(unit, out, index, names);
-    out.line("/// Whether the constructor's values and the state of the parts are equal; kernels may then use the "
+    out.line("/// Whether constructor values and the state of the parts are equal; kernels may then use the "
              "sizes of one for both.");
     out.line("bool same_state(const " + type + "& other) const;");
     if (has_transfers(structure)) {

@@ -29,7 +29,7 @@ public:
     glift::uint levels() const { return levels_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const ImageLevels_r32f& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -41,7 +41,7 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLevels_r32f>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.value("levels", levels_);
@@ -84,7 +84,7 @@ public:
     ImageLevels_r32f& of() { return of_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const ImageLevel_r32f& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -96,7 +96,7 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLevel_r32f>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("level", level_);
         see.memory("data", data());
@@ -140,7 +140,7 @@ public:
     glift::uint layers() const { return layers_; }
     const glift::Memory& data() const { return data_; }
     glift::uint3 data_extent() const { return data_extent_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const ImageLayers_rgba8& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -152,7 +152,7 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLayers_rgba8>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.value("layers", layers_);
@@ -194,7 +194,7 @@ public:
     ImageLayers_rgba8& of() { return of_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const ImageLayer_rgba8& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -206,7 +206,7 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLayer_rgba8>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("layer", layer_);
         see.memory("data", data());

@@ -28,13 +28,13 @@ public:
     glift::uint layers() const { return layers_; }
     const glift::Memory& depths() const { return depths_; }
     glift::uint3 depths_extent() const { return depths_extent_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Shadows& other) const;
 
     /// Copies the elements to a linear buffer, `box`, the first axis fastest.
     void copy_out(const glift::Commands& commands, const glift::Range<Shadows>& range, const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.value("layers", layers_);
@@ -66,7 +66,7 @@ public:
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Heights& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -76,7 +76,7 @@ public:
     void copy_out(const glift::Commands& commands, const glift::Range<Heights>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Heights>& range, const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
@@ -112,7 +112,7 @@ public:
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Array_2_uint_none_image2d& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -124,7 +124,7 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Array_2_uint_none_image2d>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
@@ -166,7 +166,7 @@ public:
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_float3_none_buffer& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -181,7 +181,7 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float3_none_buffer>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
@@ -223,7 +223,7 @@ public:
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_float_none_buffer& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -238,7 +238,7 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float_none_buffer>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());

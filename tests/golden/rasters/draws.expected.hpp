@@ -29,7 +29,7 @@ public:
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_float3_none_buffer& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -44,7 +44,7 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float3_none_buffer>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
@@ -86,7 +86,7 @@ public:
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_uint_none_buffer& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -101,7 +101,7 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
@@ -143,7 +143,7 @@ public:
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Image_rgba8& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -155,7 +155,7 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Image_rgba8>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
@@ -197,14 +197,14 @@ public:
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Image_d32& other) const;
 
     /// Copies the elements to a linear buffer, `box`, the first axis fastest.
     void copy_out(const glift::Commands& commands, const glift::Range<Image_d32>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
@@ -246,7 +246,7 @@ public:
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Array_2_uint_none_buffer& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -261,7 +261,7 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Array_2_uint_none_buffer>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());

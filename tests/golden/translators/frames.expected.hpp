@@ -27,7 +27,7 @@ public:
     glift::uint n() const { return n_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Frames& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -49,7 +49,7 @@ public:
         const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
         const glift::Memory& values) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("n", n_);
         see.memory("data", data());
@@ -81,7 +81,7 @@ public:
     const Frames& frames() const { return frames_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Pool& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -100,7 +100,7 @@ public:
         const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
         const glift::Memory& values) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("pages", pages_);
         see.value("capacity", capacity_);

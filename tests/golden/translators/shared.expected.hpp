@@ -31,7 +31,7 @@ public:
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_uint_none_buffer& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -46,7 +46,7 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
@@ -88,7 +88,7 @@ public:
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Array_2_float_none_buffer& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -103,7 +103,7 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Array_2_float_none_buffer>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
@@ -142,7 +142,7 @@ public:
     Table& table() { return table_; }
     const Plane& frames() const { return frames_; }
     Plane& frames() { return frames_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Paged& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -161,7 +161,7 @@ public:
         const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
         const glift::Memory& values) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.value("capacity", capacity_);
@@ -193,7 +193,7 @@ public:
     Paged& field() { return field_; }
     const Paged& elements() const { return field_; }
     Paged& elements() { return field_; }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Same& other) const;
 
     /// Gives every element, or those of a box, the same value.
@@ -212,7 +212,7 @@ public:
         const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
         const glift::Memory& values) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.memory("field", field());
     }
@@ -240,10 +240,10 @@ public:
     const Plane& frames() const { return frames_.get(); }
     Plane& frames() { return frames_.get(); }
     glift::uint capacity() const { return capacity_.get(); }
-    /// Whether the constructor's values and the state of the parts are equal; kernels may then use the sizes of one for both.
+    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Growing& other) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part; glift/inspect.h has an example of such a class.
+    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("n", n_);
         see.value("capacity", capacity());
