@@ -357,6 +357,7 @@ struct Method {
 /// A variable of an adaptor's host state.
 struct HostField {
     Name name;
+    Span span;
     TypeId type;
     ExprId initial;
 };

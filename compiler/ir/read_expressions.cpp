@@ -258,7 +258,7 @@ void Reader::grow(std::uint32_t structure, const Expr& property) {
         of.constructor.push_back(p.locals.add({.name = p.names->intern(called), .type = p.types.error}));
     }
     while (property.op == Op::host_state && of.host.size() <= property.slot)
-        of.host.push_back({p.names->intern("host" + std::to_string(of.host.size())), p.types.error, {}});
+        of.host.push_back({.name = p.names->intern("host" + std::to_string(of.host.size())), .type = p.types.error});
     while (property.op == Op::memory_extent && of.memories.size() <= property.slot) {
         Memory made;
         made.name = p.names->intern("memory" + std::to_string(of.memories.size()));

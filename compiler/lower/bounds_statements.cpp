@@ -83,9 +83,9 @@ void Following::assign(ExprId target, const Parts& value) {
         return;
     }
     if (value.empty() || whole.size() < value.size()) return give_up();
-    // An index beyond the array is clamped to its last element, as it is at run time.
+    // An index beyond the array, or a negative one, is clamped to its last element, as it is at run time.
     const std::size_t last = whole.size() / value.size() - 1;
-    const std::size_t element = at && *at >= 0 ? std::min(static_cast<std::size_t>(*at), last) : last;
+    const std::size_t element = std::min(static_cast<std::size_t>(at.value_or(-1)), last);
     for (std::size_t i = 0; i < value.size(); ++i)
         whole[node.op == Op::swizzle ? node.lanes[i] : element * value.size() + i] = value[i];
 }

@@ -538,7 +538,7 @@ void bring_members_into_scope(Body& body, std::uint32_t index) {
         symbol.kind = SymbolKind::host_state;
         symbol.slot = i;
         symbol.type = structure.host[i].type;
-        declare(body, {structure.host[i].name, structure.span}, symbol);
+        declare(body, {structure.host[i].name, structure.host[i].span}, symbol);
     }
 }
 
@@ -642,7 +642,7 @@ ir::TypeId make_adaptor(Context& c, ast::DeclId id, const Env& env) {
             ir::TypeId type = type_of(c, env, item.type);
             if (is_refused_optional(c, type, "host state", c[item.type].span)) type = c.types().error;
             ir::ExprId initial = item.value ? check_value(body, item.value, type) : ir::ExprId{};
-            c.program.structures[index].host.push_back({item.name.name, type, initial});
+            c.program.structures[index].host.push_back({item.name.name, item.name.span, type, initial});
             break;
         }
         case ast::ItemKind::function:
