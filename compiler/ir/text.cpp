@@ -24,6 +24,45 @@ std::string lane_text(const Types& types, TypeId scalar, const Lane& lane) {
     return std::to_string(lane.bits);
 }
 
+/// The value of the type whose lanes begin at `lanes`, which is moved behind them.
+std::string value_text(const Program& program, TypeId id, const Lane*& lanes) {
+    const Types& types = program.types;
+    const Type& type = types[id];
+    std::string parts;
+    const auto add = [&](TypeId part) { parts += (parts.empty() ? "" : ", ") + value_text(program, part, lanes); };
+    switch (type.kind) {
+    case TypeKind::vector:
+    case TypeKind::matrix:
+        for (std::size_t i = lane_count(program, id); i > 0; --i) add(types.scalar_of(id));
+        break;
+    case TypeKind::array:
+        for (std::uint32_t i = 0; i < type.count; ++i) add(type.element);
+        break;
+    case TypeKind::struct_:
+        for (const StructField& field : program.structs[type.index].fields) add(field.type);
+        break;
+    case TypeKind::optional: {
+        const bool has = (lanes++)->bits != 0;
+        const std::string held = value_text(program, type.element, lanes);
+        return has ? held : "none";
+    }
+    case TypeKind::enum_: {
+        const Enum& of = program.enums[type.index];
+        const std::uint64_t bits = (lanes++)->bits;
+        for (std::size_t i = 0; i < of.values.size(); ++i)
+            if (of.values[i] == bits) return (*program.names)[of.enumerators[i]];
+        return std::to_string(bits);
+    }
+    case TypeKind::error:
+    case TypeKind::void_:
+    case TypeKind::structure:
+    case TypeKind::slice:
+    case TypeKind::device: break;  // values of these have no lanes
+    default: return lane_text(types, id, *lanes++);
+    }
+    return to_text(program, id) + "(" + parts + ")";
+}
+
 ExprId materialize_part(Program& program, TypeId type, const Lane*& lanes, Span span) {
     Types& types = program.types;
     Expr expr{.op = Op::construct, .type = type, .span = span};
@@ -71,18 +110,8 @@ ExprId materialize(Program& program, const Value& value, Span span) {
 }
 
 std::string to_text(const Program& program, const Value& value) {
-    const Types& types = program.types;
-    if (types.kind(value.type) == TypeKind::enum_) {
-        const Enum& type = program.enums[types[value.type].index];
-        for (std::size_t i = 0; i < type.values.size(); ++i)
-            if (type.values[i] == value.bits()) return (*program.names)[type.enumerators[i]];
-    }
-    TypeId scalar = types.scalar_of(value.type);
-    if (value.lanes.size() == 1) return lane_text(types, scalar, value.lanes[0]);
-    std::string text = to_text(program, value.type) + "(";
-    for (std::size_t i = 0; i < value.lanes.size(); ++i)
-        text += (i ? ", " : "") + lane_text(types, scalar, value.lanes[i]);
-    return text + ")";
+    const Lane* lanes = value.lanes.data();
+    return value_text(program, value.type, lanes);
 }
 
 std::string module_text(const Program& program, std::uint32_t module) {

@@ -127,10 +127,9 @@ struct Body {
     bool is_open = false;
     std::vector<ir::ExprId> leaves;  ///< pipelines: the values on the device (Op::device_value) in the expression being
                                      ///< checked whose elements have not been copied yet (values.cpp, keep_leaves)
-    /// Pipelines: the declaration's name, with which the keys (ir::Kernel::key) of the kernels begin that compute
-    /// values on the device for its instances. Each run of gliftc gives the same kernel the same key.
+    /// Pipelines: the name of the declaration (of a test, its title), with which the keys (ir::Kernel::key) of the
+    /// kernels begin that compute values on the device for it. Each run of gliftc gives the same kernel the same key.
     std::string key;
-    Span declared;  ///< pipelines: where the declaration is
     /// A branch, or the body of a loop, whose condition lies on the device.
     struct Arm {
         ir::LocalId condition;

@@ -467,9 +467,15 @@ std::string to_text(const Context& c, const Meta& meta) {
     return "?";
 }
 
+/// Whether the text of such a value may begin with its type, whose name is not qualified.
+static bool has_parts(ir::TypeKind kind) {
+    using enum ir::TypeKind;
+    return kind == vector || kind == matrix || kind == array || kind == struct_ || kind == optional;
+}
+
 std::string to_qualified_text(const Context& c, const Meta& meta) {
     if (meta.kind == MetaKind::type) return ir::to_qualified_text(c.program, meta.type);
-    if (meta.kind == MetaKind::value && meta.value.lanes.size() != 1)  // ir::to_text() begins with the unqualified type
+    if (meta.kind == MetaKind::value && has_parts(c.program.types.kind(meta.value.type)))
         return ir::to_qualified_text(c.program, meta.value.type) + ir::to_text(c.program, meta.value);
     if (meta.kind != MetaKind::translator) return to_text(c, meta);
     std::string text;

@@ -142,8 +142,8 @@ static std::vector<ast::DeclId> overloads_of(Context& c, ast::DeclId id, std::op
     return all;
 }
 
-/// The name of the declaration with its module and its container, the same for all instances; then, for all overloads
-/// but the first, the number of the overload.
+/// The name of the declaration with its module and its container, the same for all instances; then, unless it is the
+/// first of its overloads, its number among them.
 static std::string name_of_declaration(Context& c, ast::DeclId id, std::optional<std::uint32_t> owner) {
     const std::vector<ast::DeclId> all = overloads_of(c, id, owner);
     const auto place = std::ranges::find(all, id) - all.begin();
@@ -182,8 +182,7 @@ std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, co
               .env = env,
               .kind = BodyKind::pipeline,
               .block = &pipeline.body,
-              .key = name_of_declaration(c, id, owner),
-              .declared = pipeline.span};
+              .key = name_of_declaration(c, id, owner)};
     if (owner) bring_members_into_scope(body, *owner);
     open_scope(body);
     for (std::size_t i = 0; i < written.params.size(); ++i)
@@ -227,8 +226,7 @@ void instantiate_test(Context& c, ast::DeclId id) {
               .block = &pipeline.body,
               .result = pipeline.result,
               .in_test = true,
-              .key = "test " + written.title,
-              .declared = pipeline.span};
+              .key = ir::module_text(c.program, pipeline.module) + "test " + written.title};
     open_scope(body);
     check_pipeline_body(body, written.body, pipeline);
     close_scope(body);

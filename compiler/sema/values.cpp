@@ -109,15 +109,15 @@ ir::ExprId Maker::rewritten(ir::ExprId id) {
     return p_.exprs.add(std::move(copy));
 }
 
-/// The kernel's key (ir::Kernel::key): where the expression is in its pipeline's declaration, and all that the kernel's
-/// code depends on. Instances of a generic pipeline share a kernel where they compute the same.
+/// The kernel's key (ir::Kernel::key): the declaration of the pipeline, and all that the kernel's code depends on.
+/// Equal expressions of a pipeline share a kernel, also those of the instances of a generic pipeline.
 std::string Maker::key_for(ir::ExprId value) const {
-    std::string key =
-        body_.key + "<" + std::to_string(span_.begin - body_.declared.begin) + ": " + ir::print(p_, value);
+    std::string key = body_.key + "<" + ir::print(p_, value);
     for (const ir::KernelParam& param : kernel_.params)
         key += ", " + c_.text(param.name) + (param.pattern == ir::Pattern::value ? "" : " on the device");
     ir::for_each_node(p_, value, [&](ir::ExprId node) {
         const ir::Expr& expr = p_.exprs[node];
+        if (expr.op == ir::Op::constant && p_.types.kind(expr.type) != ir::TypeKind::enum_) return;  // print() says it
         key += ", " + ir::to_qualified_text(p_, expr.type);
         if (expr.op == ir::Op::call) key += " of " + p_.functions[expr.function].key;
     });

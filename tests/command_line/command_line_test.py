@@ -66,7 +66,7 @@ lines = (here.path / "chain/chain.k.comp.glsl").read_text().count("\n")
 expect(lines < 2000, "calls are inlined as far as the result stays small", str(lines))
 
 # Instances of a pipeline share the kernels of equal values on the device; values of other types or constants have their own.
-here.write("shares.glift", """module shares;
+shares = """module shares;
 use std.array;
 structure Line = Array<1, uint>;
 kernel fill(a: out each<Line>, value: uint) { a = value; }
@@ -79,11 +79,18 @@ pub pipeline all(a: out Line, uints: in Line, ints: in Array<1, int>) {
     put<uint, 2u>(a, uints);
     put<int, 2u>(a, ints);
 }
-""")
+"""
+here.write("shares.glift", shares)
 ran = here.run("--dump=sema", "shares.glift")
 says(ran, 0)
 kernels = [line for line in ran.said.splitlines() if line.startswith("kernel value(")]
 expect(len(kernels) == 5, "uint sum, uint + 1, uint + 2, int sum, int + 2: a kernel each", kernels)
+here.write("edited/shares.glift", shares.replace("    fill(", "    // A comment.\n    fill("))
+says(here.run("--target=cpp", "-o", "shares", "shares.glift"), 0)
+says(here.run("--target=cpp", "-o", "shares_edited", "edited/shares.glift"), 0)
+header = "shares.glift.internal.hpp"
+expect((here.path / "shares" / header).read_text() == (here.path / "shares_edited" / header).read_text(),
+       "a comment changes no kernel's name")
 
 # Outputs.
 says(here.run("--host-only", "-o", "host", "properties.glift"), 0)

@@ -116,33 +116,33 @@ void fill_box_fbf6ae12(const glift::Commands& commands, const glift::Range<::std
 
 namespace device_values {
 
-void value_f91e591d_2(const glift::Commands& commands, const glift::DeviceScalar<glift::uint>& element,
+void value_a0d1f05f_2(const glift::Commands& commands, const glift::DeviceScalar<glift::uint>& element,
     const glift::DeviceScalar<glift::uint>& element_2, glift::uint by,
     const glift::Range<::std_transfer::Box_1_uint>& result);
-void value_df6000ff_2(const glift::Commands& commands, const glift::DeviceScalar<glift::uint>& n,
+void value_324e3ecf_2(const glift::Commands& commands, const glift::DeviceScalar<glift::uint>& n,
     const glift::Range<::std_transfer::Box_1_bool>& result);
 void scale_device_by(const glift::Commands& commands, const glift::Range<Line>& a,
     const glift::DeviceScalar<glift::uint>& by);
-void value_6e4abe3f_2(const glift::Commands& commands, const glift::Range<::std_transfer::Box_1_bool>& result);
-void value_b6e225b9_2(const glift::Commands& commands, const glift::Range<::std_transfer::Box_1_uint>& result);
-void value_f1b18e79_2(const glift::Commands& commands, const glift::DeviceScalar<glift::Bool>& condition,
+void value_true_2(const glift::Commands& commands, const glift::Range<::std_transfer::Box_1_bool>& result);
+void value_0u_2(const glift::Commands& commands, const glift::Range<::std_transfer::Box_1_uint>& result);
+void value_53ad928e_2(const glift::Commands& commands, const glift::DeviceScalar<glift::Bool>& condition,
     const glift::DeviceScalar<glift::uint>& times, const glift::Range<::std_transfer::Box_1_uint>& result);
-void value_4e017838_2(const glift::Commands& commands, const glift::DeviceScalar<glift::Bool>& running,
+void value_b207683c_2(const glift::Commands& commands, const glift::DeviceScalar<glift::Bool>& running,
     const glift::DeviceScalar<glift::uint>& element, const glift::DeviceScalar<glift::uint>& times,
     const glift::Range<::std_transfer::Box_1_bool>& result);
-void value_9a85b59a_2(const glift::Commands& commands, const glift::DeviceScalar<glift::Bool>& running,
+void value_7992094a_2(const glift::Commands& commands, const glift::DeviceScalar<glift::Bool>& running,
     const glift::DeviceScalar<glift::uint>& times, const glift::Range<::std_transfer::Box_1_uint>& result);
-glift::DeviceScalar<glift::uint> value_f91e591d(const glift::Commands& commands,
+glift::DeviceScalar<glift::uint> value_a0d1f05f(const glift::Commands& commands,
     glift::DeviceScalar<glift::uint> element, glift::DeviceScalar<glift::uint> element_2, glift::uint by);
-glift::DeviceScalar<glift::Bool> value_df6000ff(const glift::Commands& commands, glift::DeviceScalar<glift::uint> n);
-glift::DeviceScalar<glift::Bool> value_6e4abe3f(const glift::Commands& commands);
-glift::DeviceScalar<glift::uint> value_b6e225b9(const glift::Commands& commands);
-glift::DeviceScalar<glift::uint> value_f1b18e79(const glift::Commands& commands,
+glift::DeviceScalar<glift::Bool> value_324e3ecf(const glift::Commands& commands, glift::DeviceScalar<glift::uint> n);
+glift::DeviceScalar<glift::Bool> value_true(const glift::Commands& commands);
+glift::DeviceScalar<glift::uint> value_0u(const glift::Commands& commands);
+glift::DeviceScalar<glift::uint> value_53ad928e(const glift::Commands& commands,
     glift::DeviceScalar<glift::Bool> condition, glift::DeviceScalar<glift::uint> times);
-glift::DeviceScalar<glift::Bool> value_4e017838(const glift::Commands& commands,
+glift::DeviceScalar<glift::Bool> value_b207683c(const glift::Commands& commands,
     glift::DeviceScalar<glift::Bool> running, glift::DeviceScalar<glift::uint> element,
     glift::DeviceScalar<glift::uint> times);
-glift::DeviceScalar<glift::uint> value_9a85b59a(const glift::Commands& commands,
+glift::DeviceScalar<glift::uint> value_7992094a(const glift::Commands& commands,
     glift::DeviceScalar<glift::Bool> running, glift::DeviceScalar<glift::uint> times);
 
 }  // namespace device_values

@@ -147,21 +147,21 @@ const glift::Kernel scale_kernel = {
 // device_values.glift:14: value
 
 namespace {
-struct value_f91e591d_2_direct_parameters {
+struct value_a0d1f05f_2_direct_parameters {
     uint element_index;
     uint element_2_index;
     uint result_extent;
     uint by;
 };
-static_assert(offsetof(value_f91e591d_2_direct_parameters, element_index) == 0);
-static_assert(offsetof(value_f91e591d_2_direct_parameters, element_2_index) == 4);
-static_assert(offsetof(value_f91e591d_2_direct_parameters, result_extent) == 8);
-static_assert(offsetof(value_f91e591d_2_direct_parameters, by) == 12);
+static_assert(offsetof(value_a0d1f05f_2_direct_parameters, element_index) == 0);
+static_assert(offsetof(value_a0d1f05f_2_direct_parameters, element_2_index) == 4);
+static_assert(offsetof(value_a0d1f05f_2_direct_parameters, result_extent) == 8);
+static_assert(offsetof(value_a0d1f05f_2_direct_parameters, by) == 12);
 
 // device_values.glift:14: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_f91e591d_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const value_f91e591d_2_direct_parameters*>(call.parameters);
+static void value_a0d1f05f_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const value_a0d1f05f_2_direct_parameters*>(call.parameters);
     const uint element_index = parameters.element_index;
     const uint element_2_index = parameters.element_2_index;
     const uint by = parameters.by;
@@ -183,27 +183,27 @@ static void value_f91e591d_2_direct_rows(const glift::HostCall& call, const glif
     }
 }
 
-static void value_f91e591d_2_direct(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_f91e591d_2_direct_rows(call, rows); });
+static void value_a0d1f05f_2_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_a0d1f05f_2_direct_rows(call, rows); });
 }
 
-struct value_f91e591d_2_general_parameters {
+struct value_a0d1f05f_2_general_parameters {
     uint size;
     uint element_index;
     uint element_2_index;
     uint result_origin;
     uint by;
 };
-static_assert(offsetof(value_f91e591d_2_general_parameters, size) == 0);
-static_assert(offsetof(value_f91e591d_2_general_parameters, element_index) == 4);
-static_assert(offsetof(value_f91e591d_2_general_parameters, element_2_index) == 8);
-static_assert(offsetof(value_f91e591d_2_general_parameters, result_origin) == 12);
-static_assert(offsetof(value_f91e591d_2_general_parameters, by) == 16);
+static_assert(offsetof(value_a0d1f05f_2_general_parameters, size) == 0);
+static_assert(offsetof(value_a0d1f05f_2_general_parameters, element_index) == 4);
+static_assert(offsetof(value_a0d1f05f_2_general_parameters, element_2_index) == 8);
+static_assert(offsetof(value_a0d1f05f_2_general_parameters, result_origin) == 12);
+static_assert(offsetof(value_a0d1f05f_2_general_parameters, by) == 16);
 
 // device_values.glift:14: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_f91e591d_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const value_f91e591d_2_general_parameters*>(call.parameters);
+static void value_a0d1f05f_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const value_a0d1f05f_2_general_parameters*>(call.parameters);
     const uint element_index = parameters.element_index;
     const uint element_2_index = parameters.element_2_index;
     const uint result_origin = parameters.result_origin;
@@ -228,11 +228,11 @@ static void value_f91e591d_2_general_rows(const glift::HostCall& call, const gli
     }
 }
 
-static void value_f91e591d_2_general(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_f91e591d_2_general_rows(call, rows); });
+static void value_a0d1f05f_2_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_a0d1f05f_2_general_rows(call, rows); });
 }
 
-struct value_f91e591d_2_wide_parameters {
+struct value_a0d1f05f_2_wide_parameters {
     uint size;
     uint element_index;
     uint element_2_index;
@@ -242,19 +242,19 @@ struct value_f91e591d_2_wide_parameters {
     std::uint64_t element_2_data_address;
     std::uint64_t result_data_address;
 };
-static_assert(offsetof(value_f91e591d_2_wide_parameters, size) == 0);
-static_assert(offsetof(value_f91e591d_2_wide_parameters, element_index) == 4);
-static_assert(offsetof(value_f91e591d_2_wide_parameters, element_2_index) == 8);
-static_assert(offsetof(value_f91e591d_2_wide_parameters, result_origin) == 12);
-static_assert(offsetof(value_f91e591d_2_wide_parameters, by) == 16);
-static_assert(offsetof(value_f91e591d_2_wide_parameters, element_data_address) == 24);
-static_assert(offsetof(value_f91e591d_2_wide_parameters, element_2_data_address) == 32);
-static_assert(offsetof(value_f91e591d_2_wide_parameters, result_data_address) == 40);
+static_assert(offsetof(value_a0d1f05f_2_wide_parameters, size) == 0);
+static_assert(offsetof(value_a0d1f05f_2_wide_parameters, element_index) == 4);
+static_assert(offsetof(value_a0d1f05f_2_wide_parameters, element_2_index) == 8);
+static_assert(offsetof(value_a0d1f05f_2_wide_parameters, result_origin) == 12);
+static_assert(offsetof(value_a0d1f05f_2_wide_parameters, by) == 16);
+static_assert(offsetof(value_a0d1f05f_2_wide_parameters, element_data_address) == 24);
+static_assert(offsetof(value_a0d1f05f_2_wide_parameters, element_2_data_address) == 32);
+static_assert(offsetof(value_a0d1f05f_2_wide_parameters, result_data_address) == 40);
 
 // device_values.glift:14: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_f91e591d_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const value_f91e591d_2_wide_parameters*>(call.parameters);
+static void value_a0d1f05f_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const value_a0d1f05f_2_wide_parameters*>(call.parameters);
     const uint element_index = parameters.element_index;
     const uint element_2_index = parameters.element_2_index;
     const uint result_origin = parameters.result_origin;
@@ -276,11 +276,11 @@ static void value_f91e591d_2_wide_rows(const glift::HostCall& call, const glift:
     }
 }
 
-static void value_f91e591d_2_wide(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_f91e591d_2_wide_rows(call, rows); });
+static void value_a0d1f05f_2_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_a0d1f05f_2_wide_rows(call, rows); });
 }
 
-const glift::Binding value_f91e591d_2_bindings[] = {
+const glift::Binding value_a0d1f05f_2_bindings[] = {
     {.name = "element.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 24,
         .element_bytes = sizeof(uint), .reach = glift::Reach::memory},
     {.name = "element_2.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 32,
@@ -288,27 +288,27 @@ const glift::Binding value_f91e591d_2_bindings[] = {
     {.name = "result.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 40,
         .element_bytes = sizeof(uint), .parameter = 2, .reach = glift::Reach::element},
 };
-constexpr glift::Parameter value_f91e591d_2_parameters[] = {
-    {"element_index", 0, sizeof(value_f91e591d_2_direct_parameters::element_index)},
-    {"element_2_index", 4, sizeof(value_f91e591d_2_direct_parameters::element_2_index)},
-    {"result_extent", 8, sizeof(value_f91e591d_2_direct_parameters::result_extent)},
-    {"by", 12, sizeof(value_f91e591d_2_direct_parameters::by)},
+constexpr glift::Parameter value_a0d1f05f_2_parameters[] = {
+    {"element_index", 0, sizeof(value_a0d1f05f_2_direct_parameters::element_index)},
+    {"element_2_index", 4, sizeof(value_a0d1f05f_2_direct_parameters::element_2_index)},
+    {"result_extent", 8, sizeof(value_a0d1f05f_2_direct_parameters::result_extent)},
+    {"by", 12, sizeof(value_a0d1f05f_2_direct_parameters::by)},
 };
 }  // namespace
 
-extern GLIFT_SHARED const glift::Kernel value_f91e591d_2_kernel;
-const glift::Kernel value_f91e591d_2_kernel = {
+extern GLIFT_SHARED const glift::Kernel value_a0d1f05f_2_kernel;
+const glift::Kernel value_a0d1f05f_2_kernel = {
     .name = "value",
     .file = "device_values.glift",
     .line = 14,
     .rank = 1,
     .group = {256, 1, 1},
     .loop_rounds = 0,
-    .bindings = value_f91e591d_2_bindings,
-    .direct = {.host = &value_f91e591d_2_direct, .parameter_bytes = 16, .push_constants = true},
-    .general = {.host = &value_f91e591d_2_general, .parameter_bytes = 20},
-    .wide = {.host = &value_f91e591d_2_wide, .parameter_bytes = 48},
-    .parameters = value_f91e591d_2_parameters,
+    .bindings = value_a0d1f05f_2_bindings,
+    .direct = {.host = &value_a0d1f05f_2_direct, .parameter_bytes = 16, .push_constants = true},
+    .general = {.host = &value_a0d1f05f_2_general, .parameter_bytes = 20},
+    .wide = {.host = &value_a0d1f05f_2_wide, .parameter_bytes = 48},
+    .parameters = value_a0d1f05f_2_parameters,
     .items = {2, 1, 1},
 };
 
@@ -316,17 +316,17 @@ const glift::Kernel value_f91e591d_2_kernel = {
 // device_values.glift:16: value
 
 namespace {
-struct value_df6000ff_2_direct_parameters {
+struct value_324e3ecf_2_direct_parameters {
     uint n_index;
     uint result_extent;
 };
-static_assert(offsetof(value_df6000ff_2_direct_parameters, n_index) == 0);
-static_assert(offsetof(value_df6000ff_2_direct_parameters, result_extent) == 4);
+static_assert(offsetof(value_324e3ecf_2_direct_parameters, n_index) == 0);
+static_assert(offsetof(value_324e3ecf_2_direct_parameters, result_extent) == 4);
 
 // device_values.glift:16: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_df6000ff_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const value_df6000ff_2_direct_parameters*>(call.parameters);
+static void value_324e3ecf_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const value_324e3ecf_2_direct_parameters*>(call.parameters);
     const uint n_index = parameters.n_index;
     const uint* n_data = glift::host::elements<const uint>(call.memories[0]);
     glift::Bool* result_data = glift::host::elements<glift::Bool>(call.memories[1]);
@@ -344,23 +344,23 @@ static void value_df6000ff_2_direct_rows(const glift::HostCall& call, const glif
     }
 }
 
-static void value_df6000ff_2_direct(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_df6000ff_2_direct_rows(call, rows); });
+static void value_324e3ecf_2_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_324e3ecf_2_direct_rows(call, rows); });
 }
 
-struct value_df6000ff_2_general_parameters {
+struct value_324e3ecf_2_general_parameters {
     uint size;
     uint n_index;
     uint result_origin;
 };
-static_assert(offsetof(value_df6000ff_2_general_parameters, size) == 0);
-static_assert(offsetof(value_df6000ff_2_general_parameters, n_index) == 4);
-static_assert(offsetof(value_df6000ff_2_general_parameters, result_origin) == 8);
+static_assert(offsetof(value_324e3ecf_2_general_parameters, size) == 0);
+static_assert(offsetof(value_324e3ecf_2_general_parameters, n_index) == 4);
+static_assert(offsetof(value_324e3ecf_2_general_parameters, result_origin) == 8);
 
 // device_values.glift:16: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_df6000ff_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const value_df6000ff_2_general_parameters*>(call.parameters);
+static void value_324e3ecf_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const value_324e3ecf_2_general_parameters*>(call.parameters);
     const uint n_index = parameters.n_index;
     const uint result_origin = parameters.result_origin;
     const uint* n_data = glift::host::elements<const uint>(call.memories[0]);
@@ -381,27 +381,27 @@ static void value_df6000ff_2_general_rows(const glift::HostCall& call, const gli
     }
 }
 
-static void value_df6000ff_2_general(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_df6000ff_2_general_rows(call, rows); });
+static void value_324e3ecf_2_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_324e3ecf_2_general_rows(call, rows); });
 }
 
-struct value_df6000ff_2_wide_parameters {
+struct value_324e3ecf_2_wide_parameters {
     uint size;
     uint n_index;
     uint result_origin;
     std::uint64_t n_data_address;
     std::uint64_t result_data_address;
 };
-static_assert(offsetof(value_df6000ff_2_wide_parameters, size) == 0);
-static_assert(offsetof(value_df6000ff_2_wide_parameters, n_index) == 4);
-static_assert(offsetof(value_df6000ff_2_wide_parameters, result_origin) == 8);
-static_assert(offsetof(value_df6000ff_2_wide_parameters, n_data_address) == 16);
-static_assert(offsetof(value_df6000ff_2_wide_parameters, result_data_address) == 24);
+static_assert(offsetof(value_324e3ecf_2_wide_parameters, size) == 0);
+static_assert(offsetof(value_324e3ecf_2_wide_parameters, n_index) == 4);
+static_assert(offsetof(value_324e3ecf_2_wide_parameters, result_origin) == 8);
+static_assert(offsetof(value_324e3ecf_2_wide_parameters, n_data_address) == 16);
+static_assert(offsetof(value_324e3ecf_2_wide_parameters, result_data_address) == 24);
 
 // device_values.glift:16: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_df6000ff_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const value_df6000ff_2_wide_parameters*>(call.parameters);
+static void value_324e3ecf_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const value_324e3ecf_2_wide_parameters*>(call.parameters);
     const uint n_index = parameters.n_index;
     const uint result_origin = parameters.result_origin;
     const uint* n_data = glift::host::elements<const uint>(call.memories[0]);
@@ -419,35 +419,35 @@ static void value_df6000ff_2_wide_rows(const glift::HostCall& call, const glift:
     }
 }
 
-static void value_df6000ff_2_wide(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_df6000ff_2_wide_rows(call, rows); });
+static void value_324e3ecf_2_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_324e3ecf_2_wide_rows(call, rows); });
 }
 
-const glift::Binding value_df6000ff_2_bindings[] = {
+const glift::Binding value_324e3ecf_2_bindings[] = {
     {.name = "n.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16,
         .element_bytes = sizeof(uint), .reach = glift::Reach::memory},
     {.name = "result.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24,
         .element_bytes = sizeof(glift::Bool), .parameter = 1, .reach = glift::Reach::element},
 };
-constexpr glift::Parameter value_df6000ff_2_parameters[] = {
-    {"n_index", 0, sizeof(value_df6000ff_2_direct_parameters::n_index)},
-    {"result_extent", 4, sizeof(value_df6000ff_2_direct_parameters::result_extent)},
+constexpr glift::Parameter value_324e3ecf_2_parameters[] = {
+    {"n_index", 0, sizeof(value_324e3ecf_2_direct_parameters::n_index)},
+    {"result_extent", 4, sizeof(value_324e3ecf_2_direct_parameters::result_extent)},
 };
 }  // namespace
 
-extern GLIFT_SHARED const glift::Kernel value_df6000ff_2_kernel;
-const glift::Kernel value_df6000ff_2_kernel = {
+extern GLIFT_SHARED const glift::Kernel value_324e3ecf_2_kernel;
+const glift::Kernel value_324e3ecf_2_kernel = {
     .name = "value",
     .file = "device_values.glift",
     .line = 16,
     .rank = 1,
     .group = {256, 1, 1},
     .loop_rounds = 0,
-    .bindings = value_df6000ff_2_bindings,
-    .direct = {.host = &value_df6000ff_2_direct, .parameter_bytes = 8, .push_constants = true},
-    .general = {.host = &value_df6000ff_2_general, .parameter_bytes = 12},
-    .wide = {.host = &value_df6000ff_2_wide, .parameter_bytes = 32},
-    .parameters = value_df6000ff_2_parameters,
+    .bindings = value_324e3ecf_2_bindings,
+    .direct = {.host = &value_324e3ecf_2_direct, .parameter_bytes = 8, .push_constants = true},
+    .general = {.host = &value_324e3ecf_2_general, .parameter_bytes = 12},
+    .wide = {.host = &value_324e3ecf_2_wide, .parameter_bytes = 32},
+    .parameters = value_324e3ecf_2_parameters,
     .items = {2, 1, 1},
 };
 
@@ -599,14 +599,14 @@ const glift::Kernel scale_device_by_kernel = {
 // device_values.glift:22: value
 
 namespace {
-struct value_6e4abe3f_2_direct_parameters {
+struct value_true_2_direct_parameters {
     uint result_extent;
 };
-static_assert(offsetof(value_6e4abe3f_2_direct_parameters, result_extent) == 0);
+static_assert(offsetof(value_true_2_direct_parameters, result_extent) == 0);
 
 // device_values.glift:22: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_6e4abe3f_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+static void value_true_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     glift::Bool* result_data = glift::host::elements<glift::Bool>(call.memories[0]);
     for (const glift::host::Row row : rows) {
         if (row.begin < row.end) {
@@ -621,21 +621,21 @@ static void value_6e4abe3f_2_direct_rows(const glift::HostCall& call, const glif
     }
 }
 
-static void value_6e4abe3f_2_direct(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_6e4abe3f_2_direct_rows(call, rows); });
+static void value_true_2_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_true_2_direct_rows(call, rows); });
 }
 
-struct value_6e4abe3f_2_general_parameters {
+struct value_true_2_general_parameters {
     uint size;
     uint result_origin;
 };
-static_assert(offsetof(value_6e4abe3f_2_general_parameters, size) == 0);
-static_assert(offsetof(value_6e4abe3f_2_general_parameters, result_origin) == 4);
+static_assert(offsetof(value_true_2_general_parameters, size) == 0);
+static_assert(offsetof(value_true_2_general_parameters, result_origin) == 4);
 
 // device_values.glift:22: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_6e4abe3f_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const value_6e4abe3f_2_general_parameters*>(call.parameters);
+static void value_true_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const value_true_2_general_parameters*>(call.parameters);
     const uint result_origin = parameters.result_origin;
     glift::Bool* result_data = glift::host::elements<glift::Bool>(call.memories[0]);
     for (const glift::host::Row row : rows) {
@@ -653,23 +653,23 @@ static void value_6e4abe3f_2_general_rows(const glift::HostCall& call, const gli
     }
 }
 
-static void value_6e4abe3f_2_general(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_6e4abe3f_2_general_rows(call, rows); });
+static void value_true_2_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_true_2_general_rows(call, rows); });
 }
 
-struct value_6e4abe3f_2_wide_parameters {
+struct value_true_2_wide_parameters {
     uint size;
     uint result_origin;
     std::uint64_t result_data_address;
 };
-static_assert(offsetof(value_6e4abe3f_2_wide_parameters, size) == 0);
-static_assert(offsetof(value_6e4abe3f_2_wide_parameters, result_origin) == 4);
-static_assert(offsetof(value_6e4abe3f_2_wide_parameters, result_data_address) == 8);
+static_assert(offsetof(value_true_2_wide_parameters, size) == 0);
+static_assert(offsetof(value_true_2_wide_parameters, result_origin) == 4);
+static_assert(offsetof(value_true_2_wide_parameters, result_data_address) == 8);
 
 // device_values.glift:22: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_6e4abe3f_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const value_6e4abe3f_2_wide_parameters*>(call.parameters);
+static void value_true_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const value_true_2_wide_parameters*>(call.parameters);
     const uint result_origin = parameters.result_origin;
     glift::Bool* result_data = glift::host::elements<glift::Bool>(call.memories[0]);
     for (const glift::host::Row row : rows) {
@@ -684,32 +684,32 @@ static void value_6e4abe3f_2_wide_rows(const glift::HostCall& call, const glift:
     }
 }
 
-static void value_6e4abe3f_2_wide(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_6e4abe3f_2_wide_rows(call, rows); });
+static void value_true_2_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_true_2_wide_rows(call, rows); });
 }
 
-const glift::Binding value_6e4abe3f_2_bindings[] = {
+const glift::Binding value_true_2_bindings[] = {
     {.name = "result.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 8,
         .element_bytes = sizeof(glift::Bool)},
 };
-constexpr glift::Parameter value_6e4abe3f_2_parameters[] = {
-    {"result_extent", 0, sizeof(value_6e4abe3f_2_direct_parameters::result_extent)},
+constexpr glift::Parameter value_true_2_parameters[] = {
+    {"result_extent", 0, sizeof(value_true_2_direct_parameters::result_extent)},
 };
 }  // namespace
 
-extern GLIFT_SHARED const glift::Kernel value_6e4abe3f_2_kernel;
-const glift::Kernel value_6e4abe3f_2_kernel = {
+extern GLIFT_SHARED const glift::Kernel value_true_2_kernel;
+const glift::Kernel value_true_2_kernel = {
     .name = "value",
     .file = "device_values.glift",
     .line = 22,
     .rank = 1,
     .group = {256, 1, 1},
     .loop_rounds = 0,
-    .bindings = value_6e4abe3f_2_bindings,
-    .direct = {.host = &value_6e4abe3f_2_direct, .parameter_bytes = 4, .push_constants = true},
-    .general = {.host = &value_6e4abe3f_2_general, .parameter_bytes = 8},
-    .wide = {.host = &value_6e4abe3f_2_wide, .parameter_bytes = 16},
-    .parameters = value_6e4abe3f_2_parameters,
+    .bindings = value_true_2_bindings,
+    .direct = {.host = &value_true_2_direct, .parameter_bytes = 4, .push_constants = true},
+    .general = {.host = &value_true_2_general, .parameter_bytes = 8},
+    .wide = {.host = &value_true_2_wide, .parameter_bytes = 16},
+    .parameters = value_true_2_parameters,
     .items = {2, 1, 1},
 };
 
@@ -717,14 +717,14 @@ const glift::Kernel value_6e4abe3f_2_kernel = {
 // device_values.glift:15: value
 
 namespace {
-struct value_b6e225b9_2_direct_parameters {
+struct value_0u_2_direct_parameters {
     uint result_extent;
 };
-static_assert(offsetof(value_b6e225b9_2_direct_parameters, result_extent) == 0);
+static_assert(offsetof(value_0u_2_direct_parameters, result_extent) == 0);
 
 // device_values.glift:15: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_b6e225b9_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+static void value_0u_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     uint* result_data = glift::host::elements<uint>(call.memories[0]);
     for (const glift::host::Row row : rows) {
         if (row.begin < row.end) {
@@ -739,21 +739,21 @@ static void value_b6e225b9_2_direct_rows(const glift::HostCall& call, const glif
     }
 }
 
-static void value_b6e225b9_2_direct(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_b6e225b9_2_direct_rows(call, rows); });
+static void value_0u_2_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_0u_2_direct_rows(call, rows); });
 }
 
-struct value_b6e225b9_2_general_parameters {
+struct value_0u_2_general_parameters {
     uint size;
     uint result_origin;
 };
-static_assert(offsetof(value_b6e225b9_2_general_parameters, size) == 0);
-static_assert(offsetof(value_b6e225b9_2_general_parameters, result_origin) == 4);
+static_assert(offsetof(value_0u_2_general_parameters, size) == 0);
+static_assert(offsetof(value_0u_2_general_parameters, result_origin) == 4);
 
 // device_values.glift:15: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_b6e225b9_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const value_b6e225b9_2_general_parameters*>(call.parameters);
+static void value_0u_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const value_0u_2_general_parameters*>(call.parameters);
     const uint result_origin = parameters.result_origin;
     uint* result_data = glift::host::elements<uint>(call.memories[0]);
     for (const glift::host::Row row : rows) {
@@ -771,23 +771,23 @@ static void value_b6e225b9_2_general_rows(const glift::HostCall& call, const gli
     }
 }
 
-static void value_b6e225b9_2_general(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_b6e225b9_2_general_rows(call, rows); });
+static void value_0u_2_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_0u_2_general_rows(call, rows); });
 }
 
-struct value_b6e225b9_2_wide_parameters {
+struct value_0u_2_wide_parameters {
     uint size;
     uint result_origin;
     std::uint64_t result_data_address;
 };
-static_assert(offsetof(value_b6e225b9_2_wide_parameters, size) == 0);
-static_assert(offsetof(value_b6e225b9_2_wide_parameters, result_origin) == 4);
-static_assert(offsetof(value_b6e225b9_2_wide_parameters, result_data_address) == 8);
+static_assert(offsetof(value_0u_2_wide_parameters, size) == 0);
+static_assert(offsetof(value_0u_2_wide_parameters, result_origin) == 4);
+static_assert(offsetof(value_0u_2_wide_parameters, result_data_address) == 8);
 
 // device_values.glift:15: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_b6e225b9_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const value_b6e225b9_2_wide_parameters*>(call.parameters);
+static void value_0u_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const value_0u_2_wide_parameters*>(call.parameters);
     const uint result_origin = parameters.result_origin;
     uint* result_data = glift::host::elements<uint>(call.memories[0]);
     for (const glift::host::Row row : rows) {
@@ -802,32 +802,32 @@ static void value_b6e225b9_2_wide_rows(const glift::HostCall& call, const glift:
     }
 }
 
-static void value_b6e225b9_2_wide(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_b6e225b9_2_wide_rows(call, rows); });
+static void value_0u_2_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_0u_2_wide_rows(call, rows); });
 }
 
-const glift::Binding value_b6e225b9_2_bindings[] = {
+const glift::Binding value_0u_2_bindings[] = {
     {.name = "result.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 8,
         .element_bytes = sizeof(uint)},
 };
-constexpr glift::Parameter value_b6e225b9_2_parameters[] = {
-    {"result_extent", 0, sizeof(value_b6e225b9_2_direct_parameters::result_extent)},
+constexpr glift::Parameter value_0u_2_parameters[] = {
+    {"result_extent", 0, sizeof(value_0u_2_direct_parameters::result_extent)},
 };
 }  // namespace
 
-extern GLIFT_SHARED const glift::Kernel value_b6e225b9_2_kernel;
-const glift::Kernel value_b6e225b9_2_kernel = {
+extern GLIFT_SHARED const glift::Kernel value_0u_2_kernel;
+const glift::Kernel value_0u_2_kernel = {
     .name = "value",
     .file = "device_values.glift",
     .line = 15,
     .rank = 1,
     .group = {256, 1, 1},
     .loop_rounds = 0,
-    .bindings = value_b6e225b9_2_bindings,
-    .direct = {.host = &value_b6e225b9_2_direct, .parameter_bytes = 4, .push_constants = true},
-    .general = {.host = &value_b6e225b9_2_general, .parameter_bytes = 8},
-    .wide = {.host = &value_b6e225b9_2_wide, .parameter_bytes = 16},
-    .parameters = value_b6e225b9_2_parameters,
+    .bindings = value_0u_2_bindings,
+    .direct = {.host = &value_0u_2_direct, .parameter_bytes = 4, .push_constants = true},
+    .general = {.host = &value_0u_2_general, .parameter_bytes = 8},
+    .wide = {.host = &value_0u_2_wide, .parameter_bytes = 16},
+    .parameters = value_0u_2_parameters,
     .items = {2, 1, 1},
 };
 
@@ -835,19 +835,19 @@ const glift::Kernel value_b6e225b9_2_kernel = {
 // device_values.glift:18: value
 
 namespace {
-struct value_f1b18e79_2_direct_parameters {
+struct value_53ad928e_2_direct_parameters {
     uint condition_index;
     uint times_index;
     uint result_extent;
 };
-static_assert(offsetof(value_f1b18e79_2_direct_parameters, condition_index) == 0);
-static_assert(offsetof(value_f1b18e79_2_direct_parameters, times_index) == 4);
-static_assert(offsetof(value_f1b18e79_2_direct_parameters, result_extent) == 8);
+static_assert(offsetof(value_53ad928e_2_direct_parameters, condition_index) == 0);
+static_assert(offsetof(value_53ad928e_2_direct_parameters, times_index) == 4);
+static_assert(offsetof(value_53ad928e_2_direct_parameters, result_extent) == 8);
 
 // device_values.glift:18: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_f1b18e79_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const value_f1b18e79_2_direct_parameters*>(call.parameters);
+static void value_53ad928e_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const value_53ad928e_2_direct_parameters*>(call.parameters);
     const uint condition_index = parameters.condition_index;
     const uint times_index = parameters.times_index;
     const glift::Bool* condition_data = glift::host::elements<const glift::Bool>(call.memories[0]);
@@ -868,25 +868,25 @@ static void value_f1b18e79_2_direct_rows(const glift::HostCall& call, const glif
     }
 }
 
-static void value_f1b18e79_2_direct(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_f1b18e79_2_direct_rows(call, rows); });
+static void value_53ad928e_2_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_53ad928e_2_direct_rows(call, rows); });
 }
 
-struct value_f1b18e79_2_general_parameters {
+struct value_53ad928e_2_general_parameters {
     uint size;
     uint condition_index;
     uint times_index;
     uint result_origin;
 };
-static_assert(offsetof(value_f1b18e79_2_general_parameters, size) == 0);
-static_assert(offsetof(value_f1b18e79_2_general_parameters, condition_index) == 4);
-static_assert(offsetof(value_f1b18e79_2_general_parameters, times_index) == 8);
-static_assert(offsetof(value_f1b18e79_2_general_parameters, result_origin) == 12);
+static_assert(offsetof(value_53ad928e_2_general_parameters, size) == 0);
+static_assert(offsetof(value_53ad928e_2_general_parameters, condition_index) == 4);
+static_assert(offsetof(value_53ad928e_2_general_parameters, times_index) == 8);
+static_assert(offsetof(value_53ad928e_2_general_parameters, result_origin) == 12);
 
 // device_values.glift:18: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_f1b18e79_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const value_f1b18e79_2_general_parameters*>(call.parameters);
+static void value_53ad928e_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const value_53ad928e_2_general_parameters*>(call.parameters);
     const uint condition_index = parameters.condition_index;
     const uint times_index = parameters.times_index;
     const uint result_origin = parameters.result_origin;
@@ -910,11 +910,11 @@ static void value_f1b18e79_2_general_rows(const glift::HostCall& call, const gli
     }
 }
 
-static void value_f1b18e79_2_general(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_f1b18e79_2_general_rows(call, rows); });
+static void value_53ad928e_2_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_53ad928e_2_general_rows(call, rows); });
 }
 
-struct value_f1b18e79_2_wide_parameters {
+struct value_53ad928e_2_wide_parameters {
     uint size;
     uint condition_index;
     uint times_index;
@@ -923,18 +923,18 @@ struct value_f1b18e79_2_wide_parameters {
     std::uint64_t times_data_address;
     std::uint64_t result_data_address;
 };
-static_assert(offsetof(value_f1b18e79_2_wide_parameters, size) == 0);
-static_assert(offsetof(value_f1b18e79_2_wide_parameters, condition_index) == 4);
-static_assert(offsetof(value_f1b18e79_2_wide_parameters, times_index) == 8);
-static_assert(offsetof(value_f1b18e79_2_wide_parameters, result_origin) == 12);
-static_assert(offsetof(value_f1b18e79_2_wide_parameters, condition_data_address) == 16);
-static_assert(offsetof(value_f1b18e79_2_wide_parameters, times_data_address) == 24);
-static_assert(offsetof(value_f1b18e79_2_wide_parameters, result_data_address) == 32);
+static_assert(offsetof(value_53ad928e_2_wide_parameters, size) == 0);
+static_assert(offsetof(value_53ad928e_2_wide_parameters, condition_index) == 4);
+static_assert(offsetof(value_53ad928e_2_wide_parameters, times_index) == 8);
+static_assert(offsetof(value_53ad928e_2_wide_parameters, result_origin) == 12);
+static_assert(offsetof(value_53ad928e_2_wide_parameters, condition_data_address) == 16);
+static_assert(offsetof(value_53ad928e_2_wide_parameters, times_data_address) == 24);
+static_assert(offsetof(value_53ad928e_2_wide_parameters, result_data_address) == 32);
 
 // device_values.glift:18: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_f1b18e79_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const value_f1b18e79_2_wide_parameters*>(call.parameters);
+static void value_53ad928e_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const value_53ad928e_2_wide_parameters*>(call.parameters);
     const uint condition_index = parameters.condition_index;
     const uint times_index = parameters.times_index;
     const uint result_origin = parameters.result_origin;
@@ -955,11 +955,11 @@ static void value_f1b18e79_2_wide_rows(const glift::HostCall& call, const glift:
     }
 }
 
-static void value_f1b18e79_2_wide(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_f1b18e79_2_wide_rows(call, rows); });
+static void value_53ad928e_2_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_53ad928e_2_wide_rows(call, rows); });
 }
 
-const glift::Binding value_f1b18e79_2_bindings[] = {
+const glift::Binding value_53ad928e_2_bindings[] = {
     {.name = "condition.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16,
         .element_bytes = sizeof(glift::Bool), .reach = glift::Reach::memory},
     {.name = "times.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 24,
@@ -967,26 +967,26 @@ const glift::Binding value_f1b18e79_2_bindings[] = {
     {.name = "result.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 32,
         .element_bytes = sizeof(uint), .parameter = 2, .reach = glift::Reach::element},
 };
-constexpr glift::Parameter value_f1b18e79_2_parameters[] = {
-    {"condition_index", 0, sizeof(value_f1b18e79_2_direct_parameters::condition_index)},
-    {"times_index", 4, sizeof(value_f1b18e79_2_direct_parameters::times_index)},
-    {"result_extent", 8, sizeof(value_f1b18e79_2_direct_parameters::result_extent)},
+constexpr glift::Parameter value_53ad928e_2_parameters[] = {
+    {"condition_index", 0, sizeof(value_53ad928e_2_direct_parameters::condition_index)},
+    {"times_index", 4, sizeof(value_53ad928e_2_direct_parameters::times_index)},
+    {"result_extent", 8, sizeof(value_53ad928e_2_direct_parameters::result_extent)},
 };
 }  // namespace
 
-extern GLIFT_SHARED const glift::Kernel value_f1b18e79_2_kernel;
-const glift::Kernel value_f1b18e79_2_kernel = {
+extern GLIFT_SHARED const glift::Kernel value_53ad928e_2_kernel;
+const glift::Kernel value_53ad928e_2_kernel = {
     .name = "value",
     .file = "device_values.glift",
     .line = 18,
     .rank = 1,
     .group = {256, 1, 1},
     .loop_rounds = 0,
-    .bindings = value_f1b18e79_2_bindings,
-    .direct = {.host = &value_f1b18e79_2_direct, .parameter_bytes = 12, .push_constants = true},
-    .general = {.host = &value_f1b18e79_2_general, .parameter_bytes = 16},
-    .wide = {.host = &value_f1b18e79_2_wide, .parameter_bytes = 40},
-    .parameters = value_f1b18e79_2_parameters,
+    .bindings = value_53ad928e_2_bindings,
+    .direct = {.host = &value_53ad928e_2_direct, .parameter_bytes = 12, .push_constants = true},
+    .general = {.host = &value_53ad928e_2_general, .parameter_bytes = 16},
+    .wide = {.host = &value_53ad928e_2_wide, .parameter_bytes = 40},
+    .parameters = value_53ad928e_2_parameters,
     .items = {2, 1, 1},
 };
 
@@ -994,21 +994,21 @@ const glift::Kernel value_f1b18e79_2_kernel = {
 // device_values.glift:22: value
 
 namespace {
-struct value_4e017838_2_direct_parameters {
+struct value_b207683c_2_direct_parameters {
     uint running_index;
     uint element_index;
     uint times_index;
     uint result_extent;
 };
-static_assert(offsetof(value_4e017838_2_direct_parameters, running_index) == 0);
-static_assert(offsetof(value_4e017838_2_direct_parameters, element_index) == 4);
-static_assert(offsetof(value_4e017838_2_direct_parameters, times_index) == 8);
-static_assert(offsetof(value_4e017838_2_direct_parameters, result_extent) == 12);
+static_assert(offsetof(value_b207683c_2_direct_parameters, running_index) == 0);
+static_assert(offsetof(value_b207683c_2_direct_parameters, element_index) == 4);
+static_assert(offsetof(value_b207683c_2_direct_parameters, times_index) == 8);
+static_assert(offsetof(value_b207683c_2_direct_parameters, result_extent) == 12);
 
 // device_values.glift:22: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_4e017838_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const value_4e017838_2_direct_parameters*>(call.parameters);
+static void value_b207683c_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const value_b207683c_2_direct_parameters*>(call.parameters);
     const uint running_index = parameters.running_index;
     const uint element_index = parameters.element_index;
     const uint times_index = parameters.times_index;
@@ -1032,27 +1032,27 @@ static void value_4e017838_2_direct_rows(const glift::HostCall& call, const glif
     }
 }
 
-static void value_4e017838_2_direct(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_4e017838_2_direct_rows(call, rows); });
+static void value_b207683c_2_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_b207683c_2_direct_rows(call, rows); });
 }
 
-struct value_4e017838_2_general_parameters {
+struct value_b207683c_2_general_parameters {
     uint size;
     uint running_index;
     uint element_index;
     uint times_index;
     uint result_origin;
 };
-static_assert(offsetof(value_4e017838_2_general_parameters, size) == 0);
-static_assert(offsetof(value_4e017838_2_general_parameters, running_index) == 4);
-static_assert(offsetof(value_4e017838_2_general_parameters, element_index) == 8);
-static_assert(offsetof(value_4e017838_2_general_parameters, times_index) == 12);
-static_assert(offsetof(value_4e017838_2_general_parameters, result_origin) == 16);
+static_assert(offsetof(value_b207683c_2_general_parameters, size) == 0);
+static_assert(offsetof(value_b207683c_2_general_parameters, running_index) == 4);
+static_assert(offsetof(value_b207683c_2_general_parameters, element_index) == 8);
+static_assert(offsetof(value_b207683c_2_general_parameters, times_index) == 12);
+static_assert(offsetof(value_b207683c_2_general_parameters, result_origin) == 16);
 
 // device_values.glift:22: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_4e017838_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const value_4e017838_2_general_parameters*>(call.parameters);
+static void value_b207683c_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const value_b207683c_2_general_parameters*>(call.parameters);
     const uint running_index = parameters.running_index;
     const uint element_index = parameters.element_index;
     const uint times_index = parameters.times_index;
@@ -1079,11 +1079,11 @@ static void value_4e017838_2_general_rows(const glift::HostCall& call, const gli
     }
 }
 
-static void value_4e017838_2_general(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_4e017838_2_general_rows(call, rows); });
+static void value_b207683c_2_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_b207683c_2_general_rows(call, rows); });
 }
 
-struct value_4e017838_2_wide_parameters {
+struct value_b207683c_2_wide_parameters {
     uint size;
     uint running_index;
     uint element_index;
@@ -1094,20 +1094,20 @@ struct value_4e017838_2_wide_parameters {
     std::uint64_t times_data_address;
     std::uint64_t result_data_address;
 };
-static_assert(offsetof(value_4e017838_2_wide_parameters, size) == 0);
-static_assert(offsetof(value_4e017838_2_wide_parameters, running_index) == 4);
-static_assert(offsetof(value_4e017838_2_wide_parameters, element_index) == 8);
-static_assert(offsetof(value_4e017838_2_wide_parameters, times_index) == 12);
-static_assert(offsetof(value_4e017838_2_wide_parameters, result_origin) == 16);
-static_assert(offsetof(value_4e017838_2_wide_parameters, running_data_address) == 24);
-static_assert(offsetof(value_4e017838_2_wide_parameters, element_data_address) == 32);
-static_assert(offsetof(value_4e017838_2_wide_parameters, times_data_address) == 40);
-static_assert(offsetof(value_4e017838_2_wide_parameters, result_data_address) == 48);
+static_assert(offsetof(value_b207683c_2_wide_parameters, size) == 0);
+static_assert(offsetof(value_b207683c_2_wide_parameters, running_index) == 4);
+static_assert(offsetof(value_b207683c_2_wide_parameters, element_index) == 8);
+static_assert(offsetof(value_b207683c_2_wide_parameters, times_index) == 12);
+static_assert(offsetof(value_b207683c_2_wide_parameters, result_origin) == 16);
+static_assert(offsetof(value_b207683c_2_wide_parameters, running_data_address) == 24);
+static_assert(offsetof(value_b207683c_2_wide_parameters, element_data_address) == 32);
+static_assert(offsetof(value_b207683c_2_wide_parameters, times_data_address) == 40);
+static_assert(offsetof(value_b207683c_2_wide_parameters, result_data_address) == 48);
 
 // device_values.glift:22: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_4e017838_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const value_4e017838_2_wide_parameters*>(call.parameters);
+static void value_b207683c_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const value_b207683c_2_wide_parameters*>(call.parameters);
     const uint running_index = parameters.running_index;
     const uint element_index = parameters.element_index;
     const uint times_index = parameters.times_index;
@@ -1131,11 +1131,11 @@ static void value_4e017838_2_wide_rows(const glift::HostCall& call, const glift:
     }
 }
 
-static void value_4e017838_2_wide(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_4e017838_2_wide_rows(call, rows); });
+static void value_b207683c_2_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_b207683c_2_wide_rows(call, rows); });
 }
 
-const glift::Binding value_4e017838_2_bindings[] = {
+const glift::Binding value_b207683c_2_bindings[] = {
     {.name = "running.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 24,
         .element_bytes = sizeof(glift::Bool), .reach = glift::Reach::memory},
     {.name = "element.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 32,
@@ -1145,27 +1145,27 @@ const glift::Binding value_4e017838_2_bindings[] = {
     {.name = "result.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 48,
         .element_bytes = sizeof(glift::Bool), .parameter = 3, .reach = glift::Reach::element},
 };
-constexpr glift::Parameter value_4e017838_2_parameters[] = {
-    {"running_index", 0, sizeof(value_4e017838_2_direct_parameters::running_index)},
-    {"element_index", 4, sizeof(value_4e017838_2_direct_parameters::element_index)},
-    {"times_index", 8, sizeof(value_4e017838_2_direct_parameters::times_index)},
-    {"result_extent", 12, sizeof(value_4e017838_2_direct_parameters::result_extent)},
+constexpr glift::Parameter value_b207683c_2_parameters[] = {
+    {"running_index", 0, sizeof(value_b207683c_2_direct_parameters::running_index)},
+    {"element_index", 4, sizeof(value_b207683c_2_direct_parameters::element_index)},
+    {"times_index", 8, sizeof(value_b207683c_2_direct_parameters::times_index)},
+    {"result_extent", 12, sizeof(value_b207683c_2_direct_parameters::result_extent)},
 };
 }  // namespace
 
-extern GLIFT_SHARED const glift::Kernel value_4e017838_2_kernel;
-const glift::Kernel value_4e017838_2_kernel = {
+extern GLIFT_SHARED const glift::Kernel value_b207683c_2_kernel;
+const glift::Kernel value_b207683c_2_kernel = {
     .name = "value",
     .file = "device_values.glift",
     .line = 22,
     .rank = 1,
     .group = {256, 1, 1},
     .loop_rounds = 0,
-    .bindings = value_4e017838_2_bindings,
-    .direct = {.host = &value_4e017838_2_direct, .parameter_bytes = 16, .push_constants = true},
-    .general = {.host = &value_4e017838_2_general, .parameter_bytes = 20},
-    .wide = {.host = &value_4e017838_2_wide, .parameter_bytes = 56},
-    .parameters = value_4e017838_2_parameters,
+    .bindings = value_b207683c_2_bindings,
+    .direct = {.host = &value_b207683c_2_direct, .parameter_bytes = 16, .push_constants = true},
+    .general = {.host = &value_b207683c_2_general, .parameter_bytes = 20},
+    .wide = {.host = &value_b207683c_2_wide, .parameter_bytes = 56},
+    .parameters = value_b207683c_2_parameters,
     .items = {2, 1, 1},
 };
 
@@ -1173,19 +1173,19 @@ const glift::Kernel value_4e017838_2_kernel = {
 // device_values.glift:24: value
 
 namespace {
-struct value_9a85b59a_2_direct_parameters {
+struct value_7992094a_2_direct_parameters {
     uint running_index;
     uint times_index;
     uint result_extent;
 };
-static_assert(offsetof(value_9a85b59a_2_direct_parameters, running_index) == 0);
-static_assert(offsetof(value_9a85b59a_2_direct_parameters, times_index) == 4);
-static_assert(offsetof(value_9a85b59a_2_direct_parameters, result_extent) == 8);
+static_assert(offsetof(value_7992094a_2_direct_parameters, running_index) == 0);
+static_assert(offsetof(value_7992094a_2_direct_parameters, times_index) == 4);
+static_assert(offsetof(value_7992094a_2_direct_parameters, result_extent) == 8);
 
 // device_values.glift:24: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_9a85b59a_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const value_9a85b59a_2_direct_parameters*>(call.parameters);
+static void value_7992094a_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const value_7992094a_2_direct_parameters*>(call.parameters);
     const uint running_index = parameters.running_index;
     const uint times_index = parameters.times_index;
     const glift::Bool* running_data = glift::host::elements<const glift::Bool>(call.memories[0]);
@@ -1206,25 +1206,25 @@ static void value_9a85b59a_2_direct_rows(const glift::HostCall& call, const glif
     }
 }
 
-static void value_9a85b59a_2_direct(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_9a85b59a_2_direct_rows(call, rows); });
+static void value_7992094a_2_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_7992094a_2_direct_rows(call, rows); });
 }
 
-struct value_9a85b59a_2_general_parameters {
+struct value_7992094a_2_general_parameters {
     uint size;
     uint running_index;
     uint times_index;
     uint result_origin;
 };
-static_assert(offsetof(value_9a85b59a_2_general_parameters, size) == 0);
-static_assert(offsetof(value_9a85b59a_2_general_parameters, running_index) == 4);
-static_assert(offsetof(value_9a85b59a_2_general_parameters, times_index) == 8);
-static_assert(offsetof(value_9a85b59a_2_general_parameters, result_origin) == 12);
+static_assert(offsetof(value_7992094a_2_general_parameters, size) == 0);
+static_assert(offsetof(value_7992094a_2_general_parameters, running_index) == 4);
+static_assert(offsetof(value_7992094a_2_general_parameters, times_index) == 8);
+static_assert(offsetof(value_7992094a_2_general_parameters, result_origin) == 12);
 
 // device_values.glift:24: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_9a85b59a_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const value_9a85b59a_2_general_parameters*>(call.parameters);
+static void value_7992094a_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const value_7992094a_2_general_parameters*>(call.parameters);
     const uint running_index = parameters.running_index;
     const uint times_index = parameters.times_index;
     const uint result_origin = parameters.result_origin;
@@ -1248,11 +1248,11 @@ static void value_9a85b59a_2_general_rows(const glift::HostCall& call, const gli
     }
 }
 
-static void value_9a85b59a_2_general(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_9a85b59a_2_general_rows(call, rows); });
+static void value_7992094a_2_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_7992094a_2_general_rows(call, rows); });
 }
 
-struct value_9a85b59a_2_wide_parameters {
+struct value_7992094a_2_wide_parameters {
     uint size;
     uint running_index;
     uint times_index;
@@ -1261,18 +1261,18 @@ struct value_9a85b59a_2_wide_parameters {
     std::uint64_t times_data_address;
     std::uint64_t result_data_address;
 };
-static_assert(offsetof(value_9a85b59a_2_wide_parameters, size) == 0);
-static_assert(offsetof(value_9a85b59a_2_wide_parameters, running_index) == 4);
-static_assert(offsetof(value_9a85b59a_2_wide_parameters, times_index) == 8);
-static_assert(offsetof(value_9a85b59a_2_wide_parameters, result_origin) == 12);
-static_assert(offsetof(value_9a85b59a_2_wide_parameters, running_data_address) == 16);
-static_assert(offsetof(value_9a85b59a_2_wide_parameters, times_data_address) == 24);
-static_assert(offsetof(value_9a85b59a_2_wide_parameters, result_data_address) == 32);
+static_assert(offsetof(value_7992094a_2_wide_parameters, size) == 0);
+static_assert(offsetof(value_7992094a_2_wide_parameters, running_index) == 4);
+static_assert(offsetof(value_7992094a_2_wide_parameters, times_index) == 8);
+static_assert(offsetof(value_7992094a_2_wide_parameters, result_origin) == 12);
+static_assert(offsetof(value_7992094a_2_wide_parameters, running_data_address) == 16);
+static_assert(offsetof(value_7992094a_2_wide_parameters, times_data_address) == 24);
+static_assert(offsetof(value_7992094a_2_wide_parameters, result_data_address) == 32);
 
 // device_values.glift:24: runs kernel value for the given rows.
 GLIFT_HOST_KERNEL
-static void value_9a85b59a_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const value_9a85b59a_2_wide_parameters*>(call.parameters);
+static void value_7992094a_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const value_7992094a_2_wide_parameters*>(call.parameters);
     const uint running_index = parameters.running_index;
     const uint times_index = parameters.times_index;
     const uint result_origin = parameters.result_origin;
@@ -1293,11 +1293,11 @@ static void value_9a85b59a_2_wide_rows(const glift::HostCall& call, const glift:
     }
 }
 
-static void value_9a85b59a_2_wide(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_9a85b59a_2_wide_rows(call, rows); });
+static void value_7992094a_2_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { value_7992094a_2_wide_rows(call, rows); });
 }
 
-const glift::Binding value_9a85b59a_2_bindings[] = {
+const glift::Binding value_7992094a_2_bindings[] = {
     {.name = "running.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16,
         .element_bytes = sizeof(glift::Bool), .reach = glift::Reach::memory},
     {.name = "times.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 24,
@@ -1305,26 +1305,26 @@ const glift::Binding value_9a85b59a_2_bindings[] = {
     {.name = "result.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 32,
         .element_bytes = sizeof(uint), .parameter = 2, .reach = glift::Reach::element},
 };
-constexpr glift::Parameter value_9a85b59a_2_parameters[] = {
-    {"running_index", 0, sizeof(value_9a85b59a_2_direct_parameters::running_index)},
-    {"times_index", 4, sizeof(value_9a85b59a_2_direct_parameters::times_index)},
-    {"result_extent", 8, sizeof(value_9a85b59a_2_direct_parameters::result_extent)},
+constexpr glift::Parameter value_7992094a_2_parameters[] = {
+    {"running_index", 0, sizeof(value_7992094a_2_direct_parameters::running_index)},
+    {"times_index", 4, sizeof(value_7992094a_2_direct_parameters::times_index)},
+    {"result_extent", 8, sizeof(value_7992094a_2_direct_parameters::result_extent)},
 };
 }  // namespace
 
-extern GLIFT_SHARED const glift::Kernel value_9a85b59a_2_kernel;
-const glift::Kernel value_9a85b59a_2_kernel = {
+extern GLIFT_SHARED const glift::Kernel value_7992094a_2_kernel;
+const glift::Kernel value_7992094a_2_kernel = {
     .name = "value",
     .file = "device_values.glift",
     .line = 24,
     .rank = 1,
     .group = {256, 1, 1},
     .loop_rounds = 0,
-    .bindings = value_9a85b59a_2_bindings,
-    .direct = {.host = &value_9a85b59a_2_direct, .parameter_bytes = 12, .push_constants = true},
-    .general = {.host = &value_9a85b59a_2_general, .parameter_bytes = 16},
-    .wide = {.host = &value_9a85b59a_2_wide, .parameter_bytes = 40},
-    .parameters = value_9a85b59a_2_parameters,
+    .bindings = value_7992094a_2_bindings,
+    .direct = {.host = &value_7992094a_2_direct, .parameter_bytes = 12, .push_constants = true},
+    .general = {.host = &value_7992094a_2_general, .parameter_bytes = 16},
+    .wide = {.host = &value_7992094a_2_wide, .parameter_bytes = 40},
+    .parameters = value_7992094a_2_parameters,
     .items = {2, 1, 1},
 };
 
