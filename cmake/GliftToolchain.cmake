@@ -34,9 +34,9 @@ endif()
 
 find_program(GLIFT_CCACHE ccache)
 if(GLIFT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    # These sloppiness settings let ccache store compilations that use a precompiled header; NOHASHDIR lets build trees
-    # share what they compiled.
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_NOHASHDIR=1
+    # These sloppiness settings let ccache store compilations that use a precompiled header. NOHASHDIR and BASEDIR let
+    # checkouts in different folders share their compilations.
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}
         CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${GLIFT_CCACHE})
     set(CMAKE_C_COMPILER_LAUNCHER ${GLIFT_CCACHE})
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

@@ -3,10 +3,10 @@
 #include "base/parallel.h"
 #include "driver/shaders.h"
 #include "emit/cpp/emit.h"
+#include "emit/cpp/host/emit.h"
 #include "emit/cpp/source_lines.h"
 #include "emit/glsl/emit.h"
 #include "emit/glsl/library.h"
-#include "emit/host/emit.h"
 #include "emit/json/emit.h"
 #include "interop/interop.h"
 

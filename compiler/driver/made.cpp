@@ -50,8 +50,8 @@ public:
             for (ir::ExprId argument : member.arguments) {
                 if (program_.types.kind(program_.exprs[argument].type) == ir::TypeKind::structure) continue;
                 values.push_back(value_of(*made, argument));
-                // The expression may have a 64-bit type, which lower/widen.h gave it to make it exact: the value gets
-                // the type of the constructor's parameter.
+                // The expression may have a 64-bit type, which lower/transform/widen.h gave it to make it exact: the
+                // value gets the type of the constructor's parameter.
                 const ir::TypeId wanted = program_.locals[inside.constructor[values.size() - 1]].type;
                 if (values.back()) values.back()->type = wanted;
             }

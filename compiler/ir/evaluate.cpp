@@ -350,8 +350,8 @@ std::optional<Value> Interpreter::call(const Expr& expr) {
     return call(expr.function, std::move(arguments));
 }
 
-/// The result of a sum, product or shift of sizes that lower/widen.h made saturating: 2^64 - 1 if the exact result does
-/// not fit. Absent for calls of other C++ functions.
+/// The result of a sum, product or shift of sizes that lower/transform/widen.h made saturating: 2^64 - 1 if the exact
+/// result does not fit. Absent for calls of other C++ functions.
 std::optional<Value> saturated(const Function& function, const std::vector<Value>& arguments) {
     if (!function.extern_name.starts_with("glift::saturated_") || arguments.size() != 2) return std::nullopt;
     const auto apply = [&](std::uint64_t a, std::uint64_t b) -> std::uint64_t {

@@ -325,9 +325,9 @@ struct Memory {
     MemoryShape shape = MemoryShape::buffer;
     TypeId element;  ///< the value type that loads give (float for r8, float4 for rgba8)
     Format format = Format::none;
-    ExprId extent;  ///< uint, uint2 or uint3, over the structure (root 0); lower/widen.h makes it 64 bits wide for
-                    ///< buffers, and for images if its arithmetic may exceed 32 bits
-    ExprId mips;    ///< of an image: the number of its mip levels; absent: one
+    ExprId extent;  ///< uint, uint2 or uint3, over the structure (root 0); lower/transform/widen.h makes it 64 bits
+                    ///< wide for buffers, and for images if its arithmetic may exceed 32 bits
+    ExprId mips;                    ///< of an image: the number of its mip levels; absent: one
     std::optional<ImagePart> part;  ///< the image is this part of another one; none: it is made with the structure
     bool linear = false;            ///< of an image: declared with `filter linear`
     Compare compare = Compare::less_equal;
@@ -410,7 +410,7 @@ struct Structure {
     std::vector<HostField> host;           ///< of an adaptor: its host state
     std::vector<std::uint32_t> pipelines;  ///< of an adaptor: indices in Program::pipelines
     /// A bit for each axis of physical addresses: set if it is proved that no address of the domain leads outside the
-    /// memory along that axis, so that accesses need no test. Computed by lower/contained.cpp.
+    /// memory along that axis, so that accesses need no test. Computed by lower/analysis/contained.cpp.
     std::uint8_t contained_axes = 0;
     std::vector<Method> methods;  ///< of an adaptor: its public functions that C++ calls
     bool copyable = true;         ///< its elements are stored, so that the host can copy them; false: view or adaptor
@@ -487,8 +487,8 @@ struct Pipeline {
     /// The first place that waits for the device, changes host state or gives a member other memory; empty: there is
     /// none, so that the pipeline may be called under a condition that is a value on the device.
     Span host_needed;
-    bool is_value =
-        false;  ///< made by sema/values.cpp: it has one pass, of one invocation, which computes a value on the device
+    bool is_value = false;  ///< made by sema/pipelines/values.cpp: it has one pass, of one invocation, which computes a
+                            ///< value on the device
     std::string doc;
 };
 

@@ -93,7 +93,7 @@ struct Pass {
     /// the host device it is the variable of a loop nest, x innermost, in kernels without a group. Absent for draws.
     LocalId address;
     /// Declares `address` from builtins, and `in_range`. For shaders; the host device's variants of kernels with a
-    /// group have a copy in their bodies (lower/split_at_barriers.h).
+    /// group have a copy in their bodies (lower/host/split_at_barriers.h).
     std::vector<StmtId> prologue;
     LocalId in_range;  ///< bool: the address is in the range. If not, shaders of kernels without a group return; in
                        ///< kernels with a group, accesses to the current element and its neighbours depend on it

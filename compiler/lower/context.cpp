@@ -137,7 +137,7 @@ bool is_trivial(const Context& cx, ExprId id) {
     case Op::has_value:
     case Op::value:
     case Op::field: return is_trivial(cx, node.operands[0]);
-    case Op::construct: return cx.make.is_constant(id);
+    case Op::construct: return cx.build.is_constant(id);
     default: return false;
     }
 }

@@ -4,9 +4,9 @@
 #include "base/id_set.h"
 #include "diag/diagnostics.h"
 #include "ir/pass.h"
+#include "lower/analysis/number_memory.h"
+#include "lower/build/builder.h"
 #include "lower/lower.h"
-#include "lower/make.h"
-#include "lower/number_memory.h"
 #include "lower/trace.h"
 
 #include <map>
@@ -55,7 +55,7 @@ struct AddressForm {
 struct Context {
     Context(ir::Program& program, const ir::Kernel& kernel, ir::Pass& pass, Diagnostics& diagnostics, Settings settings)
         : p(program), kernel(kernel), pass(pass), diagnostics(diagnostics), checks(settings.checks),
-          trace(settings.trace), make(program), first_expr{program.exprs.size()}, first_local{program.locals.size()} {}
+          trace(settings.trace), build(program), first_expr{program.exprs.size()}, first_local{program.locals.size()} {}
 
     ir::Program& p;
     const ir::Kernel& kernel;
@@ -64,7 +64,7 @@ struct Context {
     Checks checks;
     Trace* trace;             ///< null: nothing is traced
     bool is_stopped = false;  ///< the transformation named by --stop-after has run: later ones are skipped
-    Make make;
+    Builder build;
     /// The ids of the first nodes that this lowering makes. Nodes with smaller ids are the program's.
     ExprId first_expr;
     LocalId first_local;

@@ -1,14 +1,14 @@
 #include "lower/passes.h"
 
-#include "lower/dead.h"
-#include "lower/guard.h"
-#include "lower/move_rows.h"
-#include "lower/narrow_loads.h"
-#include "lower/share.h"
-#include "lower/split_at_barriers.h"
-#include "lower/split_at_derivatives.h"
-#include "lower/strength.h"
-#include "lower/version_loops.h"
+#include "lower/host/move_rows.h"
+#include "lower/host/split_at_barriers.h"
+#include "lower/host/split_at_derivatives.h"
+#include "lower/host/version_loops.h"
+#include "lower/transform/dead.h"
+#include "lower/transform/guard.h"
+#include "lower/transform/narrow_loads.h"
+#include "lower/transform/share.h"
+#include "lower/transform/strength.h"
 
 #include <algorithm>
 

@@ -2,26 +2,26 @@
 #include "base/parallel.h"
 #include "ir/effects.h"
 #include "ir/validate.h"
-#include "lower/affine.h"
-#include "lower/branch.h"
-#include "lower/coarsen.h"
-#include "lower/common_bindings.h"
-#include "lower/compact.h"
-#include "lower/contained.h"
-#include "lower/copy_rows.h"
-#include "lower/dead.h"
-#include "lower/dispatch.h"
-#include "lower/expand.h"
-#include "lower/find_rows.h"
-#include "lower/fold_constants.h"
-#include "lower/loops.h"
+#include "lower/analysis/affine.h"
+#include "lower/analysis/aliasing.h"
+#include "lower/analysis/contained.h"
+#include "lower/analysis/loops.h"
+#include "lower/expand/dispatch.h"
+#include "lower/expand/expand.h"
+#include "lower/host/copy_rows.h"
+#include "lower/host/find_rows.h"
+#include "lower/host/split_blocks.h"
 #include "lower/lower.h"
-#include "lower/one_place.h"
+#include "lower/overlay.h"
 #include "lower/passes.h"
-#include "lower/split_blocks.h"
-#include "lower/temporaries.h"
-#include "lower/uniforms.h"
-#include "lower/widen.h"
+#include "lower/transform/coarsen.h"
+#include "lower/transform/common_bindings.h"
+#include "lower/transform/compact.h"
+#include "lower/transform/dead.h"
+#include "lower/transform/fold_constants.h"
+#include "lower/transform/temporaries.h"
+#include "lower/transform/uniforms.h"
+#include "lower/transform/widen.h"
 
 #include <algorithm>
 #include <array>
@@ -37,8 +37,8 @@ using namespace ir;
 
 namespace {
 
-/// The least number of kernels for a thread: with fewer, starting the thread and making its branch of the program
-/// (branch.h) costs more time than it saves.
+/// The least number of kernels for a thread: with fewer, starting the thread and making its overlay of the program
+/// (overlay.h) costs more time than it saves.
 constexpr std::size_t kernels_of_a_thread = 8;
 
 /// In development builds: validates a body after a pass.
@@ -145,7 +145,7 @@ void add_interior(Context& cx, Expander& checked, const std::vector<ExprId>& fac
 
 /// Fills in the parameters that hold the domain and origin of the interior variant, or drops the variant if the domain
 /// is no parameter.
-void settle_interior(Context& cx, const Expander& checked, const std::vector<StmtId>& holders) {
+void renumber_interior(Context& cx, const Expander& checked, const std::vector<StmtId>& holders) {
     if (holders.empty()) return;
     Interior& interior = *cx.pass.variants.back().assumes.interior;
     interior.domain = parameter_of(cx, cx.p.stmts[holders[0]].value);
@@ -284,7 +284,7 @@ void lower_computation(Context& cx, Elements elements) {
     if (cx.is_stopped) return;
     bodies.push_back(&holders);
     move_uniforms(cx, bodies);
-    settle_interior(cx, expander, holders);
+    renumber_interior(cx, expander, holders);
     finished(cx, "move_uniforms", pass.variants, {}, "body");
     if (!cx.is_stopped) complete(cx);
 }
@@ -349,8 +349,8 @@ Lowered::Forms lowered_forms(Program& program, Diagnostics& diagnostics, std::ui
     }
 }
 
-/// The result of lowering one kernel in a branch.
-struct Made {
+/// The result of lowering one kernel in an overlay.
+struct LoweredInOverlay {
     std::optional<Growth> growth;
     Diagnostics diagnostics;
 };
@@ -364,26 +364,27 @@ std::vector<Lowered::Forms> lowered_in_order(Program& program, Diagnostics& diag
 
 std::vector<Lowered::Forms> lowered_on_threads(Program& program, Diagnostics& diagnostics, Settings settings) {
     const std::size_t count = program.kernels.size(), threads = threads_for(count, kernels_of_a_thread);
-    ready_for_branches(program);
+    prepare_for_overlays(program);
     std::vector<Lowered::Forms> passes(count);
-    std::vector<Made> made(count, {std::nullopt, diagnostics.emptied()});
-    std::deque<Branch> branches;
-    for (std::size_t i = 0; i < threads; ++i) branches.emplace_back(program);
+    std::vector<LoweredInOverlay> results(count, {std::nullopt, diagnostics.emptied()});
+    std::deque<Overlay> overlays;
+    for (std::size_t i = 0; i < threads; ++i) overlays.emplace_back(program);
     Tickets kernels(count), unused(threads);
     on_threads(threads, [&] {
-        Branch& branch = branches[*unused.take()];
+        Overlay& overlay = overlays[*unused.take()];
         while (auto kernel = kernels.take()) {
             auto index = static_cast<std::uint32_t>(*kernel);
-            made[index].growth = grown(branch, [&] {
-                passes[index] = lowered_forms(branch.program, made[index].diagnostics, index, settings);
+            results[index].growth = record_growth(overlay, [&] {
+                passes[index] = lowered_forms(overlay.program, results[index].diagnostics, index, settings);
             });
         }
     });
-    for (Made& one : made) {
-        graft(program, *one.growth);
+    for (LoweredInOverlay& one : results) {
+        merge(program, *one.growth);
         diagnostics.append(std::move(one.diagnostics));
     }
-    for_each_parallel(count, kernels_of_a_thread, [&](std::size_t i) { settle(program, *made[i].growth, passes[i]); });
+    for_each_parallel(count, kernels_of_a_thread,
+                      [&](std::size_t i) { renumber(program, *results[i].growth, passes[i]); });
     return passes;
 }
 

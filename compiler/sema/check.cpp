@@ -2,13 +2,13 @@
 
 #include "ir/aliases.h"
 #include "ir/chain.h"
-#include "sema/components.h"
 #include "sema/context.h"
-#include "sema/defines.h"
-#include "sema/generics.h"
-#include "sema/instances.h"
-#include "sema/modules.h"
-#include "sema/replace.h"
+#include "sema/names/defines.h"
+#include "sema/names/modules.h"
+#include "sema/structures/components.h"
+#include "sema/structures/replace.h"
+#include "sema/types/generics.h"
+#include "sema/types/instances.h"
 #include "sema/warnings.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "sema/warnings.h"
 
-#include "sema/meta.h"
+#include "sema/types/meta.h"
 
 #include <algorithm>
 #include <unordered_set>

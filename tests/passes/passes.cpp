@@ -5,9 +5,9 @@
 #include "ir/read.h"
 #include "ir/validate.h"
 #include "ir/walk.h"
-#include "lower/find_rows.h"
+#include "lower/host/find_rows.h"
 #include "lower/passes.h"
-#include "lower/uniforms.h"
+#include "lower/transform/uniforms.h"
 
 #include <algorithm>
 #include <fstream>

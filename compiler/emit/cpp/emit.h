@@ -24,8 +24,8 @@ struct Options {
     std::uint32_t shards = 1;
     bool spirv_files = false;  ///< SPIR-V in files beside the sources, else within
     bool tests = false;        ///< a test program: also tests, checks of translators, a table of them, main
-    /// Prints `static void <name>(const glift::HostCall& call)` for a pass: kernel_of of emit/host, or null if no code
-    /// for the host device is wanted.
+    /// Prints `static void <name>(const glift::HostCall& call)` for a pass: kernel_of of emit/cpp/host, or null if no
+    /// code for the host device is wanted.
     std::string (*host_kernel)(Globals& globals, const ir::Pass& pass, const std::string& name) = nullptr;
 };
 

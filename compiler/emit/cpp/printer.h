@@ -1,4 +1,4 @@
-// Expressions, statements and functions of the IR as C++: what the printers of host kernels (emit/host) and of the
+// Expressions, statements and functions of the IR as C++: what the printers of host kernels (emit/cpp/host) and of the
 // other generated C++ share.
 #pragma once
 

@@ -23,8 +23,8 @@ bool depends_on_value_parameters(const ir::Program& program, ExprId id) {
 }
 
 /// Whether a parameter depends on the state of structures alone, or is the extent of the range of Pass::address. The
-/// former is not zero where it is a divisor: lower/divisors.cpp makes sure of that. The latter is not zero if any
-/// invocation runs.
+/// former is not zero where it is a divisor: lower/expand/divisors.cpp makes sure of that. The latter is not zero if
+/// any invocation runs.
 bool is_state_of_structures(const Printer& p, std::uint32_t parameter) {
     const ir::PassParameter& param = p.pass.parameters[parameter];
     switch (param.source) {

@@ -1,8 +1,8 @@
 // A command buffer and what must live as long as it: parameters, staging, descriptor sets.
 #pragma once
 
-#include "chunks.h"
 #include "pipelines.h"
+#include "vulkan/memory/chunks.h"
 
 namespace glift::detail {
 

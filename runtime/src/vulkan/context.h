@@ -3,7 +3,7 @@
 
 #include "../objects.h"
 #include "features.h"
-#include "float_controls.h"
+#include "vulkan/spirv/float_controls.h"
 
 #include <atomic>
 #include <memory>

@@ -101,8 +101,8 @@ bool Encoder::needs_addresses(const Kernel& kernel, std::span<const Memory> memo
 }
 
 // Aliased elements need pointers that may be equal: SPIR-V lets a driver assume that two buffer descriptors of a shader
-// do not alias. A kernel without a wide form has images alone: compiler/lower/one_place.h says how its general form
-// reads what was written through another parameter.
+// do not alias. A kernel without a wide form has images alone: compiler/lower/analysis/aliasing.h says how its general
+// form reads what was written through another parameter.
 bool Encoder::needs_wide(const Kernel& kernel, std::span<const Memory> memories,
                          const std::array<std::uint32_t, 4>& size, Sharing sharing) const {
     check_memories(&device_, kernel, memories);

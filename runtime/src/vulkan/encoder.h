@@ -5,7 +5,7 @@
 #include "command_batch.h"
 #include "groups.h"
 #include "hazards.h"
-#include "vulkan_memory.h"
+#include "vulkan/memory/vulkan_memory.h"
 
 namespace glift::detail {
 

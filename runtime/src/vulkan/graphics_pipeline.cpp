@@ -2,7 +2,7 @@
 
 #include "../text.h"
 #include "shader_stage.h"
-#include "vulkan_memory.h"
+#include "vulkan/memory/vulkan_memory.h"
 
 #include <optional>
 

@@ -5,9 +5,9 @@
 #include "descriptor_limits.h"
 #include "disk_cache.h"
 #include "graphics_pipeline.h"
-#include "requirements.h"
 #include "shader_stage.h"
-#include "spirv_words.h"
+#include "vulkan/spirv/requirements.h"
+#include "vulkan/spirv/spirv_words.h"
 
 #include <glift/error.h>
 

@@ -3,7 +3,7 @@
 
 #include "../report.h"
 #include "context.h"
-#include "kernel_digest.h"
+#include "vulkan/spirv/kernel_digest.h"
 
 #include <glift/pass.h>
 

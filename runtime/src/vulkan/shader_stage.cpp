@@ -1,12 +1,12 @@
 #include "shader_stage.h"
 
 #include "branches.h"
-#include "fixed_parameters.h"
-#include "float_controls.h"
-#include "hidden_limits.h"
-#include "hidden_zeros.h"
-#include "kept_sums.h"
-#include "spirv_words.h"
+#include "vulkan/spirv/exact_sums.h"
+#include "vulkan/spirv/fixed_parameters.h"
+#include "vulkan/spirv/float_controls.h"
+#include "vulkan/spirv/hidden_limits.h"
+#include "vulkan/spirv/hidden_zeros.h"
+#include "vulkan/spirv/spirv_words.h"
 
 namespace glift::detail {
 

@@ -5,7 +5,7 @@
 // is 0.)
 #pragma once
 
-#include "spirv_module.h"
+#include "vulkan/spirv/spirv_module.h"
 
 namespace glift::detail {
 

@@ -3,8 +3,8 @@
 #include "../report.h"
 #include "../text.h"
 #include "fill_words.h"
-#include "pieces.h"
 #include "prepare_indirect.h"
+#include "vulkan/memory/sparse_binding.h"
 
 #include <glift/error.h>
 

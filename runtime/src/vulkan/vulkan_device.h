@@ -6,7 +6,7 @@
 #include "internal_pass.h"
 #include "queries.h"
 #include "timeline.h"
-#include "vulkan_memory.h"
+#include "vulkan/memory/vulkan_memory.h"
 
 #include <mutex>
 

@@ -2,8 +2,8 @@
 // code is right (tests/device and `gliftc test`).
 #include "builder.h"
 
+#include "emit/cpp/host/emit.h"
 #include "emit/cpp/kernel_parts.h"
-#include "emit/host/emit.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

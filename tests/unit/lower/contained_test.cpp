@@ -1,6 +1,6 @@
 // Which accesses are bounds-checked: those that are not proved to be in bounds. And the arithmetic over symbolic sizes
 // that the proofs use.
-#include "lower/symbolic.h"
+#include "lower/analysis/symbolic.h"
 #include "lowered.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "lower/temporaries.h"
+#include "lower/transform/temporaries.h"
 
 #include "ir/print.h"
 

@@ -1,8 +1,8 @@
-#include "float_controls.h"
-#include "groups.h"
-#include "hidden_limits.h"
-#include "hidden_zeros.h"
-#include "kept_sums.h"
+#include "vulkan/groups.h"
+#include "vulkan/spirv/exact_sums.h"
+#include "vulkan/spirv/float_controls.h"
+#include "vulkan/spirv/hidden_limits.h"
+#include "vulkan/spirv/hidden_zeros.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,0 +1,363 @@
+// Expander: reads, writes and atomic operations on elements. Makes the address, the guard (the condition under which
+// the access is allowed), and the load, store or atomic operation.
+#include "ir/chain.h"
+#include "ir/walk.h"
+#include "lower/analysis/aliasing.h"
+#include "lower/expand/expand.h"
+#include "lower/expand/memory.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+std::uint32_t Expander::binding(const Place& of_structure, Access access, std::optional<Compare> compare,
+                                bool by_direction) {
+    auto& bindings = cx.pass.bindings;
+    const Place place = root_of(p, cx.structure_at(of_structure), of_structure);
+    const std::uint32_t memory = cx.structure_at(place).via_memory;
+    const Memory& of = cx.structure_at(place).memories[memory];
+    const MemoryShape shape =
+        of.shape == MemoryShape::imagecube && !by_direction ? MemoryShape::image2darray : of.shape;
+    for (std::uint32_t i = 0; i < bindings.size(); ++i) {
+        if (bindings[i].place != place || bindings[i].memory != memory) continue;
+        if (bindings[i].compare != compare || bindings[i].shape != shape) continue;
+        if (bindings[i].access != access) bindings[i].access = Access::read_write;
+        return i;
+    }
+    PassBinding made;
+    made.name = cx.name_of(place) + "_" + (*p.names)[of.name] + (compare ? "_compared" : by_direction ? "_cube" : "");
+    made.place = place;
+    made.memory = memory;
+    made.shape = shape;
+    made.element = of.element;
+    made.format = of.format;
+    made.coherent = is_coherent(of_structure);
+    made.access = made.coherent ? Access::read_write : access;
+    // Devices cannot filter integers, and need not support filtering of depths.
+    made.linear = of.linear && of.format != Format::d32 && p.types.scalar_of(of.element) == p.types.float_;
+    if (compare) {
+        made.linear = true;
+        made.compare = compare;
+    }
+    made.one_place = first_of_place(cx, made);
+    bindings.push_back(std::move(made));
+    return static_cast<std::uint32_t>(bindings.size() - 1);
+}
+
+/// Loads, once and at the start of the body, the kernel's arguments that are values in device memory
+/// (Pattern::argument).
+void Expander::read_arguments() {
+    for (std::uint32_t i = 0; i < cx.kernel.params.size(); ++i) {
+        const KernelParam& param = cx.kernel.params[i];
+        if (param.pattern != Pattern::argument) continue;
+        const std::string name = cx.name_of({i, {}});
+        const ExprId index = cx.parameter_expr(cx.parameter(ParameterSource::index, name + "_index", p.types.uint, i));
+        const ExprId value = load_from(cx, binding({i, {}}, Access::read), index);
+        frame_->locals[param.local] = {build.local(let(name, value, param.span)), {}};
+    }
+}
+
+/// Whether the elements of the structure at the place lie in memory that the pass accesses as coherent by the parameter
+/// that the place begins at: the parameter is `coherent`, and they are its elements; or it is `calls`, and a function
+/// called through it has coherent access to them.
+bool Expander::is_coherent(const Place& place) const {
+    const auto is_memory_of = [&](const Place& shared) {
+        return root_of(p, cx.structure_at(place), place) == root_of(p, cx.structure_at(shared), shared);
+    };
+    if (cx.kernel.params[place.root].pattern == Pattern::coherent) return is_memory_of({place.root, {}});
+    return std::ranges::any_of(cx.kernel.effects, [&](const Effect& effect) {
+        return effect.pattern == Pattern::coherent && effect.place.root == place.root && is_memory_of(effect.place);
+    });
+}
+
+/// The target of an atomic operation: a copy of `part`, which is an element or a part of one (field, component, array
+/// item), with the load `element` in place of the read of that element.
+ExprId Expander::part_of(ExprId part, ExprId element) {
+    Expr node = p.exprs[part];
+    if (node.op == Op::read) return element;
+    node.operands[0] = part_of(node.operands[0], element);
+    for (std::size_t i = 1; i < node.operands.size(); ++i) node.operands[i] = value_of(node.operands[i]);
+    return p.exprs.add(std::move(node));
+}
+
+/// An atomic operation on an element of a structure that is accessed as coherent. Outside the domain and at an unmapped
+/// address it does nothing and gives zero, if it has a result.
+Pair Expander::atomic(const Expr& node) {
+    const Expr target = place_of(p, node.operands[0]);
+    Place place = resolved(target.place);
+    const std::string name = cx.name_of(place);
+    ExprId address = named(name + "_address", value_of(target.operands[0]));
+    Expr made = node;
+    for (std::size_t i = 1; i < node.operands.size(); ++i) made.operands[i] = value_of(node.operands[i]);
+    check_range(place, address, Access::read_write, node.span);
+    Pair physical = written(place, named(name + "_virtual", from_origin(place, address)), name);
+    ExprId inside = build.both(inside_domain(place, address), physical.has);
+    const std::uint32_t slot = binding(place, Access::read_write);
+    cx.pass.bindings[slot].atomic = true;
+    made.operands[0] = part_of(node.operands[0], load_from(cx, slot, physical.value));
+    if (node.type == p.types.void_) {
+        Stmt stmt = statement(StmtOp::evaluate, node.span);
+        stmt.value = p.exprs.add(std::move(made));
+        append_if(inside ? inside : build.truth(true), collect([&] { append(std::move(stmt)); }), {});
+        return {};
+    }
+    if (!inside || build.is_true(inside))
+        return {build.local(let(name + "_before", p.exprs.add(std::move(made)), node.span)), {}};
+    LocalId before = variable(name + "_before", node.type, build.zero(node.type));
+    append_if(inside, collect([&] { assign(before, p.exprs.add(std::move(made))); }), {});
+    return {build.local(before), {}};
+}
+
+/// An element of a structure whose chain of memories (ir/chain.h) ends in a view: evaluates the view at `address` if
+/// `condition` holds (absent: always), else gives `otherwise`.
+ExprId Expander::computed(const Place& place, ExprId address, ExprId condition, ExprId otherwise,
+                          const std::string& name) {
+    const Place root = root_of(p, cx.structure_at(place), place);
+    if (!condition || build.is_true(condition)) return view(root, address);
+    LocalId value = variable(name, build.type(otherwise), otherwise);
+    append_if(condition, collect([&] { assign(value, view(root, address)); }), {});
+    return build.local(value);
+}
+
+ExprId Expander::load(const Place& place, ExprId physical) {
+    return load_from(cx, binding(place, Access::read), physical);
+}
+
+/// The value of reads at unmapped addresses: that of the first structure with an `otherwise` in the chain of memories
+/// (ir/chain.h), else zero.
+ExprId Expander::otherwise_of(const Place& place) {
+    const std::optional<Place> says = says_otherwise(p, cx.structure_at(place), place);
+    if (!says) return build.zero(cx.structure_at(place).element);
+    Frame frame;
+    frame.places = {canonical(*says)};
+    return inside(std::move(frame), [&] { return value_of(cx.structure_at(*says).otherwise); });
+}
+
+/// As otherwise_of, for reads of the current element and its neighbours. In kernels with a group, invocations beyond
+/// the range get zero.
+ExprId Expander::otherwise_around(const Place& place) {
+    const ExprId otherwise = otherwise_of(place);
+    if (!cx.kernel.grouped() || !says_otherwise(p, cx.structure_at(place), place)) return otherwise;
+    return build.select(build.local(cx.pass.in_range), otherwise, build.zero(build.type(otherwise)));
+}
+
+/// Loads the element if `guard` and the translation's condition `physical.has` hold (absent: true), else gives
+/// `otherwise`. `safe_address` must be a physical address in the memory; absent: address zero.
+ExprId Expander::guarded_load(const Place& place, const Pair& physical, ExprId guard, ExprId safe_address,
+                              ExprId otherwise, const std::string& name) {
+    ExprId condition = build.both(guard, physical.has);
+    if (is_computed(p, cx.structure_at(place))) return computed(place, physical.value, condition, otherwise, name);
+    if (!condition || build.is_true(condition)) return load(place, physical.value);
+    if (build.is_false(condition)) return otherwise;
+    condition = named(name + "_inside", condition);
+    const ExprId at =
+        is_trivial(cx, physical.value) ? physical.value : build.local(let(name + "_at", physical.value, span_));
+    const Structure& structure = cx.structure_at(place);
+    Expr node;
+    node.op = Op::guarded_load;
+    node.type = structure.element;
+    node.slot = binding(place, Access::read);
+    node.operands = {condition, at, safe_address ? safe_address : build.zero(build.type(at)), otherwise};
+    return build.local(let(name, p.exprs.add(std::move(node)), span_));
+}
+
+ExprId Expander::view(const Place& place, ExprId address) {
+    const Structure& structure = cx.structure_at(place);
+    Frame frame;
+    frame.places = {place};
+    frame.prefix = cx.name_of(place);
+    std::vector<Pair> arguments{{address, {}}};
+    return within([&] {
+        if (inline_sizes_.of(structure.at)) return inlined(structure.at, std::move(arguments), std::move(frame)).value;
+        return call_instance(structure.at, std::move(arguments), std::move(frame)).value;
+    });
+}
+
+/// The element of a view at `address`, that of the current element or of a neighbour. In kernels with a group,
+/// invocations beyond the range get zero.
+ExprId Expander::view_around(const Place& place, ExprId address) {
+    if (!cx.kernel.grouped()) return view(place, address);
+    TypeId type = cx.structure_at(place).element;
+    LocalId value = variable(cx.name_of(place) + "_value", type, build.zero(type));
+    append_if(build.local(cx.pass.in_range), collect([&] { assign(value, view(place, address)); }), {});
+    return build.local(value);
+}
+
+ExprId Expander::element(std::uint32_t root, Span) {
+    Place place{root, {}};
+    if (cx.structure_at(place).at) return view_around(place, centre_address(root));
+    ExprId guard = cx.kernel.grouped() ? build.local(cx.pass.in_range) : ExprId{};
+    ExprId value = guarded_load(place, centre(root), guard, {}, otherwise_around(place), cx.name_of(place) + "_value");
+    const bool is_read_only = cx.kernel.params[root].direction == Direction::in && !may_be_written_elsewhere(cx, root);
+    if (is_read_only || p.exprs[value].op == Op::local) return value;
+    // The memory may also be written: a `let` keeps the load from moving past a store.
+    return build.local(let(cx.name_of(place) + "_value", value, span_));
+}
+
+ExprId Expander::read(const Place& place, ExprId address, const std::string& name) {
+    const Structure& structure = cx.structure_at(place);
+    address = named(name + "_address", address);
+    ExprId virtual_address = named(name + "_virtual", from_origin(place, address));
+    if (structure.at) return view(place, virtual_address);
+    Pair physical = translated(place, virtual_address, name);
+    ExprId guard = is_total(structure) ? inside_domain(place, address) : ExprId{};
+    ExprId value = guarded_load(place, physical, guard, {}, otherwise_of(place), name + "_value");
+    if (cx.kernel.params[place.root].direction == Direction::in || p.exprs[value].op == Op::local) return value;
+    return build.local(let(name + "_value", value, span_));
+}
+
+std::optional<std::vector<std::int64_t>> Expander::offset_of(const Expr& node) {
+    ExprId offset = value_of(node.operands[0]);
+    if (!build.is_constant(offset)) {
+        auto& report = cx.diagnostics.report(Diag::near_offset, node.span,
+                                             {(*p.names)[cx.kernel.params[resolved(node.place).root].name]});
+        report.notes.push_back({{},
+                                "make the offset a constant, or loop over constant bounds without break or continue; "
+                                "for offsets known only when the kernel runs, take the structure as any<…>"});
+        return std::nullopt;
+    }
+    auto value = evaluate(p, offset);
+    if (!value) return std::nullopt;
+    std::vector<std::int64_t> result;
+    result.reserve(value->lanes.size());
+    std::uint32_t radius = cx.kernel.params[resolved(node.place).root].radius;
+    for (const Lane& lane : value->lanes) {
+        auto part = static_cast<std::int64_t>(lane.bits);
+        result.push_back(part);
+        if (std::abs(part) <= static_cast<std::int64_t>(radius)) continue;
+        const auto& param = cx.kernel.params[resolved(node.place).root];
+        auto& report = cx.diagnostics.report(Diag::near_radius, node.span,
+                                             {std::to_string(part), (*p.names)[param.name], std::to_string(radius)});
+        report.notes.push_back({param.span, "declare the radius that the kernel reaches: near<…, " +
+                                                std::to_string(std::abs(part)) + ">"});
+        return std::nullopt;
+    }
+    return result;
+}
+
+/// The condition that the neighbour at `offset` is in the domain, if the current element is in it: only those sides of
+/// the domain are tested towards which the offset points.
+ExprId Expander::near_guard(std::uint32_t root, const std::vector<std::int64_t>& offset) {
+    ExprId address = centre_address(root), domain = domain_of({root, {}}), guard;
+    for (std::uint32_t axis = 0; axis < offset.size(); ++axis) {
+        if (offset[axis] == 0) continue;
+        ExprId at = build.component(address, axis);
+        ExprId inside =
+            offset[axis] < 0
+                ? build.binary(BinaryOp::greater_equal, at, build.uint(static_cast<std::uint64_t>(-offset[axis])))
+                : build.binary(BinaryOp::less, build.add(at, build.uint(static_cast<std::uint64_t>(offset[axis]))),
+                               build.component(domain, axis));
+        if (axis == 1 && offset[axis] > 0)
+            row_guards.push_back({inside, at, build.component(domain, axis), offset[axis]});
+        guard = build.both(guard, inside);
+    }
+    return guard;
+}
+
+namespace {
+
+std::string offset_name(const std::vector<std::int64_t>& offset) {
+    std::string name;
+    for (std::size_t axis = 0; axis < offset.size(); ++axis) {
+        if (offset[axis] == 0) continue;
+        name +=
+            std::string("_") + "xyzw"[axis] + (offset[axis] < 0 ? "m" : "p") + std::to_string(std::abs(offset[axis]));
+    }
+    return name;
+}
+
+}  // namespace
+
+/// Notes that a near parameter needs guards. An interior variant is made only if the domains of all such parameters are
+/// equal.
+void Expander::note_near_guard(std::uint32_t root) {
+    has_near_guards = true;
+    if (near_root == root) return;
+    if (near_root) {
+        near_domains_agree = near_domains_agree && numbers_.of(near_domain) == numbers_.of(domain_of({root, {}}));
+        return;
+    }
+    near_root = root;
+    near_domain = domain_of({root, {}});
+}
+
+ExprId Expander::near(const Expr& node) {
+    Place place = resolved(node.place);
+    auto offset = offset_of(node);
+    if (!offset) return build.zero(node.type);
+    if (Halo* halo = halo_of(place.root)) return in_halo(*halo, *offset);
+    const bool is_centre = std::ranges::all_of(*offset, [](std::int64_t part) { return part == 0; });
+    const ExprId value = is_centre ? element(place.root, node.span) : neighbour(place, *offset);
+    const bool may_copy = cx.kernel.space && (is_centre || !may_map_outside(place.root));
+    if (near_offsets && may_copy) (*near_offsets)[place.root].insert(*offset);
+    if (out_ == top_) near_values.push_back({place.root, std::move(*offset), value});
+    return value;
+}
+
+ExprId Expander::neighbour(const Place& place, const std::vector<std::int64_t>& offset) {
+    TypeId address_type = build.type(centre_address(place.root));
+    Operands parts;
+    for (std::int64_t part : offset) parts.push_back(build.uint(static_cast<std::uint32_t>(part)));
+    ExprId step = parts.size() == 1 ? parts[0] : build.construct(address_type, std::move(parts));
+    ExprId address = build.add(centre_address(place.root), step);
+    const Structure& structure = cx.structure_at(place);
+    if (structure.at) return view_around(place, address);
+    std::string name = cx.name_of(place) + offset_name(offset);
+    if (const std::optional<Pair> found = beside(place, offset))
+        return guarded_load(place, *found, {}, {}, otherwise_around(place), name);
+    Pair middle = centre(place.root);
+    Pair physical = translated(place, address, name);
+    bool asks = is_total(structure);
+    physical.has = without_inside(place.root, physical.has, address, asks);
+    ExprId guard;
+    if (asks) note_near_guard(place.root);
+    if (asks && guards_ != Guards::interior) guard = near_guard(place.root, offset);
+    if (cx.kernel.grouped()) guard = build.both(build.local(cx.pass.in_range), guard);
+    ExprId other = middle.has || cx.kernel.grouped() ? ExprId{} : middle.value;
+    return guarded_load(place, physical, guard, other, otherwise_around(place), name);
+}
+
+void Expander::store(const Place& place, const Pair& physical, ExprId guard, const Stmt& stmt, ExprId value) {
+    const Structure& structure = cx.structure_at(place);
+    const bool is_buffer = root_memory(p, structure).shape == MemoryShape::buffer;
+    const bool is_atomic = stmt.combine != Combine::replace;
+    Stmt made = statement(is_atomic ? StmtOp::atomic : is_buffer ? StmtOp::store : StmtOp::image_store, stmt.span);
+    made.slot = binding(place, is_atomic ? Access::read_write : Access::write);
+    if (is_atomic) {
+        PassBinding& of = cx.pass.bindings[made.slot];
+        of.atomic = true;
+        of.ordered = of.ordered || (of.element == p.types.float_ && stmt.combine != Combine::add);
+    }
+    made.target = index_of(cx, made.slot, physical.value);
+    made.value = value;
+    made.combine = stmt.combine;
+    ExprId condition = build.both(guard, physical.has);
+    if (condition && build.is_false(condition)) return;
+    if (!condition || build.is_true(condition)) return append(std::move(made));
+    append_if(condition, collect([&] { append(std::move(made)); }), {});
+}
+
+void Expander::set_element(const Stmt& stmt) {
+    Place place = resolved(stmt.place);
+    TypeId type = cx.structure_at(place).element;
+    ExprId value = stored(expand(stmt.value), type);
+    ExprId guard = cx.kernel.grouped() ? build.local(cx.pass.in_range) : ExprId{};
+    store(place, written_centre(place.root), guard, stmt, value);
+}
+
+void Expander::write(const Stmt& stmt) {
+    Place place = resolved(stmt.place);
+    const Structure& structure = cx.structure_at(place);
+    if (build.type(stmt.value) != structure.element) return write_several(stmt);
+    std::string name = cx.name_of(place);
+    ExprId address = named(name + "_address", value_of(stmt.target));
+    ExprId value = stored(expand(stmt.value), structure.element);
+    check_range(place, address, stmt.combine == Combine::replace ? Access::write : Access::read_write, stmt.span);
+    Pair physical = written(place, named(name + "_virtual", from_origin(place, address)), name);
+    store(place, physical, inside_domain(place, address), stmt, value);
+}
+
+}  // namespace gliftc::lower

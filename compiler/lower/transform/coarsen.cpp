@@ -1,0 +1,280 @@
+#include "lower/transform/coarsen.h"
+
+#include "ir/effects.h"
+#include "ir/walk.h"
+#include "lower/analysis/number.h"
+#include "lower/build/copy_statements.h"
+#include "lower/expand/dispatch.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+bool is_store(const Stmt& stmt) { return stmt.op == StmtOp::store || stmt.op == StmtOp::image_store; }
+
+}  // namespace
+
+bool has_store(const Program& program, const Stmt& stmt) {
+    const auto has = [&](StmtId id) { return has_store(program, program.stmts[id]); };
+    return is_store(stmt) || std::ranges::any_of(stmt.body, has) || std::ranges::any_of(stmt.otherwise, has);
+}
+
+namespace {
+
+/// Kernels with more loads or nodes have enough to do with one element, and two would take too many registers.
+constexpr std::size_t most_loads = 16, most_of_one = 600;
+
+/// Whether a function, or one that it calls, has a loop: then one element is work enough for an invocation, and
+/// lavapipe limits the iterations that an invocation may execute.
+bool has_loop(const Program& program, FunctionId function, std::unordered_map<FunctionId, bool>& known) {
+    if (const auto found = known.find(function); found != known.end()) return found->second;
+    const auto& body = program.functions[function].body;
+    bool found = false;
+    for_each_statement(program, body, [&](const Stmt& stmt) {
+        found = found || stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_;
+    });
+    for_each_expression(program, body, [&](ExprId id) {
+        const Expr& node = program.exprs[id];
+        found = found || (node.op == Op::call && has_loop(program, node.function, known));
+    });
+    known.emplace(function, found);
+    return found;
+}
+
+/// Finds whether several elements may be computed before any is stored.
+class Eligibility {
+public:
+    explicit Eligibility(Context& context) : cx(context), numbers_(context) {}
+
+    StoredLast of(const std::vector<StmtId>& body) {
+        if (cx.kernel.grouped() || cx.kernel.items != 1) return {};
+        for (StmtId id : body) {
+            const Stmt& stmt = cx.p.stmts[id];
+            if (has_store(cx.p, stmt)) visit_store(stmt);
+            else visit(stmt);
+        }
+        return {fits_ && stores_, loads_, nodes_};
+    }
+
+private:
+    /// Accepts straight-line code and ifs. After a store, expressions that load must be fixed (Numbers::is_fixed).
+    void visit(const Stmt& stmt) {
+        fits_ = fits_ && (stmt.op == StmtOp::let || stmt.op == StmtOp::assign || stmt.op == StmtOp::if_ ||
+                          stmt.op == StmtOp::block);
+        for_each_root(stmt, [&](ExprId root) {
+            visit(root);
+            fits_ = fits_ && (!stores_ || !changes_by_stores(root));
+        });
+        for (StmtId id : stmt.body) visit(cx.p.stmts[id]);
+        for (StmtId id : stmt.otherwise) visit(cx.p.stmts[id]);
+    }
+
+    /// The value of a store outside of ifs is evaluated before any store. Addresses, conditions and all that is inside
+    /// an if are evaluated later, when other elements may have stored, so they must not depend on memory that is
+    /// written, nor on mutable locals.
+    void visit_store(const Stmt& stmt) {
+        fits_ = fits_ && (is_store(stmt) || stmt.op == StmtOp::if_);
+        for_each_root(stmt, [&](ExprId root) {
+            visit(root);
+            const bool is_kept = is_store(stmt) && root == stmt.value;
+            fits_ = fits_ && (is_kept ? !stores_ || !changes_by_stores(root) : numbers_.is_fixed(root));
+        });
+        stores_ = true;
+        for (StmtId id : stmt.body) visit_inside(cx.p.stmts[id]);
+        for (StmtId id : stmt.otherwise) visit_inside(cx.p.stmts[id]);
+    }
+
+    void visit_inside(const Stmt& stmt) {
+        fits_ = fits_ && (is_store(stmt) || stmt.op == StmtOp::if_ || stmt.op == StmtOp::let);
+        fits_ = fits_ && (stmt.op != StmtOp::let || !cx.p.locals[stmt.local].is_mutable);
+        for_each_root(stmt, [&](ExprId root) {
+            visit(root);
+            fits_ = fits_ && numbers_.is_fixed(root);
+        });
+        for (StmtId id : stmt.body) visit_inside(cx.p.stmts[id]);
+        for (StmtId id : stmt.otherwise) visit_inside(cx.p.stmts[id]);
+    }
+
+    void visit(ExprId root) {
+        fits_ = fits_ && numbers_.is_pure(root);
+        for_each_node(cx.p, root, seen_, [&](ExprId id) { visit(cx.p.exprs[id]); });
+    }
+
+    bool changes_by_stores(ExprId root) { return numbers_.has_load(root) && !numbers_.is_fixed(root); }
+
+    void visit(const Expr& node) {
+        ++nodes_;
+        loads_ += is_load(node.op);
+        fits_ = fits_ && node.op != Op::builtin;
+        if (node.op == Op::call) fits_ = fits_ && !writes_what_it_reads() && !has_loop(cx.p, node.function, has_loop_);
+    }
+
+    /// Whether some binding is both read and written: functions may load from any binding.
+    bool writes_what_it_reads() const {
+        return std::ranges::any_of(cx.pass.bindings,
+                                   [](const PassBinding& binding) { return binding.access == Access::read_write; });
+    }
+
+    Context& cx;
+    Numbers numbers_;
+    IdSet<Expr> seen_;
+    std::unordered_map<FunctionId, bool> has_loop_;  ///< what has_loop found
+    bool fits_ = true, stores_ = false;
+    std::size_t loads_ = 0, nodes_ = 0;
+};
+
+/// Whether the value of a delayed store needs no `let`, since it cannot change until the store is executed.
+bool keeps(const Context& cx, ExprId value, bool ends_in_stores) {
+    const Expr& node = cx.p.exprs[value];
+    if (node.op != Op::local) return is_trivial(cx, value);
+    return ends_in_stores || !cx.p.locals[node.local].is_mutable;
+}
+
+class Coarsening {
+public:
+    explicit Coarsening(Context& context) : cx(context) {}
+
+    Coarsened run(const std::vector<StmtId>& body, const Expander& made) {
+        const auto computes = [&](StmtId id) { return !has_store(cx.p, cx.p.stmts[id]); };
+        ends_in_stores_ = std::ranges::is_partitioned(body, computes);
+        StatementCopy second(cx, next_address());
+        const bool shares = cx.pass.rank > 1 && share_rows(second, made.near_values);
+        if (shares) share_guards(second, made.row_guards);
+        std::vector<StmtId> stores, next_stores;
+        for (StmtId id : body) add(id, stores);
+        for (StmtId id : body) add(second.of(id), next_stores);
+        result_.insert(result_.end(), stores.begin(), stores.end());
+        if (shares) next_stores = {where_there_is_one(next_stores)};
+        result_.insert(result_.end(), next_stores.begin(), next_stores.end());
+        return {std::move(result_), second.of(in_range_condition(cx)), elements_};
+    }
+
+    Coarsened run_in_turn(const std::vector<StmtId>& body) {
+        StatementCopy second(cx, next_address());
+        result_.insert(result_.end(), body.begin(), body.end());
+        std::vector<StmtId> again;
+        for (StmtId id : body) again.push_back(second.of(id));
+        result_.push_back(where_there_is_one(again));
+        return {std::move(result_), second.of(in_range_condition(cx)), elements_};
+    }
+
+private:
+    LocalId let(std::string_view name, ExprId value, Span span) {
+        const LocalId local = cx.new_local(name, cx.build.type(value), span);
+        cx.definitions[local] = value;
+        Stmt stmt = statement(StmtOp::let, span);
+        stmt.local = local;
+        stmt.value = value;
+        result_.push_back(cx.add(std::move(stmt)));
+        return local;
+    }
+
+    /// The address of the second element: in one dimension a workgroup's width further, so that the lanes of a subgroup
+    /// still access consecutive elements; else in the next row.
+    ExprId next_address() {
+        const ExprId address = cx.build.local(cx.pass.address);
+        if (cx.pass.rank == 1) {
+            elements_ = {2, 1, 1};
+            return next_of("next", address, cx.pass.group[0], cx.size);
+        }
+        elements_ = {1, 2, 1};
+        Operands parts;
+        for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis) parts.push_back(cx.build.component(address, axis));
+        parts[1] = next_of("next_y", parts[1], 1, cx.build.component(cx.size, 1));
+        return cx.build.construct(cx.kernel.domain_type, std::move(parts));
+    }
+
+    ExprId next_of(std::string_view name, ExprId at, std::uint32_t step, ExprId size) {
+        const ExprId next = cx.build.add(at, cx.build.uint(step));
+        const ExprId is_inside = cx.build.binary(BinaryOp::less, next, size);
+        has_next_ = cx.build.local(let("has_next", is_inside, cx.kernel.span));
+        return cx.build.local(let(name, cx.build.select(has_next_, next, at), cx.kernel.span));
+    }
+
+    /// A neighbour of the first element at offset (x, y + 1) is the neighbour of the second one at (x, y): it is loaded
+    /// once.
+    static bool share_rows(StatementCopy& second, const std::vector<Expander::NearValue>& near) {
+        bool found_any = false;
+        for (const Expander::NearValue& one : near) {
+            const auto is_same = [&](const Expander::NearValue& other) {
+                std::vector<std::int64_t> offset = one.offset;
+                ++offset[1];
+                return other.root == one.root && other.offset == offset;
+            };
+            const auto found = std::ranges::find_if(near, is_same);
+            if (found == near.end()) continue;
+            second.replace(one.value, found->value);
+            found_any = true;
+        }
+        return found_any;
+    }
+
+    /// Replaces the second element's guards of reads at offsets that are positive along y by those of the first
+    /// element's reads one row further. Where there is no second element, its code has the first one's address, and
+    /// these guards test the row after the one that is read. That is harmless, since this code then stores nothing.
+    void share_guards(StatementCopy& second, const std::vector<Expander::RowGuard>& guards) {
+        for (const Expander::RowGuard& guard : guards) {
+            const ExprId distance = cx.build.uint(static_cast<std::uint64_t>(guard.distance + 1));
+            second.replace(guard.condition,
+                           cx.build.binary(BinaryOp::less, cx.build.add(guard.at, distance), guard.extent));
+        }
+    }
+
+    /// The statements under the condition that there is a second element. Where both elements are computed before the
+    /// first store (run), the second one's stores need the condition only if loads are shared: otherwise the second
+    /// element is a copy of the first where there is none, and storing it again changes nothing.
+    StmtId where_there_is_one(const std::vector<StmtId>& statements) {
+        Stmt stmt = statement(StmtOp::if_, cx.p.stmts[statements.front()].span);
+        stmt.value = has_next_;
+        stmt.body = statements;
+        return cx.add(std::move(stmt));
+    }
+
+    /// Adds a statement; stores are put into `stores` instead, to come after both elements are computed.
+    void add(StmtId id, std::vector<StmtId>& stores) {
+        if (!has_store(cx.p, cx.p.stmts[id])) return result_.push_back(id);
+        stores.push_back(with_named_value(cx, id, ends_in_stores_, result_));
+    }
+
+    Context& cx;
+    std::vector<StmtId> result_;
+    ExprId has_next_;
+    std::array<std::uint32_t, 3> elements_{};
+    bool ends_in_stores_ = true;  ///< only statements with stores follow the first store in the body
+};
+
+}  // namespace
+
+StoredLast stored_last(Context& cx, const std::vector<StmtId>& body) { return Eligibility(cx).of(body); }
+
+StmtId with_named_value(Context& cx, StmtId id, bool ends_in_stores, std::vector<StmtId>& before) {
+    Stmt stmt = cx.p.stmts[id];
+    if (!is_store(stmt) || keeps(cx, stmt.value, ends_in_stores)) return id;
+    const KernelParam& param = cx.kernel.params[cx.pass.bindings[stmt.slot].place.root];
+    Stmt let = statement(StmtOp::let, stmt.span);
+    let.local = cx.new_local((*cx.p.names)[param.name], cx.build.type(stmt.value), stmt.span);
+    let.value = stmt.value;
+    cx.definitions[let.local] = stmt.value;
+    stmt.value = cx.build.local(let.local);
+    before.push_back(cx.add(std::move(let)));
+    return cx.add(std::move(stmt));
+}
+
+Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander& made) {
+    const StoredLast last = stored_last(cx, body);
+    if (!last.holds || last.loads > most_loads || last.nodes > most_of_one) return {};
+    return Coarsening(cx).run(body, made);
+}
+
+Coarsened coarsened_in_turn(Context& cx, const std::vector<StmtId>& body) { return Coarsening(cx).run_in_turn(body); }
+
+bool is_coarsened(const Pass& pass) {
+    return variant_for(pass, Devices::shaders).assumes.elements != pass.plain().assumes.elements;
+}
+
+}  // namespace gliftc::lower

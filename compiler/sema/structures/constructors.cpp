@@ -1,0 +1,81 @@
+#include "sema/structures/constructors.h"
+
+#include "sema/names/lookup.h"
+#include "sema/structures/components.h"
+#include "sema/types/generics.h"
+#include "sema/types/instances.h"
+
+namespace gliftc::sema {
+
+namespace {
+
+/// Whether the argument is a name in scope or a path of members from one. Checking such an argument twice is harmless:
+/// it emits no statements.
+bool is_named(Body& body, ast::ExprId id) {
+    const ast::Expr* expr = &body.context[id];
+    while (expr->kind == ast::ExprKind::member) expr = &body.context[expr->operands[0]];
+    return expr->kind == ast::ExprKind::name && find_symbol(body, expr->name) != nullptr;
+}
+
+/// The generic structure, view or adaptor that a constructor's name denotes; absent if it denotes anything else.
+ast::DeclId generic_declaration(Body& body, const ast::Expr& name) {
+    Context& c = body.context;
+    if (name.kind != ast::ExprKind::name || body.env.find(name.name)) return {};
+    const Visible visible = look_up(c, body.env.module, {name.name, name.span});
+    if (visible.found.size() != 1) return {};
+    const ast::Decl& decl = c[visible.found[0]];
+    return constructor_of(decl) && !decl.generics.empty() ? visible.found[0] : ast::DeclId{};
+}
+
+}  // namespace
+
+const std::vector<ast::Param>* constructor_of(const ast::Decl& decl) {
+    if (const auto* structure = std::get_if<ast::Structure>(&decl.body)) return &structure->constructor;
+    if (const auto* view = std::get_if<ast::View>(&decl.body)) return &view->constructor;
+    if (const auto* adaptor = std::get_if<ast::Adaptor>(&decl.body)) return &adaptor->constructor;
+    return nullptr;
+}
+
+const std::vector<ast::Item>& items_of(const ast::Decl& decl) {
+    if (const auto* view = std::get_if<ast::View>(&decl.body)) return view->items;
+    if (const auto* adaptor = std::get_if<ast::Adaptor>(&decl.body)) return adaptor->items;
+    return std::get<ast::Structure>(decl.body).items;
+}
+
+std::vector<const ast::Item*> items_of(Context& c, std::uint32_t structure) {
+    std::vector<const ast::Item*> items;
+    for_each_item(c, *c.structure_env.at(structure), items_of(c[c.structure_decl.at(structure)]),
+                  [&](const ast::Item& item) { items.push_back(&item); });
+    return items;
+}
+
+Meta constructed_type(Body& body, const ast::Expr& call) {
+    Context& c = body.context;
+    const ast::ExprId written = call.operands[0];
+    const ast::Expr& callee = c[written];
+    const bool has_generics = callee.kind == ast::ExprKind::generic;
+    const ast::DeclId id = generic_declaration(body, has_generics ? c[callee.operands[0]] : callee);
+    if (!id || (has_generics && callee.operands.size() > c[id].generics.size()))
+        return meta_of(c, env_for(body, written), written);
+    Env& env = c.new_env(c.module_of.at(id));
+    Arguments generics(c, c[id], env, callee.span);
+    std::vector<ast::ExprId> given;
+    if (has_generics) given.assign(callee.operands.begin() + 1, callee.operands.end());
+    if (!generics.give(env_for(body, written), given)) return {};
+    const std::vector<ast::Param>& params = *constructor_of(c[id]);
+    for (std::size_t i = 0; i < params.size() && i + 1 < call.operands.size(); ++i) {
+        if (!is_named(body, call.operands[i + 1])) continue;
+        const Operand argument = check(body, call.operands[i + 1]);
+        if (argument.kind == OperandKind::error) return {};
+        if (argument.kind == OperandKind::structure) generics.infer_structure(params[i].type, argument.structure);
+    }
+    if (!generics.finish()) return {};
+    const ir::TypeId type = instantiate_type(c, id, env, callee.span);
+    if (type == c.types().error) return {};
+    Meta meta;
+    meta.kind = MetaKind::type;
+    meta.type = type;
+    return meta;
+}
+
+}  // namespace gliftc::sema

@@ -1,0 +1,349 @@
+#include "sema/types/generics.h"
+
+#include "sema/bodies/body.h"
+#include "sema/types/interfaces.h"
+#include "sema/types/typing.h"
+
+#include <bit>
+
+namespace gliftc::sema {
+
+namespace {
+
+/// Whether the constraint is built in or an interface, so that the argument is a type, structure, format or translator
+/// rather than a value.
+bool takes_type(Context& c, const Env& env, ast::ExprId constraint) {
+    const ast::Expr& expr = c[constraint];
+    const ast::Expr& name = expr.kind == ast::ExprKind::generic ? c[expr.operands[0]] : expr;
+    if (name.kind != ast::ExprKind::name) return false;
+    Meta meta = find_meta(c, env, {name.name, name.span});
+    if (meta.kind == MetaKind::constraint) return true;
+    return meta.kind == MetaKind::declarations && std::holds_alternative<ast::Interface>(c[meta.declarations[0]].body);
+}
+
+std::string key_part(const Meta& meta) {
+    std::string key;
+    switch (meta.kind) {
+    case MetaKind::type: return "t" + std::to_string(meta.type.index);
+    case MetaKind::value:
+        key = "v" + std::to_string(meta.value.type.index);
+        for (const ir::Lane& lane : meta.value.lanes)
+            key += "," + std::to_string(lane.bits) + "f" + std::to_string(std::bit_cast<std::uint64_t>(lane.number));
+        return key;
+    case MetaKind::translator:
+        key = "r";
+        for (std::uint32_t i : meta.translators) key += std::to_string(i) + ",";
+        return key;
+    case MetaKind::format: return "x" + std::to_string(static_cast<int>(meta.format));
+    case MetaKind::none:
+    case MetaKind::declarations:
+    case MetaKind::module:
+    case MetaKind::memory_shape:
+    case MetaKind::constraint:
+    case MetaKind::running: return "?";
+    }
+    return key;
+}
+
+bool is_texel(const ir::Types& types, ir::TypeId type) {
+    ir::TypeId scalar = types.scalar_of(type);
+    bool shaped = types.is_scalar(type) || (types.is_vector(type) && types.components(type) != 3);
+    return shaped && (scalar == types.float_ || scalar == types.uint || scalar == types.int_);
+}
+
+bool satisfies_structure(Context& c, const Env& env, const ast::Expr& constraint, ir::TypeId type, std::string& why) {
+    if (c.types().kind(type) != ir::TypeKind::structure) {
+        why = c.text(type) + " is not a structure";
+        return false;
+    }
+    const ir::Structure structure = c.program.structures[c.types()[type].index];
+    if (structure.kind == ir::StructureKind::adaptor) {
+        why = structure.display + " is an adaptor: it has no elements of its own";
+        return false;
+    }
+    if (constraint.kind != ast::ExprKind::generic) return true;
+    if (constraint.operands.size() > 1) {
+        ir::TypeId domain = type_of(c, env, constraint.operands[1]);
+        if (domain != structure.domain_type) {
+            why = "its virtual domain is " + c.text(structure.domain_type) + ", not " + c.text(domain);
+            return false;
+        }
+    }
+    if (constraint.operands.size() > 2) {
+        ir::TypeId element = type_of(c, env, constraint.operands[2]);
+        if (element != structure.element) {
+            why = "its elements are " + c.text(structure.element) + ", not " + c.text(element);
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+bool satisfies(Context& c, const Env& env, ast::ExprId constraint, const Meta& meta, std::string& why) {
+    const ast::Expr& expr = c[constraint];
+    const ast::Expr& name = expr.kind == ast::ExprKind::generic ? c[expr.operands[0]] : expr;
+    Meta wanted = name.kind == ast::ExprKind::name ? find_meta(c, env, {name.name, name.span}) : Meta{};
+    bool interface =
+        wanted.kind == MetaKind::declarations && std::holds_alternative<ast::Interface>(c[wanted.declarations[0]].body);
+    if (wanted.kind == MetaKind::constraint || interface) {
+        if (wanted.kind == MetaKind::constraint && wanted.constraint == Constraint::translator) {
+            why = "a translator is wanted";
+            return meta.kind == MetaKind::translator;
+        }
+        if (meta.kind == MetaKind::format && wanted.kind == MetaKind::constraint &&
+            wanted.constraint == Constraint::texel)
+            return true;
+        if (meta.kind != MetaKind::type) {
+            why = "a type is wanted here";
+            return false;
+        }
+        if (interface) return satisfies_interface(c, env, wanted.declarations[0], expr, meta.type, why);
+        ir::TypeId scalar = c.types().scalar_of(meta.type);
+        bool shaped = c.types().is_scalar(meta.type) || c.types().is_vector(meta.type);
+        switch (wanted.constraint) {
+        case Constraint::type:
+            why = "a structure is not a type of values";
+            return c.types().kind(meta.type) != ir::TypeKind::structure;
+        case Constraint::texel: why = c.text(meta.type) + " has no texel format"; return is_texel(c.types(), meta.type);
+        case Constraint::number:
+            why = c.text(meta.type) + " is not a number";
+            return shaped && c.types().is_number(scalar);
+        case Constraint::integer:
+            why = c.text(meta.type) + " is not an integer";
+            return shaped && c.types().is_integer(scalar);
+        case Constraint::floating:
+            why = c.text(meta.type) + " is not floating";
+            return shaped && c.types().is_floating(scalar);
+        case Constraint::structure: return satisfies_structure(c, env, expr, meta.type, why);
+        case Constraint::translator: return false;
+        }
+    }
+    ir::TypeId type = type_of(c, env, constraint);
+    if (type == c.types().error) return true;  // reported
+    if (meta.kind != MetaKind::value) {
+        why = "a value of type " + c.text(type) + " is wanted";
+        return false;
+    }
+    why = "a " + c.text(type) + " is wanted, not a " + c.text(meta.value.type);
+    return meta.value.type == type;
+}
+
+Arguments::Arguments(Context& context, const ast::Decl& declaration, Env& environment, Span at)
+    : context(context), decl(declaration), env(environment), use(at), found(declaration.generics.size()),
+      spans(declaration.generics.size(), at) {}
+
+bool Arguments::give(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first) {
+    Context& c = context;
+    if (written.size() - first > decl.generics.size()) {
+        note(c.error(Diag::generic_count, use,
+                     {c.text(decl.name.name), std::to_string(decl.generics.size()),
+                      std::to_string(written.size() - first)}),
+             decl.name.span, "declared here");
+        return false;
+    }
+    for (std::size_t i = 0; i + first < written.size(); ++i) {
+        ast::ExprId argument = written[i + first];
+        const ast::GenericParam& param = decl.generics[i];
+        if (!param.constraint) return false;
+        spans[i] = c[argument].span;
+        // Constraints may name earlier parameters: bind those that are known.
+        Env partial = env;
+        partial.module = env.module;
+        for (std::size_t k = 0; k < i; ++k)
+            if (found[k]) partial.bindings.emplace_back(decl.generics[k].name.name, *found[k]);
+        if (takes_type(c, partial, param.constraint)) {
+            Meta meta = meta_of(c, user, argument);
+            if (meta.kind == MetaKind::none) return false;
+            found[i] = std::move(meta);
+            continue;
+        }
+        ir::TypeId type = type_of(c, partial, param.constraint);
+        if (type == c.types().error) return false;
+        // `border` for `Boundary.border`: where an enum is expected, enumerators need no prefix.
+        const ast::Expr& expr = c[argument];
+        if (c.types().kind(type) == ir::TypeKind::enum_ &&
+            (expr.kind == ast::ExprKind::name || expr.kind == ast::ExprKind::none_literal)) {
+            const ir::Enum& declared = c.program.enums[c.types()[type].index];
+            std::string_view text = expr.kind == ast::ExprKind::none_literal ? std::string_view("none")
+                                                                             : std::string_view(c.text(expr.name));
+            for (std::size_t k = 0; k < declared.enumerators.size() && !found[i]; ++k)
+                if (c.text(declared.enumerators[k]) == text) {
+                    Meta meta;
+                    meta.kind = MetaKind::value;
+                    meta.value = {type, {ir::Lane{.bits = declared.values[k]}}};
+                    found[i] = meta;
+                }
+            if (found[i]) continue;
+        }
+        if (expr.kind == ast::ExprKind::name && find_meta(c, user, {expr.name, expr.span}).kind == MetaKind::type) {
+            note(c.error(Diag::type_mismatch, expr.span, {c.text(type), "a type"}), decl.name.span,
+                 "'" + c.text(param.name.name) + "' stands at place " + std::to_string(i + 1));
+            return false;
+        }
+        auto value = constant_of(c, user, argument, type);
+        if (!value) return false;
+        Meta meta;
+        meta.kind = MetaKind::value;
+        meta.value = *value;
+        found[i] = std::move(meta);
+    }
+    return true;
+}
+
+bool Arguments::give(std::vector<Meta> metas) {
+    for (std::size_t i = 0; i < metas.size() && i < found.size(); ++i) found[i] = std::move(metas[i]);
+    return true;
+}
+
+void Arguments::infer_value(ast::ExprId pattern, const ir::Value& actual) {
+    const ast::Expr& expr = context[pattern];
+    if (expr.kind != ast::ExprKind::name) return;
+    for (std::size_t i = 0; i < decl.generics.size(); ++i) {
+        if (decl.generics[i].name.name != expr.name || found[i]) continue;
+        Meta meta;
+        meta.kind = MetaKind::value;
+        meta.value = actual;
+        found[i] = std::move(meta);
+    }
+}
+
+void Arguments::infer_structure(ast::ExprId pattern, std::uint32_t structure) {
+    if (!pattern) return;
+    infer(pattern, context.types().of_structure(structure));
+    // The constraint Structure<D, T> of a parameter also determines D and T.
+    const ast::Expr& expr = context[pattern];
+    if (expr.kind != ast::ExprKind::name) return;
+    for (const ast::GenericParam& param : decl.generics) {
+        if (param.name.name != expr.name || !param.constraint) continue;
+        const ast::Expr& constraint = context[param.constraint];
+        if (constraint.kind != ast::ExprKind::generic) continue;
+        const ir::Structure instance = context.program.structures[structure];
+        if (constraint.operands.size() > 1) infer(constraint.operands[1], instance.domain_type);
+        if (constraint.operands.size() > 2) infer(constraint.operands[2], instance.element);
+    }
+}
+
+void Arguments::infer(ast::ExprId pattern, ir::TypeId actual) {
+    Context& c = context;
+    if (!pattern) return;
+    const ast::Expr& expr = c[pattern];
+    if (expr.kind == ast::ExprKind::name) {
+        for (std::size_t i = 0; i < decl.generics.size(); ++i) {
+            if (decl.generics[i].name.name != expr.name || found[i]) continue;
+            Meta meta;
+            meta.kind = MetaKind::type;
+            meta.type = actual;
+            found[i] = std::move(meta);
+        }
+        return;
+    }
+    const ir::Type type = c.types()[actual];
+    if (expr.kind == ast::ExprKind::optional) {
+        infer(expr.operands[0], type.kind == ir::TypeKind::optional ? type.element : actual);
+        return;
+    }
+    if (expr.kind == ast::ExprKind::index && type.kind == ir::TypeKind::array) {
+        infer(expr.operands[0], type.element);
+        if (expr.operands.size() == 2) infer_value(expr.operands[1], {c.types().uint, {ir::Lane{.bits = type.count}}});
+        return;
+    }
+    if (expr.kind != ast::ExprKind::generic || c[expr.operands[0]].kind != ast::ExprKind::name) return;
+    const std::string& name = c.text(c[expr.operands[0]].name);
+    if (name == "vec" && expr.operands.size() == 3 &&
+        (type.kind == ir::TypeKind::vector || c.types().is_scalar(actual))) {
+        infer_value(expr.operands[1], {c.types().uint, {ir::Lane{.bits = c.types().components(actual)}}});
+        infer(expr.operands[2], c.types().scalar_of(actual));
+        return;
+    }
+    // The pattern Array<N, T> with an instance of the structure Array, or Pair<A, B> with an instance of the struct
+    // Pair.
+    const std::vector<Meta>* arguments = nullptr;
+    ast::DeclId instance_decl;
+    if (type.kind == ir::TypeKind::structure) {
+        if (auto at = c.arguments_of.find(type.index); at != c.arguments_of.end())
+            arguments = &at->second, instance_decl = c.structure_decl.at(type.index);
+    } else if (type.kind == ir::TypeKind::struct_) {
+        if (auto at = c.struct_arguments.find(type.index); at != c.struct_arguments.end())
+            arguments = &at->second, instance_decl = c.struct_decl.at(type.index);
+    }
+    if (!arguments || c[instance_decl].name.name != c[expr.operands[0]].name) return;
+    for (std::size_t i = 0; i + 1 < expr.operands.size() && i < arguments->size(); ++i) {
+        const Meta& meta = (*arguments)[i];
+        if (meta.kind == MetaKind::type) infer(expr.operands[i + 1], meta.type);
+        if (meta.kind == MetaKind::value) infer_value(expr.operands[i + 1], meta.value);
+    }
+}
+
+bool Arguments::finish(bool quiet) {
+    Context& c = context;
+    for (std::size_t i = 0; i < decl.generics.size(); ++i) {
+        const ast::GenericParam& param = decl.generics[i];
+        if (!param.constraint) return false;
+        if (!found[i] && param.default_value) {
+            // A default is evaluated in the declaration's scope, and may name earlier parameters.
+            ast::Decl alone = decl;
+            alone.generics = {param};
+            Arguments single(c, alone, env, c[param.default_value].span);
+            if (!single.give(env, {param.default_value})) return false;
+            found[i] = single.found[0];
+        }
+        if (!found[i]) {
+            if (!quiet) {
+                Diagnostic& diagnostic =
+                    c.error(Diag::generic_unknown, use, {c.text(param.name.name), c.text(decl.name.name)});
+                note(diagnostic, param.name.span, "declared here; write it: " + c.text(decl.name.name) + "<…>");
+            }
+            return false;
+        }
+        std::string why;
+        if (found[i]->kind == MetaKind::format && !satisfies(c, env, param.constraint, *found[i], why))
+            found[i] = as_type(c, *found[i]);
+        if (!satisfies(c, env, param.constraint, *found[i], why)) {
+            if (!quiet) {
+                Diagnostic& diagnostic =
+                    c.error(Diag::constraint, spans[i], {to_text(c, *found[i]), c.text(param.name.name), why});
+                note(diagnostic, param.name.span, "the constraint is declared here");
+            }
+            return false;
+        }
+        env.bindings.emplace_back(param.name.name, *found[i]);
+    }
+    return true;
+}
+
+void infer_from_literal(Arguments& arguments, ast::ExprId pattern, ast::ExprId literal) {
+    if (is_flexible(arguments.context, literal)) arguments.infer(pattern, own_type(arguments.context, literal));
+}
+
+std::string display_of(const Context& c, const ast::Decl& decl, const Env& env) {
+    std::string text = c.text(decl.name.name);
+    if (decl.generics.empty()) return text;
+    text += "<";
+    for (std::size_t i = 0; i < decl.generics.size(); ++i) {
+        const Meta* meta = env.find(decl.generics[i].name.name);
+        text += (i ? ", " : "") + (meta ? to_text(c, *meta) : c.text(decl.generics[i].name.name));
+    }
+    return text + ">";
+}
+
+std::string qualified_display_of(const Context& c, ast::DeclId id, const Env& env) {
+    const ast::Decl& decl = c[id];
+    std::string text = ir::module_text(c.program, c.module_of.at(id)) + c.text(decl.name.name);
+    if (decl.generics.empty()) return text;
+    text += "<";
+    for (std::size_t i = 0; i < decl.generics.size(); ++i) {
+        const Meta* meta = env.find(decl.generics[i].name.name);
+        text += (i ? ", " : "") + (meta ? to_qualified_text(c, *meta) : c.text(decl.generics[i].name.name));
+    }
+    return text + ">";
+}
+
+std::string key_of(const Context&, ast::DeclId id, const Env& env) {
+    std::string key = std::to_string(id.index);
+    for (const auto& [name, meta] : env.bindings) key += ":" + key_part(meta);
+    return key;
+}
+
+}  // namespace gliftc::sema

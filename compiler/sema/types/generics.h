@@ -1,0 +1,53 @@
+// Generic arguments: explicit, inferred or defaulted, and checked against their constraints before instantiation.
+#pragma once
+
+#include "sema/types/meta.h"
+
+namespace gliftc::sema {
+
+/// The generic arguments in one use of a declaration. give() takes explicit ones, then infer(), infer_value() and
+/// infer_structure() find others; finish() adds defaults, and checks each argument against its constraint.
+struct Arguments {
+    Context& context;
+    const ast::Decl& decl;
+    Env& env;                                ///< receives the bindings
+    Span use;                                ///< where the arguments are given or inferred
+    std::vector<std::optional<Meta>> found;  ///< for each generic parameter its argument, if there is one yet
+    std::vector<Span> spans;                 ///< for each generic parameter where errors in its argument are reported
+
+    Arguments(Context&, const ast::Decl&, Env&, Span use);
+
+    /// Takes explicit arguments in order, from written[first] on. `user` is the environment in which they are
+    /// evaluated. False after an error.
+    bool give(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first = 0);
+    bool give(std::vector<Meta> metas);
+
+    /// Unifies a parameter's declared type with a concrete type, binding generic parameters that it names. Never
+    /// reports: unbound parameters and contradictions are found later.
+    void infer(ast::ExprId pattern, ir::TypeId actual);
+    void infer_value(ast::ExprId pattern, const ir::Value& actual);
+    void infer_structure(ast::ExprId pattern, std::uint32_t structure);
+
+    /// Fills in defaults, checks constraints, adds bindings to env. False if an argument is missing or violates its
+    /// constraint, which is reported unless `quiet`, and after an error in a default.
+    bool finish(bool quiet = false);
+};
+
+/// Binds a generic parameter by the default type of a literal argument. To be called after all other inference, since
+/// an argument that has a type of its own decides before a literal.
+void infer_from_literal(Arguments&, ast::ExprId pattern, ast::ExprId literal);
+
+/// The declaration's name with its generic arguments: "Array<4, float>".
+std::string display_of(const Context&, const ast::Decl&, const Env&);
+/// As display_of(), with module-qualified names: "std.array.Array<4, float>". Each run of gliftc gives the same text.
+std::string qualified_display_of(const Context&, ast::DeclId, const Env&);
+
+/// The key of an instance in Context::instances. Callers append what else distinguishes it, such as the structures
+/// passed to a function.
+std::string key_of(const Context&, ast::DeclId, const Env&);
+
+/// Whether the argument satisfies the constraint; if not, `why` is the reason. Errors in the constraint itself are
+/// reported.
+bool satisfies(Context&, const Env&, ast::ExprId constraint, const Meta&, std::string& why);
+
+}  // namespace gliftc::sema
