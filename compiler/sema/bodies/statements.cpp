@@ -195,16 +195,22 @@ std::vector<ir::StmtId> check_branch(Body& body, const std::vector<ast::StmtId>&
     return result;
 }
 
-/// Checks the branch that never runs of an `if` with a constant condition, in a pipeline. Even in an arm
-/// (sema/pipelines/predication.h) it may wait for the device or return, and Body::host_needed, the first statement that
-/// only the host can execute, stays as it was.
-std::vector<ir::StmtId> check_dead_branch(Body& body, const std::vector<ast::StmtId>& branch) {
+/// Checks the branch of a pipeline's `if` that never runs. It makes no code, may wait for the device or return even in
+/// an arm (sema/pipelines/predication.h), and leaves Body::host_needed, the first statement that only the host can
+/// execute, as it was.
+void check_dead_branch(Body& body, const std::vector<ast::StmtId>& branch) {
     const Span host_needed = body.host_needed;
     auto arms = std::exchange(body.arms, {});
-    auto result = check_nested(body, branch);
+    check_nested(body, branch);
     body.arms = std::move(arms);
     body.host_needed = host_needed;
-    return result;
+}
+
+/// Emits the branch `live` of a pipeline's `if` with a constant condition. The other branch makes no code. In a generic
+/// instance it is not checked either, so that nothing is instantiated for it.
+void keep_branch(Body& body, const std::vector<ast::StmtId>& live, const std::vector<ast::StmtId>& dead) {
+    if (body.env.bindings.empty()) check_dead_branch(body, dead);
+    for (ir::StmtId id : check_nested(body, live)) emit(body, id);
 }
 
 void check_if(Body& body, const ast::Stmt& stmt) {
@@ -221,11 +227,13 @@ void check_if(Body& body, const ast::Stmt& stmt) {
             return;
         }
     }
+    if (body.kind == BodyKind::pipeline) {
+        if (auto known = known_value(body, condition))
+            return keep_branch(body, known->bits() ? stmt.body : stmt.otherwise,
+                               known->bits() ? stmt.otherwise : stmt.body);
+    }
     ir::StmtId id = add(body.program(), ir::StmtOp::if_, stmt.span);
-    const auto known = body.kind == BodyKind::pipeline ? known_value(body, condition) : std::nullopt;
-    auto then_body = known && !known->bits() ? check_dead_branch(body, stmt.body) : check_nested(body, stmt.body);
-    auto otherwise =
-        known && known->bits() ? check_dead_branch(body, stmt.otherwise) : check_nested(body, stmt.otherwise);
+    auto then_body = check_nested(body, stmt.body), otherwise = check_nested(body, stmt.otherwise);
     ir::Stmt& node = body.program().stmts[id];
     node.value = condition;
     node.body = std::move(then_body);
