@@ -1,5 +1,5 @@
 # glift_compile(TARGET target SOURCES file.glift… [IMPORT_DIRS dir…] [DEFINES name=value…] [OPTIONS option…]
-#               [SHARDS n] [CHECKED])
+#               [SHARDS n] [ADDRESS_BITS n] [CHECKED])
 #
 # Compiles the files with gliftc, in one run, and adds the output to the target, with its include directory and the
 # runtime that it calls. Works the same with add_subdirectory and with find_package(glift). The target also gets the
@@ -17,6 +17,9 @@
 # many of them are used, and a kernel's name, with its generic arguments, in which of these it is. So an edit of a
 # kernel's body that keeps the number of lines recompiles the sources of its instances, and file.glift.cpp only if what
 # the host passes to the kernel changes.
+#
+# ADDRESS_BITS (32 or 64, default 32): of physical addresses in kernels (gliftc --address-bits). With 64, memories may
+# have 2^32 elements and more.
 #
 # CHECKED: kernels report accesses by address outside a structure (gliftc --checked; docs/language.md,
 # "Checked builds").
@@ -52,7 +55,7 @@ function(glift_check_spirv_files)
 endfunction()
 
 function(glift_compile)
-    cmake_parse_arguments(PARSE_ARGV 0 arg "CHECKED" "TARGET;SHARDS" "SOURCES;IMPORT_DIRS;DEFINES;OPTIONS")
+    cmake_parse_arguments(PARSE_ARGV 0 arg "CHECKED" "TARGET;SHARDS;ADDRESS_BITS" "SOURCES;IMPORT_DIRS;DEFINES;OPTIONS")
     if(arg_UNPARSED_ARGUMENTS)
         message(FATAL_ERROR "glift_compile: unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
     endif()
@@ -82,6 +85,9 @@ function(glift_compile)
     endforeach()
     if(arg_CHECKED)
         list(APPEND arguments --checked)
+    endif()
+    if(arg_ADDRESS_BITS)
+        list(APPEND arguments --address-bits=${arg_ADDRESS_BITS})
     endif()
     list(APPEND arguments --shards=${arg_SHARDS})
     if(GLIFT_SPIRV_FILES)

@@ -148,6 +148,10 @@ void add_output_options(CLI::App& app, Options& options, Typed& typed) {
     app.add_option("--style", options.style, "Format generated C++: a .clang-format file, or a name such as LLVM")
         ->type_name("FILE|NAME")
         ->group("Output");
+    app.add_option("--address-bits", options.address_bits,
+                   "Bits of physical addresses in kernels: with 64 a memory may have 2^32 elements and more")
+        ->check(CLI::IsMember({32, 64}))
+        ->group("Output");
     app.add_flag("--checked", options.checked, "Generated code reports accesses out of range")->group("Output");
     app.add_flag("--host-only", options.host_only, "Generated C++ holds no SPIR-V: it runs on the host device only")
         ->group("Output");

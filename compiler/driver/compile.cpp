@@ -79,9 +79,10 @@ Result compile(const Options& options, const FileSystem& files, Compilation& c) 
     if (stops_after(Stage::sema) || c.diagnostics.has_errors()) return result;
 
     lower::Trace trace{options.dump_after, options.stop_after_pass, {}};
-    c.lowered =
-        lower::lower(c.program, c.diagnostics,
-                     {options.checked ? lower::Checks::ranges : lower::Checks::none, trace.is_on() ? &trace : nullptr});
+    c.lowered = lower::lower(c.program, c.diagnostics,
+                             {options.checked ? lower::Checks::ranges : lower::Checks::none,
+                              options.address_bits == 64 ? lower::AddressBits::b64 : lower::AddressBits::b32,
+                              trace.is_on() ? &trace : nullptr});
     result.dump += trace.text;
     if (trace.is_on()) return result;
     if (options.wants(Target::glsl)) c.lowered.libraries = lower::lower_libraries(c.program, c.diagnostics);

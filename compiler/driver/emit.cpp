@@ -66,14 +66,13 @@ struct Readable {
     std::string shader, fragment;
 };
 
-/// The GLSL of each kernel, in the form that is easiest to read: the direct one, else the general one.
+/// The GLSL of each kernel, in the direct form, which is easier to read.
 std::vector<Readable> readable_shaders(const Compilation& c, const std::vector<std::uint32_t>& kernels) {
     constexpr std::size_t share = 64;  // starting a thread for fewer kernels does not pay off
     std::vector<Readable> texts(kernels.size());
     for_each_parallel(kernels.size(), share, [&](std::size_t i) {
         const auto& forms = c.lowered.passes[kernels[i]];
-        const ir::Pass& readable = forms.direct.exists ? forms.direct : forms.general;
-        if (!readable.exists) return;
+        const ir::Pass& readable = forms.direct;
         texts[i].shader = glsl::glsl_of(c.program, c.sources, readable);
         if (fragment_for(readable, ir::Devices::shaders))
             texts[i].fragment = glsl::glsl_of(c.program, c.sources, readable, {.part = ir::Part::fragment});
@@ -82,7 +81,7 @@ std::vector<Readable> readable_shaders(const Compilation& c, const std::vector<s
 }
 
 void emit_shaders(const Options& options, const Compilation& c, std::uint32_t module, const std::string& base,
-                  const std::vector<ShaderSet>& shaders, std::vector<Output>& outputs) {
+                  const std::vector<cpp::KernelCode>& shaders, std::vector<Output>& outputs) {
     std::vector<std::uint32_t> kernels;
     for (std::uint32_t k = 0; k < c.program.kernels.size(); ++k)
         if (c.program.kernels[k].module == module) kernels.push_back(k);
@@ -98,25 +97,20 @@ void emit_shaders(const Options& options, const Compilation& c, std::uint32_t mo
         const auto add = [&](const std::string& ending, const std::vector<std::uint32_t>& words) {
             if (!words.empty()) outputs.push_back({name + ending + ".spv", bytes_of(words)});
         };
-        const ShaderSet& code = shaders[kernels[i]];
-        add(stage, code.direct);
-        add(".frag", code.direct_fragment);
-        add(".general" + stage, code.general);
-        add(".general.frag", code.general_fragment);
-        add(".wide" + stage, code.wide);
-        add(".wide.frag", code.wide_fragment);
+        const cpp::KernelCode& code = shaders[kernels[i]];
+        add(stage, code.direct.shader);
+        add(".frag", code.direct.fragment);
+        add(".general" + stage, code.general.shader);
+        add(".general.frag", code.general.fragment);
     }
 }
 
 void emit_cpp(const Options& options, const Compilation& c, std::uint32_t module, const std::string& base,
-              const std::vector<ShaderSet>& shaders, const cpp::Options& cpp, cpp::Defined& defined,
+              const std::vector<cpp::KernelCode>& shaders, const cpp::Options& cpp, cpp::Defined& defined,
               std::vector<Output>& outputs) {
-    std::vector<cpp::KernelCode> code(shaders.size());
-    for (std::size_t k = 0; k < shaders.size(); ++k)
-        code[k] = {shaders[k].direct,          shaders[k].general,          shaders[k].wide,
-                   shaders[k].direct_fragment, shaders[k].general_fragment, shaders[k].wide_fragment};
-    if (options.host_only || !options.wants(Target::cpp)) code.clear();
-    cpp::Module written = cpp::module_of(c.program, c.lowered, c.sources, module, code, cpp, defined);
+    const bool has_code = !options.host_only && options.wants(Target::cpp);
+    cpp::Module written = cpp::module_of(c.program, c.lowered, c.sources, module,
+                                         has_code ? shaders : std::vector<cpp::KernelCode>(), cpp, defined);
     for (cpp::File& file : written.files) {
         std::string text = file.is_code ? styled(options, std::move(file.text)) : std::move(file.text);
         if (options.source_lines && file.name.ends_with(".cpp"))
@@ -169,7 +163,7 @@ std::vector<Output> emit(const Options& options, const Compilation& c) {
         std::string base = cpp::file_stem(c.program, c.sources, m);
         if (!bases.insert(base).second)
             throw std::runtime_error("two files on the command line are called '" + base + "'");
-        std::vector<ShaderSet> shaders =
+        std::vector<cpp::KernelCode> shaders =
             compile_shaders(c, kernels_with_code(options, c, m, cpp, defined), options.optimize);
         // The other targets are printed on another thread while this one prints C++.
         auto others = std::async(std::launch::async, [&] {

@@ -34,6 +34,7 @@ struct Options {
     bool check_only = false;                  ///< --check: report, write nothing (fmt: say what is not formatted)
     bool checked = false;                     ///< --checked: generated code reports accesses out of range
     bool optimize = false;                    ///< -O: SPIR-V through spirv-opt
+    std::uint32_t address_bits = 32;          ///< --address-bits: of physical addresses in kernels, 32 or 64
     bool host_only = false;                   ///< --host-only: C++ without SPIR-V inside
     std::uint32_t shards = 1;                 ///< --shards: sources for the kernels of a module, and as many for those
                                               ///< that it uses of other modules

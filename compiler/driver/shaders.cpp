@@ -27,19 +27,17 @@ spirv::Stage stage_of(ir::Part part) {
 }
 
 std::vector<Job> list_jobs(const Compilation& c, const std::set<std::uint32_t>& kernels,
-                           std::vector<ShaderSet>& shaders) {
+                           std::vector<cpp::KernelCode>& shaders) {
     std::vector<Job> jobs;
     for (std::uint32_t k : kernels) {
-        const auto add = [&](const ir::Pass& pass, std::vector<std::uint32_t>& words,
-                             std::vector<std::uint32_t>& fragment) {
-            if (!pass.exists) return;
-            jobs.push_back({&pass, pass.plain().part, &words, {}});
-            if (fragment_for(pass, ir::Devices::shaders)) jobs.push_back({&pass, ir::Part::fragment, &fragment, {}});
+        const auto add = [&](const ir::Pass& pass, cpp::FormCode& code) {
+            jobs.push_back({&pass, pass.plain().part, &code.shader, {}});
+            if (fragment_for(pass, ir::Devices::shaders))
+                jobs.push_back({&pass, ir::Part::fragment, &code.fragment, {}});
         };
         const auto& forms = c.lowered.passes[k];
-        add(forms.direct, shaders[k].direct, shaders[k].direct_fragment);
-        add(forms.general, shaders[k].general, shaders[k].general_fragment);
-        add(forms.wide, shaders[k].wide, shaders[k].wide_fragment);
+        add(forms.direct, shaders[k].direct);
+        add(forms.general, shaders[k].general);
     }
     return jobs;
 }
@@ -55,8 +53,9 @@ void run(Job& job, const Compilation& c, spirv::Optimise optimise) {
 
 }  // namespace
 
-std::vector<ShaderSet> compile_shaders(const Compilation& c, const std::set<std::uint32_t>& kernels, bool optimize) {
-    std::vector<ShaderSet> shaders(c.program.kernels.size());
+std::vector<cpp::KernelCode> compile_shaders(const Compilation& c, const std::set<std::uint32_t>& kernels,
+                                             bool optimize) {
+    std::vector<cpp::KernelCode> shaders(c.program.kernels.size());
     std::vector<Job> jobs = list_jobs(c, kernels, shaders);
     auto optimise = optimize ? spirv::Optimise::performance : spirv::Optimise::no;
     for_each_parallel(jobs.size(), 1, [&](std::size_t i) { run(jobs[i], c, optimise); });

@@ -350,6 +350,7 @@ std::string TestPrograms::record_of(const Options& options) const {
          {options.checked, options.host_only, options.warnings_are_errors, options.source_lines, options.optimize})
         digest.add(flag ? "1" : "0");
     digest.add(std::to_string(options.shards));
+    digest.add(std::to_string(options.address_bits));
     digest.add(options.style);
     return (folder_ / ("run-" + digest.digits())).string();
 }

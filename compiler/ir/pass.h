@@ -12,10 +12,10 @@
 namespace gliftc::ir {
 
 /// The form says what a lowered kernel may assume of a call. direct: every range is a whole structure, and structures
-/// of one type that are visited together or declared by one type name have equal sizes. general: ranges may have
-/// origins, and their sizes may be computed on the device. wide: as general, for memories and dispatches of any size;
-/// buffers are accessed by 64-bit address.
-enum class Form : std::uint8_t { direct, general, wide };
+/// of one type that are visited together or declared by one type name have equal sizes; buffers have descriptors. Only
+/// shaders have this form. general: ranges may have origins, their sizes may be computed on the device, and dispatches
+/// may have any size; shaders access buffers by device address.
+enum class Form : std::uint8_t { direct, general };
 
 inline constexpr std::uint32_t no_kernel = 0xffffffffu;
 
@@ -41,7 +41,7 @@ struct PassBinding {
     std::uint32_t one_place = 0;  ///< index of the first binding that may alias this one; its own index if there is
                                   ///< none, and in the direct form, which calls with aliases do not use
     bool in_rows = false;  ///< some load or store is of a vector of row_width scalars; its index then counts vectors
-    std::uint32_t address_parameter = no_parameter;  ///< wide form, buffers: the parameter that holds the address
+    std::uint32_t address_parameter = no_parameter;  ///< general form, buffers: the parameter that holds the address
 };
 
 /// Whether a load or store of this type accesses a vector of row_width scalars, not an element.
@@ -60,7 +60,7 @@ enum class ParameterSource : std::uint8_t {
     range_size,  // size of the range of kernel parameter `param`
     address,     // uint64: device address of binding `param`
     index,       // uint: the element index, in its buffer, of kernel parameter `param`, a value on the device
-    base,        // uint3, wide form: origin of a dispatch that is part of a larger one; added to invocation ids
+    base,        // uint3, general form: origin of a dispatch that is part of a larger one; added to invocation ids
 };
 
 struct PassParameter {
@@ -76,8 +76,7 @@ struct PassParameter {
 struct Pass {
     std::uint32_t kernel = 0;  ///< index in Program::kernels; no_kernel: a function of a library
     Form form = Form::direct;
-    bool exists = true;  ///< false: no code is made. This is so for a wide form that has no buffers and never splits
-                         ///< a dispatch, since it would equal the general form
+    bool is_wide = false;                             ///< physical addresses have 64 bits
     std::array<std::uint32_t, 3> group = {64, 1, 1};  ///< workgroup size
     std::uint32_t rank = 1;                           ///< number of components of `address`
     bool of_blocks = false;  ///< it visits blocks: `address` is {position in the block, number of the block}
@@ -123,7 +122,7 @@ struct Pass {
     /// Whether a range that exceeds the device's largest dispatch is run as several dispatches: shaders then add the
     /// origin of their dispatch (ParameterSource::base) to invocation ids. False for ranges with one axis, whose
     /// workgroups continue in rows along y within one dispatch.
-    bool has_base() const { return form == Form::wide && rank > 1 && splits; }
+    bool has_base() const { return form == Form::general && rank > 1 && splits; }
     bool splits = false;  ///< several dispatches can run the range: the kernel declares no group, visits no blocks and
                           ///< does not draw
 
@@ -156,7 +155,10 @@ struct Library {
 /// users' own shaders, made only if GLSL is wanted.
 struct Lowered {
     struct Forms {
-        Pass direct, general, wide;
+        Pass direct, general;
+
+        std::array<Pass*, 2> all() { return {&direct, &general}; }
+        std::array<const Pass*, 2> all() const { return {&direct, &general}; }
     };
     std::vector<Forms> passes;
     std::vector<Library> libraries;

@@ -53,8 +53,7 @@ std::string print(const Program& program, const Pass& pass, const std::vector<Ex
 std::string print(const Program& program, const Lowered& lowered) {
     std::string text;
     for (const Lowered::Forms& forms : lowered.passes)
-        for (const Pass* pass : {&forms.direct, &forms.general, &forms.wide})
-            if (pass->exists) text += print(program, *pass) + "\n";
+        for (const Pass* pass : forms.all()) text += print(program, *pass) + "\n";
     return text;
 }
 

@@ -144,7 +144,7 @@ std::string Printer::title(const Variant& variant) {
 
 void Printer::pass(const std::vector<ExprId>& facts) {
     const Pass& pass = *pass_;
-    line("pass " + name(kernel_->name) + " " + std::string(spelling(pass.form)) + " {");
+    line("pass " + name(kernel_->name) + " " + std::string(spelling(pass.form)) + (pass.is_wide ? " wide" : "") + " {");
     ++indent_;
     dispatch_lines();
     declare_used_types();

@@ -279,9 +279,10 @@ ReadPass Reader::pass() {
     expect("pass");
     Kernel made;
     made.name = p.names->intern(word());
-    const auto form = spelled(word(), Form::wide);
+    const auto form = spelled(word(), Form::general);
     if (!form) fail("expected a form before this");
     current().form = *form;
+    current().is_wide = accept("wide");
     current().kernel = static_cast<std::uint32_t>(p.kernels.size());
     p.kernels.push_back(std::move(made));
     expect("{");

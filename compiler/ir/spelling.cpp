@@ -42,9 +42,7 @@ std::string_view spelling(Combine combine) {
     return text_of(std::to_array<std::string_view>({"replace", "min", "max", "add", "and", "or", "xor"}), combine);
 }
 
-std::string_view spelling(Form form) {
-    return text_of(std::to_array<std::string_view>({"direct", "general", "wide"}), form);
-}
+std::string_view spelling(Form form) { return text_of(std::to_array<std::string_view>({"direct", "general"}), form); }
 
 std::string_view spelling(Access access) {
     return text_of(std::to_array<std::string_view>({"read", "write", "read_write"}), access);

@@ -119,7 +119,7 @@ void lay_out(const Program& program, Pass& pass) {
 
 void lay_out(Program& program, Lowered& lowered) {
     for (Lowered::Forms& forms : lowered.passes)
-        for (Pass* pass : {&forms.direct, &forms.general, &forms.wide}) {
+        for (Pass* pass : forms.all()) {
             lay_out(program, *pass);
             place_shared(program, *pass);
         }

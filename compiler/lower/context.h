@@ -95,7 +95,7 @@ struct Context {
     std::unique_ptr<NumberMemory> take_number_memory();
 
     bool is_direct() const { return pass.form == ir::Form::direct; }
-    bool is_wide() const { return pass.form == ir::Form::wide; }
+    bool is_wide() const { return pass.is_wide; }
     std::uint32_t parameter(ir::ParameterSource source, const std::string& name, TypeId type, std::uint32_t param);
     ExprId parameter_expr(std::uint32_t slot);
     StmtId add(ir::Stmt stmt) { return p.stmts.add(std::move(stmt)); }

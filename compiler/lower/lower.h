@@ -1,5 +1,5 @@
 // The stage "lower": turns kernels, whose operations access structures, into passes, whose operations access memory, in
-// up to three forms each (ir/pass.h).
+// two forms (ir/pass.h).
 #pragma once
 
 #include "diag/diagnostics.h"
@@ -14,8 +14,12 @@ enum class Checks : std::uint8_t {
     ranges,  ///< report accesses by address outside a structure that does not define what lies outside: check.cpp
 };
 
+/// Physical addresses of 32 bits reach 2^32 elements of a memory; those of 64 bits cost registers and time.
+enum class AddressBits : std::uint8_t { b32, b64 };
+
 struct Settings {
     Checks checks = Checks::none;
+    AddressBits address_bits = AddressBits::b32;
     Trace* trace = nullptr;  ///< null: nothing is traced
 };
 

@@ -35,7 +35,7 @@ public:
         renumber_nodes(base_.stmts, begin_.stmts, end_.stmts, to_.stmts);
         renumber_nodes(base_.locals, begin_.locals, end_.locals, to_.locals);
         renumber_nodes(base_.functions, begin_.functions, end_.functions, to_.functions);
-        for (Pass* pass : {&forms.direct, &forms.general, &forms.wide}) renumber(*pass);
+        for (Pass* pass : forms.all()) renumber(*pass);
     }
 
 private:

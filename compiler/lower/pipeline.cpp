@@ -99,13 +99,11 @@ void finish_images(const Program& program, Pass& pass) {
                           !loads_after_store(program, pass, binding.one_place);
 }
 
-/// In the wide form: adds parameters for the addresses of the buffers, and finds whether the form is needed.
+/// In the general form: adds parameters for the addresses of the buffers.
 void reach_by_address(Context& cx) {
-    cx.pass.exists = cx.pass.has_base();  // without buffers or split dispatches it is like the general form
     for (std::uint32_t i = 0; i < cx.pass.bindings.size(); ++i) {
         PassBinding& binding = cx.pass.bindings[i];
         if (binding.shape != MemoryShape::buffer) continue;
-        cx.pass.exists = true;
         binding.address_parameter =
             cx.parameter(ParameterSource::address, binding.name + "_address", cx.p.types.uint64, i);
     }
@@ -113,7 +111,7 @@ void reach_by_address(Context& cx) {
 
 /// In kernels over blocks: adds the host device's variant for blocks all of whose elements are visited.
 void add_whole_block(Context& cx, const Expander& checked, const std::vector<ExprId>& facts) {
-    if (!cx.kernel.space) return;
+    if (!cx.kernel.space || cx.is_direct()) return;
     Expander expander(cx, Guards::block);
     if (checked.near_offsets) expander.halos = halos_of(cx, *checked.near_offsets);
     const bool has_halos = !expander.halos.empty();
@@ -127,10 +125,10 @@ void add_whole_block(Context& cx, const Expander& checked, const std::vector<Exp
 }
 
 /// Adds the host device's variant for elements whose neighbours are all in the domain, if neighbour reads have guards,
-/// all of one domain; not in kernels over blocks or in the wide form. Keeps the expression of the domain in `holders`
+/// all of one domain; not in kernels over blocks. Keeps the expression of the domain in `holders`
 /// until move_uniforms has made a parameter of it.
 void add_interior(Context& cx, Expander& checked, const std::vector<ExprId>& facts, std::vector<StmtId>& holders) {
-    if (cx.kernel.space || !checked.has_near_guards || !checked.near_domains_agree || cx.is_wide()) return;
+    if (cx.is_direct() || cx.kernel.space || !checked.has_near_guards || !checked.near_domains_agree) return;
     Expander expander(cx, Guards::interior);
     std::vector<StmtId> body = expander.kernel_body();
     cx.traits.clear();
@@ -150,8 +148,7 @@ void renumber_interior(Context& cx, const Expander& checked, const std::vector<S
     Interior& interior = *cx.pass.variants.back().assumes.interior;
     interior.domain = parameter_of(cx, cx.p.stmts[holders[0]].value);
     if (interior.domain == no_parameter) return cx.pass.variants.pop_back();
-    if (!cx.is_direct())
-        interior.origin = cx.parameter(ParameterSource::origin, {}, cx.kernel.domain_type, *checked.near_root);
+    interior.origin = cx.parameter(ParameterSource::origin, {}, cx.kernel.domain_type, *checked.near_root);
 }
 
 /// Runs the passes for the host device over a variant. Returns the variants that they make of it; none, if it is for
@@ -216,10 +213,10 @@ enum class Elements { one, two_where_it_helps, two_in_turn };
 
 /// The last steps, after move_uniforms: variants for the host device, properties of bindings, the summary.
 void complete(Context& cx) {
-    add_host_variants(cx);
+    if (!cx.is_direct()) add_host_variants(cx);
     if (cx.is_stopped) return;
     finish_images(cx.p, cx.pass);
-    if (cx.is_wide()) reach_by_address(cx);
+    if (!cx.is_direct()) reach_by_address(cx);
     summarize(cx);
     check_whole(cx);
 }
@@ -295,6 +292,7 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     Pass pass;
     pass.kernel = kernel;
     pass.form = form;
+    pass.is_wide = form == Form::general && settings.address_bits == AddressBits::b64;
     Context cx(program, program.kernels[kernel], pass, diagnostics, settings);
     choose_dispatch(cx);
     add_bindings(cx, bindings);
@@ -312,15 +310,13 @@ Lowered::Forms all_forms(Program& program, Diagnostics& diagnostics, std::uint32
     };
     forms.direct = lower(Form::direct, Elements::two_where_it_helps);
     forms.general = lower(Form::general, Elements::two_where_it_helps);
-    forms.wide = lower(Form::wide, Elements::two_where_it_helps);
-    const std::array all{&forms.direct, &forms.general, &forms.wide};
+    const std::array all = forms.all();
     if (!have_common_bindings(all)) {
         bindings = union_of_bindings(all);
         for (Pass* pass : all) *pass = lower(pass->form, Elements::two_where_it_helps);
     }
-    for (Pass* pass : {&forms.general, &forms.wide})
-        if (is_coarsened(forms.direct) && !is_coarsened(*pass) && has_one_place(*pass))
-            *pass = lower(pass->form, Elements::two_in_turn);
+    if (is_coarsened(forms.direct) && !is_coarsened(forms.general) && has_one_place(forms.general))
+        forms.general = lower(Form::general, Elements::two_in_turn);
     // A workgroup must cover the same number of elements in all forms, since they share one description of the kernel
     // (glift::Kernel::items): if one form takes one element per invocation, all do.
     const auto takes_one = [](const Pass* pass) { return !is_coarsened(*pass); };
@@ -420,7 +416,7 @@ Lowered lower(Program& program, Diagnostics& diagnostics, Settings settings) {
     mark_affine(program);
     mark_contained(program);
     widen_extents(program);  // after mark_contained, which needs extents as they are written
-    widen_translators(program);
+    if (settings.address_bits == AddressBits::b64) widen_translators(program);
     // This choice does not depend on the number of processors, so that all machines run the same code. A trace must be
     // in the order of the kernels.
     const bool are_few = program.kernels.size() < 2 * kernels_of_a_thread || settings.trace != nullptr;

@@ -46,6 +46,16 @@ void check_owner(const DeviceObject* device, const Memory& memory, const char* c
                 "write into another structure, then copy or swap");
 }
 
+/// Refuses a buffer whose elements the kernel's physical addresses cannot count.
+void check_elements(const Kernel& kernel, const Binding& binding, const MemoryDescription& memory) {
+    if (kernel.address_bits == 64 || memory.kind != MemoryKind::buffer) return;
+    if (memory.bytes / binding.element_bytes < std::uint64_t{1} << 32) return;
+    throw Error(ErrorCode::too_large, "a memory has 2^32 elements or more",
+                kernel_text(kernel) + ", " + memory_text(memory),
+                "the kernel was compiled with physical addresses of 32 bits",
+                "compile the module with gliftc --address-bits=64, in CMake glift_compile(… ADDRESS_BITS 64)");
+}
+
 void check_patches(const DeviceObject* device, const Kernel& kernel, const Call& call) {
     if (call.form == FormName::direct && !kernel.of_blocks)
         wrong("device values were passed to the direct form", kernel_text(kernel));
@@ -134,6 +144,7 @@ void check_call(const DeviceObject* device, const Kernel& kernel, const Call& ca
     for (std::size_t k = 0; k < call.memories.size(); ++k) {
         const MemoryObject* object = call.memories[k].object();
         const Binding& binding = kernel.bindings[k];
+        check_elements(kernel, binding, object->description());
         for (std::size_t j = 0; j < k; ++j) {
             if (call.sharing != Sharing::unknown || !shares_texels(call.memories[j].object(), object)) continue;
             const Access other = kernel.bindings[j].access;

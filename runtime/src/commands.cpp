@@ -62,9 +62,9 @@ void Commands::note_replaced(std::initializer_list<Memory> memories) const {
 
 bool Commands::is_recording() const { return stream_.in("Commands::is_recording").is_recording(); }
 
-bool Commands::needs_wide(const Kernel& kernel, std::span<const Memory> memories,
-                          const std::array<std::uint32_t, 4>& size, Sharing sharing) const {
-    return stream(kernel).needs_wide(kernel, memories, size, sharing);
+bool Commands::can_be_direct(const Kernel& kernel, std::span<const Memory> memories,
+                             const std::array<std::uint32_t, 4>& size, Sharing sharing) const {
+    return stream(kernel).can_be_direct(kernel, memories, size, sharing);
 }
 
 Commands Commands::specialised(std::vector<std::string> parameters) const {

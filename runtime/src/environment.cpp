@@ -27,6 +27,11 @@ bool environment_flag(const char* name) {
     return true;
 }
 
+bool forces_general_form() {
+    static const bool forced = environment_flag("GLIFT_GENERAL_FORM");
+    return forced;
+}
+
 std::uint64_t bytes_of_text(const char* name, std::string_view text) {
     constexpr const char* remedy = "give bytes, or a number and K, M, G or T: 500000, 512M, 2G";
     constexpr std::string_view units = "KMGT";

@@ -9,6 +9,9 @@ namespace glift::detail {
 /// True if the variable is 1, false if it is 0, empty or not set; throws wrong_argument for any other value.
 bool environment_flag(const char* name);
 
+/// Whether Vulkan devices run the general form of every kernel (GLIFT_GENERAL_FORM=1), as tests do.
+bool forces_general_form();
+
 /// Parses a number of bytes: digits, then nothing or K, M, G or T for powers of 1024 (`2G`, also `2GiB`, `2GB`).
 /// Throws wrong_argument, naming the variable, for other texts.
 std::uint64_t bytes_of_text(const char* name, std::string_view text);

@@ -19,8 +19,8 @@ public:
 
     std::shared_ptr<DeviceObject> device() override { return device_.shared_from_this(); }
     Memory allocate(const MemoryDescription& description) override { return device_.plan(description); }
-    bool needs_wide(const Kernel&, std::span<const Memory>, const std::array<std::uint32_t, 4>&, Sharing) override {
-        return false;
+    bool can_be_direct(const Kernel&, std::span<const Memory>, const std::array<std::uint32_t, 4>&, Sharing) override {
+        return true;
     }
     void clear(const Memory&) override {}
     void dispatch(const Kernel&, const Call&) override {}

@@ -77,7 +77,7 @@ public:
     virtual std::uint64_t workspace_bytes() const = 0;
 };
 
-/// Arguments are checked before they get here (check.h), except for those of `dispatch` and `needs_wide`, which the
+/// Arguments are checked before they get here (check.h), except for those of `dispatch` and `can_be_direct`, which the
 /// streams that run or record check themselves.
 class Stream {
 public:
@@ -85,8 +85,8 @@ public:
     virtual std::shared_ptr<DeviceObject> device() = 0;
     /// Allocates a memory for commands of this stream; the description is checked and complete.
     virtual Memory allocate(const MemoryDescription& description);
-    virtual bool needs_wide(const Kernel& kernel, std::span<const Memory> memories,
-                            const std::array<std::uint32_t, 4>& size, Sharing sharing) = 0;
+    virtual bool can_be_direct(const Kernel& kernel, std::span<const Memory> memories,
+                               const std::array<std::uint32_t, 4>& size, Sharing sharing) = 0;
     /// Fills with zeros: buffers, and images of any kind.
     virtual void clear(const Memory& memory) = 0;
     /// Whether commands put here may run more than once, or out of order with the device's own stream.

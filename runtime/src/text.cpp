@@ -51,7 +51,6 @@ const char* form_text(FormName form) {
     switch (form) {
     case FormName::direct: return "direct";
     case FormName::general: return "general";
-    case FormName::wide: return "wide";
     }
     return "";
 }

@@ -6,8 +6,8 @@
 
 A program has N kernels with tests. For functions that the compile-time evaluator can compute, it also has constants
 that are calls of them, and tests that a kernel computes the same values.
-Each program runs twice under `gliftc test`: as it is, and with the wide form (64-bit addresses) of each kernel that accesses a
-buffer (GLIFT_WIDE_ELEMENTS). With --compile-only it is only compiled. A program that fails is shrunk to a small .glift file, which is
+Each program runs under `gliftc test` as it is, with the general form of each kernel (GLIFT_GENERAL_FORM), and with that form and
+physical addresses of 64 bits (--address-bits). With --compile-only it is only compiled. A program that fails is shrunk to a small .glift file, which is
 printed and stored in the folder of --found (not with --shrink-steps 0). --keep keeps the built programs that pass, which run without
 a compiler.
 """
@@ -28,8 +28,9 @@ COMPILE_SECONDS = 60   # time limit for gliftc
 SECONDS = 600          # time limit to compile, build and run in one mode
 
 
-# How a program is run: the name of each mode, and the environment variables that it sets.
-MODES = {"": {}, "wide": {"GLIFT_WIDE_ELEMENTS": "1"}}
+# How a program is run: the name of each mode, its options of `gliftc test`, and the environment variables that it sets.
+MODES = {"": ([], {}), "general": ([], {"GLIFT_GENERAL_FORM": "1"}),
+         "64 bits": (["--address-bits=64"], {"GLIFT_GENERAL_FORM": "1"})}
 
 
 class Outcome:
@@ -77,7 +78,8 @@ class Runner:
         if self.options.device:
             words[2:2] = ["--device", self.options.device]
         for mode in modes:
-            code, output = self.run_command(words, SECONDS, dict(self.environment, **MODES[mode]))
+            options, variables = MODES[mode]
+            code, output = self.run_command(words + options, SECONDS, dict(self.environment, **variables))
             if code:
                 return Outcome(kind_of(code, output), failures_of(output), outcome.seconds, mode)
         self.keep(name)

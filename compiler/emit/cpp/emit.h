@@ -10,10 +10,15 @@
 
 namespace gliftc::cpp {
 
-/// The SPIR-V words of one kernel. Empty words: the form, or its fragment part, does not exist, or no output needs it.
+/// The SPIR-V words of one form of a kernel.
+struct FormCode {
+    std::vector<std::uint32_t> shader;    ///< of a draw, the vertex shader; empty if no output needs it
+    std::vector<std::uint32_t> fragment;  ///< the fragment shader of a draw that has one; else empty
+    bool operator==(const FormCode&) const = default;
+};
+
 struct KernelCode {
-    std::vector<std::uint32_t> direct, general, wide;  ///< compute shaders; for draws, vertex shaders
-    std::vector<std::uint32_t> direct_fragment, general_fragment, wide_fragment;  ///< fragment shaders of draws
+    FormCode direct, general;
 };
 
 struct Globals;

@@ -194,31 +194,20 @@ std::string direct_condition(const Unit& unit, const Kernel& kernel) {
     return condition;
 }
 
-/// Prints the choice of a form for the call, and its dispatch: wide if the runtime requires it, else direct if its
-/// condition holds, else general.
+/// Prints the choice of a form for the call, and its dispatch: direct if its condition holds and the runtime can run it
+/// for these arguments, else general.
 void print_choice(Unit& unit, Writer& out, const Kernel& kernel, const ir::Lowered::Forms& forms,
                   const std::string& name) {
-    std::vector<std::pair<const Pass*, std::string>> choices;
     const bool shares = ir::has_one_place(forms.general);
-    if (forms.wide.exists)
-        choices.emplace_back(&forms.wide, "commands.needs_wide(" + name + "_kernel, " +
-                                              (forms.wide.bindings.empty() ? "{}" : "memories") +
-                                              (kernel.space ? ", iteration.extent()" : ", iteration.size()") +
-                                              (shares ? ", iteration.sharing())" : ")"));
-    if (forms.direct.exists)
-        choices.emplace_back(&forms.direct, direct_condition(unit, kernel) +
-                                                (shares ? " && iteration.sharing() != glift::Sharing::one_place" : ""));
-    if (forms.general.exists) choices.emplace_back(&forms.general, "");
-    for (std::size_t i = 0; i < choices.size(); ++i) {
-        const auto& [pass, condition] = choices[i];
-        const bool is_last = i + 1 == choices.size();
-        if (i != 0) out.dedent();
-        const std::string otherwise = i == 0 ? "" : "} else ";
-        if (!is_last) out.open(otherwise + "if (" + condition + ")");
-        else if (i != 0) out.open("} else");
-        print_dispatch(unit, out, kernel, *pass, name, form_name(pass->form));
-        if (is_last && i != 0) out.close();
-    }
+    out.open("if (" + direct_condition(unit, kernel) + " && commands.can_be_direct(" + name + "_kernel, " +
+             (forms.direct.bindings.empty() ? "{}" : "memories") +
+             (kernel.space ? ", iteration.extent()" : ", iteration.size()") + (shares ? ", iteration.sharing()" : "") +
+             "))");
+    print_dispatch(unit, out, kernel, forms.direct, name, form_name(ir::Form::direct));
+    out.dedent();
+    out.open("} else");
+    print_dispatch(unit, out, kernel, forms.general, name, form_name(ir::Form::general));
+    out.close();
 }
 
 }  // namespace
@@ -233,7 +222,7 @@ std::optional<std::size_t> range_of_first_at(const Kernel& kernel) {
 static std::string value_mark(const Unit& unit, std::uint32_t kernel, ir::LocalId value) {
     bool used = false;
     const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];
-    for (const Pass* pass : {&forms.direct, &forms.general, &forms.wide})
+    for (const Pass* pass : forms.all())
         for (const PassParameter& parameter : pass->parameters)
             ir::for_each_node(unit.program, parameter.value,
                               [&](ir::ExprId node) { used |= unit.program.exprs[node].local == value; });
@@ -261,7 +250,7 @@ std::string kernel_signature(Unit& unit, std::uint32_t index, bool qualified, st
 bool function_adds_functions(const Unit& unit, std::uint32_t kernel) {
     bool adds = false;
     const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];
-    for (const Pass* pass : {&forms.direct, &forms.general, &forms.wide})
+    for (const Pass* pass : forms.all())
         for (const PassParameter& parameter : pass->parameters)
             ir::for_each_node(unit.program, parameter.value, [&](ir::ExprId node) {
                 const ir::Expr& expr = unit.program.exprs[node];
@@ -274,8 +263,7 @@ bool function_adds_functions(const Unit& unit, std::uint32_t kernel) {
 static void print_blocks(Writer& out, const Globals& globals, const ir::Lowered::Forms& forms,
                          const std::string& name) {
     std::string blocks;
-    for (const Pass* pass : {&forms.direct, &forms.general, &forms.wide})
-        if (pass->exists) blocks += parameters_of(globals, *pass, name + "_" + form_name(pass->form));
+    for (const Pass* pass : forms.all()) blocks += parameters_of(globals, *pass, name + "_" + form_name(pass->form));
     if (blocks.empty()) return;
     out.line("namespace {");
     out.raw(blocks);
@@ -350,7 +338,7 @@ std::string kernel_function(Unit& unit, std::uint32_t index) {
     const Kernel& kernel = unit.program.kernels[index];
     const ir::Lowered::Forms& forms = unit.lowered.passes[index];
     const std::string& name = unit.globals.kernel_stems.at(index);
-    const Pass& any = forms.general.exists ? forms.general : forms.direct;
+    const Pass& any = forms.general;
     Writer out;
     print_blocks(out, unit.globals, forms, name);
     out.line("extern const glift::Kernel " + name + "_kernel;");

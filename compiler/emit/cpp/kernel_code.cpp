@@ -72,9 +72,9 @@ struct Words {
     std::string spirv, fragment;
 };
 
-/// The names for the three forms; where the code of a form equals that of the form before, both have one name.
+/// The names for both forms; the same ones where their code is equal.
 struct FormWords {
-    Words direct, general, wide;
+    Words direct, general;
 };
 
 FormWords print_words(Unit& unit, Writer& out, std::uint32_t kernel, const std::string& name) {
@@ -95,14 +95,11 @@ FormWords print_words(Unit& unit, Writer& out, std::uint32_t kernel, const std::
     };
     const auto print = of_part(ir::Part::vertex, "_spirv"),
                print_fragment = of_part(ir::Part::fragment, "_fragment_spirv");
-    words.direct = {print(code.direct, ir::Form::direct), print_fragment(code.direct_fragment, ir::Form::direct)};
-    words.general = {code.general == code.direct ? words.direct.spirv : print(code.general, ir::Form::general),
-                     code.general_fragment == code.direct_fragment
-                         ? words.direct.fragment
-                         : print_fragment(code.general_fragment, ir::Form::general)};
-    words.wide = {code.wide == code.general ? words.general.spirv : print(code.wide, ir::Form::wide),
-                  code.wide_fragment == code.general_fragment ? words.general.fragment
-                                                              : print_fragment(code.wide_fragment, ir::Form::wide)};
+    const auto print_form = [&](const FormCode& of, ir::Form form) -> Words {
+        return {print(of.shader, form), print_fragment(of.fragment, form)};
+    };
+    words.direct = print_form(code.direct, ir::Form::direct);
+    words.general = code.general == code.direct ? words.direct : print_form(code.general, ir::Form::general);
     return words;
 }
 
@@ -150,9 +147,8 @@ void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, co
                                      : std::string()) +
                     "}";
         if (binding.ordered && binding.shape != ir::MemoryShape::buffer) text += ", .as_bits = true";
-        if (i < forms.wide.bindings.size() && forms.wide.bindings[i].address_parameter < forms.wide.parameters.size())
-            text += ", .address_offset = " +
-                    std::to_string(forms.wide.parameters[forms.wide.bindings[i].address_parameter].offset);
+        if (binding.address_parameter < forms.general.parameters.size())
+            text += ", .address_offset = " + std::to_string(forms.general.parameters[binding.address_parameter].offset);
         if (binding.shape == ir::MemoryShape::buffer)
             text += ", .element_bytes = sizeof(" + storage_text(unit.globals, binding.element) + ")";
         if (shares) text += sharing_fields(unit.program, kernel, binding);
@@ -170,13 +166,12 @@ std::string digest_text(const Unit& unit, std::uint32_t kernel, const std::strin
     std::uint64_t hash = 14695981039346656037u;
     const auto add = [&](std::uint64_t value) { hash = (hash ^ value) * 1099511628211u; };
     const KernelCode& code = unit.code[kernel];
-    const auto add_words = [&](const std::vector<std::uint32_t>& form) {
-        for (std::uint32_t word : form) add(word);
-        add(form.size());
-    };
-    for (const std::vector<std::uint32_t>* form : {&code.direct, &code.general, &code.wide}) add_words(*form);
-    for (const std::vector<std::uint32_t>* form : {&code.direct_fragment, &code.general_fragment, &code.wide_fragment})
-        if (!form->empty()) add_words(*form);
+    for (const FormCode* form : {&code.direct, &code.general}) {
+        for (const std::vector<std::uint32_t>* words : {&form->shader, &form->fragment}) {
+            for (std::uint32_t word : *words) add(word);
+            add(words->size());
+        }
+    }
     for (char c : printed) add(static_cast<unsigned char>(c));
     return std::to_string(hash | 1) + "u";  // 0 means: no digest
 }
@@ -201,37 +196,33 @@ bool code_adds_functions(const Unit& unit, std::uint32_t kernel) {
     const auto is_missing = [&](ir::FunctionId id) {
         return !unit.globals.function_names.contains(id) && is_pure(unit.program, id);
     };
-    return std::ranges::any_of(forms.direct.functions, is_missing) ||
-           std::ranges::any_of(forms.general.functions, is_missing) ||
-           std::ranges::any_of(forms.wide.functions, is_missing);
+    return std::ranges::any_of(forms.all(),
+                               [&](const Pass* pass) { return std::ranges::any_of(pass->functions, is_missing); });
 }
 
-/// Prints, for all forms that exist, the structs of parameters and, if code for the host device is wanted, the
-/// functions for it. Returns the functions' names by form.
-static std::map<const Pass*, std::string> print_host_forms(Unit& unit, Writer& out, const ir::Lowered::Forms& forms,
-                                                           std::uint32_t index) {
-    std::map<const Pass*, std::string> host;
-    for (const Pass* pass : {&forms.direct, &forms.general, &forms.wide}) {
-        if (!pass->exists) continue;
-        const std::string form = unit.globals.kernel_stems.at(index) + "_" + form_name(pass->form);
-        out.raw(parameters_of(unit.globals, *pass, form));
+/// Prints the structs of parameters of both forms and, if code for the host device is wanted, the function for it.
+/// Returns that function's name, or nothing.
+static std::string print_host_code(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, std::uint32_t index) {
+    const std::string& name = unit.globals.kernel_stems.at(index);
+    for (const Pass* pass : forms.all()) {
+        out.raw(parameters_of(unit.globals, *pass, name + "_" + form_name(pass->form)));
         if (!pass->parameters.empty()) out.gap();
-        if (!unit.options.host_kernel || !unit.reach.host_kernels.contains(index)) continue;
-        out.raw(unit.options.host_kernel(unit.globals, *pass, form));
-        out.gap();
-        host[pass] = form;
     }
-    return host;
+    if (!unit.options.host_kernel || !unit.reach.host_kernels.contains(index)) return "";
+    const std::string function = name + "_" + form_name(ir::Form::general);
+    out.raw(unit.options.host_kernel(unit.globals, forms.general, function));
+    out.gap();
+    return function;
 }
 
 /// The bytes of workgroup memory of the form that needs most: arrays may share memory in one form and not in another.
 static std::uint32_t shared_bytes_of(const ir::Lowered::Forms& forms) {
-    return std::max({forms.direct.shared_bytes, forms.general.shared_bytes, forms.wide.shared_bytes});
+    return std::max(forms.direct.shared_bytes, forms.general.shared_bytes);
 }
 
 /// Prints further fields of glift::Kernel, each only where it differs from its default.
 static void print_rare_fields(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, const std::string& name) {
-    const Pass& any = forms.general.exists ? forms.general : forms.direct;
+    const Pass& any = forms.general;
     const std::array<std::uint32_t, 3>& items = variant_for(any, ir::Devices::shaders).assumes.elements;
     if (items != std::array{1u, 1u, 1u})
         out.line(".items = {" + std::to_string(items[0]) + ", " + std::to_string(items[1]) + ", " +
@@ -249,15 +240,15 @@ std::string kernel_code(Unit& unit, std::uint32_t index) {
     const Kernel& kernel = unit.program.kernels[index];
     const ir::Lowered::Forms& forms = unit.lowered.passes[index];
     const std::string& name = unit.globals.kernel_stems.at(index);
-    const Pass& any = forms.general.exists ? forms.general : forms.direct;
-    const bool has_parameters = forms.direct.exists && !forms.direct.parameters.empty();
+    const Pass& any = forms.general;
+    const bool has_parameters = !forms.direct.parameters.empty();
     Writer code, spirv, out;
     code.line("// " + std::string(100, '-'));
     code.line("// " + place_text(unit.sources, kernel.span) + ": " + kernel.display);
     code.gap();
     code.line("namespace {");
     code.gap();
-    std::map<const Pass*, std::string> host = print_host_forms(unit, code, forms, index);
+    const std::string host = print_host_code(unit, code, forms, index);
     print_bindings(unit, code, forms, kernel, name);
     if (has_parameters) print_parameters(unit.globals, code, forms.direct, name);
     print_other_files(unit, code, any, name);
@@ -267,9 +258,6 @@ std::string kernel_code(Unit& unit, std::uint32_t index) {
     }
     const FormWords words = print_words(unit, spirv, index, name);
 
-    const auto form = [&](const Pass& pass, const Words& of_form) {
-        return pass.exists ? form_text(pass, of_form, host[&pass]) : "{}";
-    };
     const std::string place = place_text(unit.sources, kernel.span);
     const std::size_t colon = place.rfind(':');
     out.line("}  // namespace");
@@ -285,9 +273,9 @@ std::string kernel_code(Unit& unit, std::uint32_t index) {
     out.line(".loop_rounds = " + (any.loop_rounds == UINT64_MAX ? "UINT64_MAX" : std::to_string(any.loop_rounds)) +
              ",");
     out.line(".bindings = " + (any.bindings.empty() ? "{}" : name + "_bindings") + ",");
-    out.line(".direct = " + form(forms.direct, words.direct) + ",");
-    out.line(".general = " + form(forms.general, words.general) + ",");
-    out.line(".wide = " + form(forms.wide, words.wide) + ",");
+    out.line(".direct = " + form_text(forms.direct, words.direct, "") + ",");
+    out.line(".general = " + form_text(forms.general, words.general, host) + ",");
+    if (any.is_wide) out.line(".address_bits = 64,");
     if (has_parameters) out.line(".parameters = " + name + "_parameters,");
     print_rare_fields(unit, out, forms, name);
     if (kernel.raster) out.line(".drawing = &" + name + "_drawing,");

@@ -16,7 +16,6 @@ const char* form_name(ir::Form form) {
     switch (form) {
     case ir::Form::direct: return "direct";
     case ir::Form::general: return "general";
-    case ir::Form::wide: return "wide";
     }
     return "";
 }

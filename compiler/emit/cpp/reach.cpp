@@ -155,7 +155,7 @@ void Collector::function(ir::FunctionId id) {
 }
 
 void Collector::passes(const ir::Lowered::Forms& forms) {
-    for (const ir::Pass* pass : {&forms.direct, &forms.general, &forms.wide}) {
+    for (const ir::Pass* pass : forms.all()) {
         for (const ir::Variant& variant : pass->variants)
             if (variant.devices != ir::Devices::shaders) {
                 if (variant.block) code(*variant.block);

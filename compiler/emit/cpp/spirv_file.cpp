@@ -20,21 +20,18 @@ std::string symbol_of(const std::vector<std::uint32_t>& words) {
 
 SpirvFile::SpirvFile(std::string name, const std::vector<KernelCode>& code, const std::vector<std::uint32_t>& kernels)
     : name_(std::move(name)) {
-    const auto add = [&](std::uint32_t kernel, ir::Part part, const std::vector<std::uint32_t>& direct,
-                         const std::vector<std::uint32_t>& general, const std::vector<std::uint32_t>& wide) {
-        const auto add_form = [&](ir::Form form, const std::vector<std::uint32_t>& words) {
-            places_[{kernel, form, part}] = {words_.size(), words.size()};
-            words_.insert(words_.end(), words.begin(), words.end());
-        };
-        add_form(ir::Form::direct, direct);
-        if (general != direct) add_form(ir::Form::general, general);
-        if (wide != general) add_form(ir::Form::wide, wide);
+    const auto add = [&](std::uint32_t kernel, ir::Form form, ir::Part part, const std::vector<std::uint32_t>& words) {
+        places_[{kernel, form, part}] = {words_.size(), words.size()};
+        words_.insert(words_.end(), words.begin(), words.end());
     };
     for (std::uint32_t kernel : kernels) {
         if (kernel >= code.size()) continue;
         const KernelCode& of = code[kernel];
-        add(kernel, ir::Part::vertex, of.direct, of.general, of.wide);
-        add(kernel, ir::Part::fragment, of.direct_fragment, of.general_fragment, of.wide_fragment);
+        add(kernel, ir::Form::direct, ir::Part::vertex, of.direct.shader);
+        add(kernel, ir::Form::direct, ir::Part::fragment, of.direct.fragment);
+        if (of.general == of.direct) continue;
+        add(kernel, ir::Form::general, ir::Part::vertex, of.general.shader);
+        add(kernel, ir::Form::general, ir::Part::fragment, of.general.fragment);
     }
     symbol_ = symbol_of(words_);
 }

@@ -21,8 +21,8 @@ public:
     std::string bytes() const;
     /// The `asm` statement that includes the file.
     std::string statement() const;
-    /// The arguments of the glift::Spirv for a kernel's form: `glift_spirv_0f0e… + 120, 567`. Not for a form whose
-    /// words equal those of the form before it (direct, general, wide): the file has them once.
+    /// The arguments of the glift::Spirv for a kernel's form: `glift_spirv_0f0e… + 120, 567`. Not for a general
+    /// form whose words equal those of the direct form: the file has them once.
     std::string place_of(std::uint32_t kernel, ir::Form form, ir::Part part) const;
 
 private:

@@ -47,7 +47,7 @@ std::string float_atomic(Printer& p, std::uint32_t binding, Combine combine) {
 std::string addition(Printer& p, const AtomicUse& use) {
     const std::string test = round_test(p, 0, p.pass.files.size() > 1 ? "line, file" : "line");
     const std::string element = element_text(p, use.binding, "index");
-    const std::string index = p.pass.form == ir::Form::wide ? "uint64_t" : "uint";
+    const std::string index = p.pass.form == ir::Form::general ? "uint64_t" : "uint";
     return "void " + use.name + "(" + index + " index, float value" + (test.empty() ? "" : ", " + place_parameters(p)) +
            ") {\n" + "    uint seen = " + element + ", expected;\n    do {\n" +
            (test.empty() ? "" : "        if (!" + test + ") return;\n") +
@@ -71,7 +71,7 @@ BitsPlace bits_place(const Printer& p, std::uint32_t slot) {
     const std::string& name = p.binding_names[slot];
     if (binding.shape == MemoryShape::buffer) {
         const std::string element = element_text(p, slot, "index");
-        return {p.pass.form == ir::Form::wide ? "uint64_t index" : "uint index", element, element, "atomic"};
+        return {p.pass.form == ir::Form::general ? "uint64_t index" : "uint index", element, element, "atomic"};
     }
     const bool is_line = binding.shape == MemoryShape::image1d, is_flat = binding.shape == MemoryShape::image2d;
     return {is_line   ? "int at"

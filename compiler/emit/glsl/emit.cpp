@@ -153,8 +153,7 @@ std::string group_text(const ir::Pass& pass) {
 const char* form_text(ir::Form form) {
     switch (form) {
     case ir::Form::direct: return "direct form: whole structures, of equal sizes where declared with one type";
-    case ir::Form::general: return "general form: ranges may be parts of structures";
-    case ir::Form::wide: return "wide form: ranges may be parts of structures; physical addresses have 64 bits";
+    case ir::Form::general: return "general form: ranges may be parts of structures; buffers by address";
     }
     return "";
 }
@@ -207,7 +206,7 @@ std::string enumerators_text(const Printer& p) {
 
 std::string extensions_text(Printer& p) {
     p.extensions.insert("GL_EXT_scalar_block_layout");
-    if (p.pass.form == ir::Form::wide) {
+    if (p.pass.form == ir::Form::general) {
         p.extensions.insert("GL_EXT_buffer_reference");
         p.extensions.insert("GL_EXT_shader_explicit_arithmetic_types_int64");
     }

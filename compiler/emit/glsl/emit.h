@@ -27,9 +27,9 @@ struct Options {
 };
 
 /// The shader of `pass`, or for a draw the shader of the part options.part. Its descriptor set 0 has pass.bindings[k]
-/// at binding k + 1 (in the wide form buffers are reached by address instead), and the status record, if the pass has
-/// one, at binding pass.bindings.size() + 1. Parameters are push constants or, where !pass.push_constants, a uniform or
-/// storage buffer at binding 0. Offsets are those of GL_EXT_scalar_block_layout.
+/// at binding k + 1 (in the general form buffers are reached by address instead), and the status record, if the pass
+/// has one, at binding pass.bindings.size() + 1. Parameters are push constants or, where !pass.push_constants, a
+/// uniform or storage buffer at binding 0. Offsets are those of GL_EXT_scalar_block_layout.
 std::string glsl_of(const ir::Program& program, const Sources& sources, const ir::Pass& pass,
                     const Options& options = {});
 

@@ -210,7 +210,7 @@ bool is_read_by_address(const Printer& p, ExprId id) {
     const Expr* expr = &p.program.exprs[id];
     while (expr->op == Op::field || expr->op == Op::index || expr->op == Op::value)
         expr = &p.program.exprs[expr->operands[0]];
-    return expr->op == Op::load && p.pass.form == ir::Form::wide;
+    return expr->op == Op::load && p.pass.form == ir::Form::general;
 }
 
 /// A vector of which one component is taken. If copy propagation in NIR (Mesa's compiler) knows a vector from a read of

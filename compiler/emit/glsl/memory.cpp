@@ -100,8 +100,8 @@ std::string buffer_text(Printer& p, std::size_t index) {
     std::string qualifiers = (is_coherent(p, binding) ? "coherent " : "") + std::string(access);
     note_storage(p, binding.element);
     std::string element = !stored_as_bits(p, binding) ? "" : binding.ordered ? "int" : "uint";
-    const bool is_wide = p.pass.form == ir::Form::wide;
-    const std::string name = is_wide ? "at" : p.binding_names[index] + "[]";
+    const bool is_by_address = p.pass.form == ir::Form::general;
+    const std::string name = is_by_address ? "at" : p.binding_names[index] + "[]";
     const ir::Type& type = p.program.types[binding.element];
     std::string member = !element.empty() ? element + " " + name
                          : type.kind == TypeKind::array
@@ -110,12 +110,13 @@ std::string buffer_text(Printer& p, std::size_t index) {
     const auto by_address = [](std::uint32_t align) {
         return "layout(buffer_reference, scalar, buffer_reference_align = " + std::to_string(align) + ") ";
     };
-    std::string layout = is_wide ? by_address(layout::size_of(p.program, binding.element).align)
-                                 : "layout(scalar, set = 0, binding = " + std::to_string(index + 1) + ") ";
+    std::string layout = is_by_address ? by_address(layout::size_of(p.program, binding.element).align)
+                                       : "layout(scalar, set = 0, binding = " + std::to_string(index + 1) + ") ";
     std::string text = layout + qualifiers + "buffer " + p.block_names[index] + " { " + member + "; };\n";
     if (!binding.in_rows) return text;
-    const std::string row = image_prefix(p, binding.element) + "vec4 " + (is_wide ? "at" : p.row_names[index] + "[]");
-    return text + (is_wide ? by_address(row_bytes) : layout) + qualifiers + "buffer " + p.row_block_names[index] +
+    const std::string row =
+        image_prefix(p, binding.element) + "vec4 " + (is_by_address ? "at" : p.row_names[index] + "[]");
+    return text + (is_by_address ? by_address(row_bytes) : layout) + qualifiers + "buffer " + p.row_block_names[index] +
            " { " + row + "; };   // the same memory, as vectors of four\n";
 }
 
@@ -137,7 +138,7 @@ std::string as_bits(const PassBinding& binding, const std::string& value) {
 }  // namespace
 
 std::string element_text(const Printer& p, std::uint32_t slot, const std::string& index) {
-    if (p.pass.form != ir::Form::wide) return p.binding_names[slot] + "[" + index + "]";
+    if (p.pass.form == ir::Form::direct) return p.binding_names[slot] + "[" + index + "]";
     const std::uint32_t bytes = layout::size_of(p.program, p.pass.bindings[slot].element).size;
     return at_address(p.block_names[slot], p.binding_names[slot], index, bytes);
 }
@@ -151,17 +152,22 @@ std::string index_text(Printer& p, ir::ExprId id) {
     return is_far ? need(p, Helper::far_index, {}) + "(" + print_any(p, id) + ")" : print_any(p, id);
 }
 
+/// The index of an element that is reached by address, in 64 bits, as the left operand of `*`.
+std::string far_index(Printer& p, ir::ExprId index) {
+    return p.pass.is_wide ? print(p, index, Level::term) : "uint64_t(" + print_any(p, index) + ")";
+}
+
 }  // namespace
 
 std::string element_text(Printer& p, std::uint32_t slot, ir::ExprId index) {
-    return element_text(p, slot, p.pass.form == ir::Form::wide ? print(p, index, Level::term) : index_text(p, index));
+    return element_text(p, slot, p.pass.form == ir::Form::general ? far_index(p, index) : index_text(p, index));
 }
 
 namespace {
 
 std::string row_text(Printer& p, std::uint32_t slot, ir::ExprId index) {
-    if (p.pass.form != ir::Form::wide) return p.row_names[slot] + "[" + index_text(p, index) + "]";
-    return at_address(p.row_block_names[slot], p.binding_names[slot], print(p, index, Level::term), row_bytes);
+    if (p.pass.form == ir::Form::direct) return p.row_names[slot] + "[" + index_text(p, index) + "]";
+    return at_address(p.row_block_names[slot], p.binding_names[slot], far_index(p, index), row_bytes);
 }
 
 std::string image_text(Printer& p, std::size_t index) {

@@ -127,7 +127,7 @@ struct Printer {
     Options options;
 
     Scopes names;
-    std::vector<std::string> binding_names;  ///< as expressions: f_data; of buffers in the wide form their addresses
+    std::vector<std::string> binding_names;  ///< as expressions: f_data; of buffers in the general form their addresses
     std::vector<std::string> block_names;    ///< by binding: the name of a buffer's GLSL block
     std::vector<std::string> row_names;  ///< by binding: the buffer as vectors of four; empty: it is not accessed so
     std::vector<std::string> row_block_names;
@@ -203,7 +203,7 @@ void print_store(Printer& p, const std::string& place, const std::string& value,
 // memory.cpp
 Text print_load(Printer& p, const ir::Expr& expr);
 void print_store(Printer& p, const ir::Stmt& stmt);
-/// An element of a buffer, as an lvalue. In the wide form the text `index` becomes the left operand of `*`: looser
+/// An element of a buffer, as an lvalue. In the general form the text `index` becomes the left operand of `*`: looser
 /// operators in it must be in parentheses.
 std::string element_text(const Printer& p, std::uint32_t slot, const std::string& index);
 std::string element_text(Printer& p, std::uint32_t slot, ir::ExprId index);

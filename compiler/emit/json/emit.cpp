@@ -268,7 +268,6 @@ void Writer::binding(const ir::Pass& pass, std::size_t index, const std::vector<
 }
 
 void Writer::form(const ir::Pass& pass, const std::vector<Root>& roots) {
-    if (!pass.exists) return out.null();
     out.object([&] {
         list("group", pass.group, [&](std::uint32_t extent) { out.value(extent); });
         list("items", variant_for(pass, ir::Devices::shaders).assumes.elements,
@@ -362,8 +361,6 @@ void Writer::kernel(std::uint32_t index) {
                 form(forms.direct, roots);
                 out.key("general");
                 form(forms.general, roots);
-                out.key("wide");
-                form(forms.wide, roots);
             });
         }
         document(k.doc);

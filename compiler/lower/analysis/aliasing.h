@@ -1,7 +1,7 @@
 // Aliases: calls may pass one memory for two parameters if each invocation accesses only its own element by both
 // (docs/language.md, "One memory given twice"). The two parameters then have "one place": they name the same element.
 //
-// The general and the wide form are valid for such calls: a store by one binding counts as a store by all bindings that
+// The general form is valid for such calls: a store by one binding counts as a store by all bindings that
 // may alias it (number.h), so that no load is moved past it. No passes are compiled for particular aliases, since there
 // would be one for each partition of the set of parameters. Vulkan devices run the wide form for such calls: its
 // buffers are pointers, which may be equal. A kernel that has no wide form (Pass::exists) runs in the general form.

@@ -192,11 +192,16 @@ ExprId Expander::relative_address() {
     return cx.is_direct() ? address : build.binary(BinaryOp::subtract, address, origin_of(*cx.kernel.space));
 }
 
-/// The address of the current element in the structure of another parameter, whose range may have another origin.
+/// The address of the current element in the structure of another parameter, whose range may have another origin. With
+/// Guards::block the origins are equal, so that block borders are the same and the block is looked up once.
 ExprId Expander::address_in_block(std::uint32_t root) {
     const std::uint32_t space = *cx.kernel.space;
     const ExprId address = visited_address();
     if (cx.is_direct() || root == space) return address;
+    if (guards_ == Guards::block) {
+        require_equal_origin(root);
+        return address;
+    }
     return build.add(address, build.binary(BinaryOp::subtract, origin_of(root), origin_of(space)));
 }
 

@@ -313,7 +313,7 @@ private:
     Block loops_over(const Halo::Part& part, const Copied& copied, Block body);
     void copy_from(const Halo& halo, const Halo::Part& part, Neighbours& found);
     void append_where(ExprId condition, Block statements);
-    void ask_for_one_origin(const Halo& halo);
+    void require_equal_origin(std::uint32_t root);
     StmtId every_element(const Halo& halo, ExprId value);
     void fill(const Halo& halo);
     bool depends_on(ExprId id, const std::vector<LocalId>& locals);
@@ -453,6 +453,7 @@ private:
     std::unordered_map<std::uint32_t, bool> may_map_outside_;  ///< what may_map_outside found, by parameter
     std::unordered_map<std::uint32_t, ExprId> addresses_;
     OwnBlock block_;
+    std::vector<std::uint32_t> equal_origins_;  ///< parameters that require_equal_origin() was called for
     /// A condition whose value is known for the code that is being expanded.
     struct Fact {
         ValueNumber condition;

@@ -246,7 +246,7 @@ Pair Expander::expand(ExprId id) {
         const Pair physical = linked(place, at, cx.name_of(place));
         ExprId guard = is_total(cx.structure_at(place)) ? inside_domain(place, address) : ExprId{};
         ExprId has = build.both(guard, translated(place, at, cx.name_of(place)).has);
-        const TypeId seen = p.types[node.type].element;  // the type in the language: 32 bits even in the wide form
+        const TypeId seen = p.types[node.type].element;  // the type in the language: 32 bits even in wide passes
         return {build.convert(seen, physical.value), has ? has : build.truth(true)};
     }
     case Op::invocation: return {expand_invocation(node), {}};

@@ -319,10 +319,12 @@ void Expander::append_where(ExprId condition, Block statements) {
 
 /// Adds to block_.holds that the parameter's range has the same origin as the range whose blocks are visited. Otherwise
 /// block borders differ, and the variant for whole blocks does not apply.
-void Expander::ask_for_one_origin(const Halo& halo) {
-    if (cx.is_direct() || halo.root == *cx.kernel.space) return;
-    const ExprId own = origin_of(halo.root), of_space = origin_of(*cx.kernel.space);
-    for (std::uint32_t axis = 0; axis < halo.block.size(); ++axis)
+void Expander::require_equal_origin(std::uint32_t root) {
+    if (cx.is_direct() || root == *cx.kernel.space) return;
+    if (std::ranges::find(equal_origins_, root) != equal_origins_.end()) return;
+    equal_origins_.push_back(root);
+    const ExprId own = origin_of(root), of_space = origin_of(*cx.kernel.space);
+    for (std::uint32_t axis = 0; axis < p.types.components(build.type(own)); ++axis)
         block_.holds = build.both(
             block_.holds, build.binary(BinaryOp::equal, build.component(own, axis), build.component(of_space, axis)));
 }
@@ -344,7 +346,7 @@ StmtId Expander::every_element(const Halo& halo, ExprId value) {
 void Expander::fill(const Halo& halo) {
     if (!halo.copy) return;
     const Place place{halo.root, {}};
-    ask_for_one_origin(halo);
+    require_equal_origin(halo.root);
     Stmt array = statement(StmtOp::let, span_);
     array.local = halo.copy;
     array.uninitialized = true;

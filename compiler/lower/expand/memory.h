@@ -5,7 +5,7 @@
 
 namespace gliftc::lower {
 
-/// The operand of a load or store for a physical address: for a buffer an index, of 64 bits in the wide form; for an
+/// The operand of a load or store for a physical address: for a buffer an index, of 64 bits in wide passes; for an
 /// image the texel's address as signed integers.
 ExprId index_of(Context& cx, std::uint32_t binding, ExprId physical);
 

@@ -1,7 +1,7 @@
 // Expander: `s.load(a)` and `s.store(a, x)`, which access rows of four elements that are consecutive along x (single
 // elements, if their number is not a multiple of four). Elements of one to three 32-bit numbers that are also
 // consecutive in a buffer are accessed as vectors of four numbers, if all rows begin at a multiple of four elements and
-// lie in the domain, if physical addresses have 32 bits (in the wide form, sums and products have 64), and if loads are
+// lie in the domain, if physical addresses have 32 bits (in wide passes, sums and products have 64), and if loads are
 // of an `in` parameter; else one by one. A row of four elements of N numbers each is N such vectors. If there is one
 // row of four scalars of a one-dimensional structure, and it is known to begin at such a multiple, it is loaded without
 // a test that all of it is in the domain: shaders may read a buffer up to the next multiple of 16 bytes

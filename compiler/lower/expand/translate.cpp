@@ -114,7 +114,7 @@ ExprId Expander::all_less(ExprId address, ExprId extent) {
                            {build.intrinsic(Intrinsic::lessThan, truths, {address, extent})});
 }
 
-/// The function to translate with. In the wide form scalar physical addresses may exceed 2^32; components of vectors do
+/// The function to translate with. In wide passes scalar physical addresses may exceed 2^32; components of vectors do
 /// not.
 FunctionId Expander::translate_of(const Stage& stage) const {
     return cx.is_wide() && stage.wide ? stage.wide : p.translators[stage.translator].translate;

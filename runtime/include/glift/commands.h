@@ -108,11 +108,11 @@ public:
     /// Whether what is put here runs later, perhaps many times: in a recording, or in the user's command buffer.
     bool is_recording() const;
 
-    /// Whether a call needs the kernel's wide form (kernel.h): because its memories or its iteration are too large for
-    /// the other forms, because it takes more buffers than the device has descriptors for, or because bindings alias
-    /// (Sharing::one_place), for which shaders need pointers. The caller then packs the wide form's parameters.
-    bool needs_wide(const Kernel& kernel, std::span<const Memory> memories, const std::array<std::uint32_t, 4>& size,
-                    Sharing sharing = Sharing::unknown) const;
+    /// Whether the device can run the kernel's direct form (kernel.h) for these arguments: it has code for the device,
+    /// the memories and the iteration are not too large for it, the device has enough descriptors for the buffers, and
+    /// no bindings alias (Sharing::one_place), for which shaders need pointers.
+    bool can_be_direct(const Kernel& kernel, std::span<const Memory> memories, const std::array<std::uint32_t, 4>& size,
+                       Sharing sharing = Sharing::unknown) const;
 
     /// Puts one call of a kernel into the stream. Throws wrong_argument where the call does not fit the kernel,
     /// aliased_memory for bindings that may race (Sharing), and missing_form, missing_feature, too_large or loop_limit

@@ -31,7 +31,7 @@ struct DeviceProperties {
     std::uint32_t subgroup_size = 1;
     std::uint64_t memory_bytes = 0;                  ///< of the largest heap of device memory; host: of the machine
     std::uint64_t max_allocation_bytes = unlimited;  ///< of one buffer; an image may be limited to less
-    /// The largest buffer that a descriptor covers. Kernels reach larger ones by their wide form (kernel.h).
+    /// The largest buffer that a descriptor covers. Kernels reach larger ones by their general form (kernel.h).
     std::uint64_t max_storage_buffer_range = unlimited;
     std::uint32_t shared_memory_bytes = 0;  ///< of a workgroup; kernels that declare more are refused (too_large)
     std::uint32_t max_push_constant_bytes = 128;

@@ -1,22 +1,22 @@
 // A kernel as data, as generated code defines it. The header is kept small, since each kernel source includes it.
 //
-// A kernel has up to three compiled forms. They compute the same thing and differ in what they may assume:
-//   direct    every range is a whole structure; structures of one type that the kernel visits together, or declares
-//             with one type name, have equal state (extents, strides), which is passed once; the host knows all sizes,
-//             except for a number of blocks; parameters are push constants where they fit (over blocks never);
-//   general   ranges with origins, a state for each structure, sizes that may live on the device;
-//             parameters in a storage buffer at binding 0 (of draws in a uniform buffer, where they fit and
-//             none has halves); parameters of a direct form that are not push constants lie there, too;
-//   wide      like general, for larger sizes: physical addresses are computed in 64 bits, buffers are accessed by
-//             device address (without descriptors), and iterations may be split into several dispatches.
+// A kernel has two compiled forms. They compute the same thing and differ in what they may assume:
+//   direct    Vulkan devices only. Every range is a whole structure; structures of one type that the kernel visits
+//             together, or declares with one type name, have equal state (extents, strides), which is passed once; the
+//             host knows all sizes, except for a number of blocks; buffers have descriptors; parameters are push
+//             constants where they fit (over blocks never);
+//   general   ranges with origins, a state for each structure, sizes that may live on the device; on Vulkan devices
+//             buffers are accessed by device address, without descriptors, and iterations may be split into several
+//             dispatches; parameters in a storage buffer at binding 0 (of draws in a uniform buffer, where they fit and
+//             none has halves); parameters of a direct form that are not push constants lie there, too.
 //
-// Generated code chooses the form. It calls Commands::needs_wide(kernel, memories, size, sharing) before it packs the
-// parameters, and packs those of the wide form where the answer is true. On Vulkan devices it is true for a buffer
-// larger than a descriptor can cover, for more buffers than the device has descriptors, for an iteration in several
-// axes of more workgroups than one dispatch may have (not over blocks, not of draws), and for elements that are reached
-// by two bindings (Sharing::one_place), if the kernel has a wide form; on every device for a buffer of 2^32
-// elements or more. On Vulkan devices the runtime writes the address of each buffer into the wide form's parameters, at
-// Binding::address_offset (8-byte aligned).
+// Generated code chooses the form. Where the ranges allow the direct form, it asks Commands::can_be_direct(kernel,
+// memories, size, sharing) before it packs the parameters. The answer is false on the host device; for a buffer larger
+// than a descriptor can cover; for more buffers than the device has descriptors; for an iteration in several axes of
+// more workgroups than one dispatch may have (not over blocks, not of draws); and for elements that are reached by two
+// bindings (Sharing::one_place). On Vulkan devices the runtime writes the address of each buffer into the general
+// form's parameters, at Binding::address_offset (8-byte aligned). A buffer of 2^32 elements or more is refused
+// (ErrorCode::too_large) by kernels that compute physical addresses in 32 bits.
 #pragma once
 
 #include <glift/host/memory.h>
@@ -64,8 +64,8 @@ struct Sampler {
     Compare compare = Compare::none;
 };
 
-/// One memory that a kernel accesses. Memory k is descriptor binding k + 1 of set 0 (wide form: images only, buffers
-/// have no descriptor). Two bindings may alias where the call's Sharing allows it.
+/// One memory that a kernel accesses. Memory k is descriptor binding k + 1 of set 0 (general form: images only,
+/// buffers have no descriptor). Two bindings may alias where the call's Sharing allows it.
 struct Binding {
     const char* name;  ///< as in the source, `f.data`
     MemoryKind kind;
@@ -73,7 +73,7 @@ struct Binding {
     bool sampled = false;  ///< a combined image sampler over all mips, else a storage image of mip 0; buffers: false
     Sampler sampler = {};
     bool as_bits = false;              ///< a storage image of floats whose bits are accessed as ints
-    std::uint32_t address_offset = 0;  ///< wide form, buffers: byte offset of the 64-bit address in the parameters
+    std::uint32_t address_offset = 0;  ///< general form, buffers: byte offset of the 64-bit address in the parameters
     std::uint32_t element_bytes = 4;   ///< buffers: bytes of an element
     /// Number of the binding's parameter among those that are structures or values on the device.
     std::uint32_t parameter = 0;
@@ -158,10 +158,10 @@ struct Form {
     /// Byte offset, in the parameters, of the iteration size: `rank` uints. Used only where a call has patches
     /// (Call::patches); most direct forms have no such parameter.
     std::uint32_t size_offset = 0;
-    /// Wide, rank 2 to 4: byte offset, in the parameters, of three uints that the shader adds to gl_GlobalInvocationID.
-    /// The caller sets them to zero; where the runtime splits the iteration, it sets them to each part's first
-    /// invocation. UINT32_MAX: there are none, and the runtime does not split the iteration; one that is beyond the
-    /// device's limits after folding (see Kernel) is refused (too_large).
+    /// General, rank 2 to 4: byte offset, in the parameters, of three uints that the shader adds to
+    /// gl_GlobalInvocationID. The caller sets them to zero; where the runtime splits the iteration, it sets them to
+    /// each part's first invocation. UINT32_MAX: there are none, and the runtime does not split the iteration; one that
+    /// is beyond the device's limits after folding (see Kernel) is refused (too_large).
     std::uint32_t base_offset = UINT32_MAX;
 };
 
@@ -185,8 +185,9 @@ struct Parameter {
 /// groups along y beyond the device's limit are folded into z in the same way, and a group's index along y is
 /// gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y. Other iterations in several dimensions may exceed the
 /// device's limits, too (65535 groups along y and z on most). If the kernel's source declares no workgroup size, they
-/// take the wide form, and the runtime splits them into several dispatches through Form::base_offset. They are refused
-/// (ErrorCode::too_large) if the source declares a workgroup size, or if the iteration size is patched (Call::patches).
+/// take the general form, and the runtime splits them into several dispatches through Form::base_offset. They are
+/// refused (ErrorCode::too_large) if the source declares a workgroup size, or if the iteration size is patched
+/// (Call::patches).
 struct Kernel {
     const char* name;
     const char* file;
@@ -200,7 +201,8 @@ struct Kernel {
                                 ///< reach the device's limit, which is specialisation constant 101 (a uint); where that
                                 ///< is 0 there is no limit, and nothing is counted
     std::span<const Binding> bindings;
-    Form direct, general, wide;
+    Form direct, general;
+    std::uint32_t address_bits = 32;                 ///< of physical addresses in the general form: 32 or 64
     std::span<const Parameter> parameters = {};      ///< what Commands::specialised can fix
     std::array<std::uint32_t, 3> items = {1, 1, 1};  ///< elements that one invocation takes along each axis
     bool of_blocks = false;                          ///< runs over {elements of a block, blocks}: rank 2

@@ -44,13 +44,12 @@ struct FixedWord {
     bool operator==(const FixedWord&) const = default;
 };
 
-enum class FormName : std::uint8_t { direct, general, wide };
+enum class FormName : std::uint8_t { direct, general };
 
 inline const Form& form_of(const Kernel& kernel, FormName name) {
     switch (name) {
     case FormName::direct: return kernel.direct;
     case FormName::general: return kernel.general;
-    case FormName::wide: return kernel.wide;
     }
     return kernel.direct;
 }

@@ -4,7 +4,6 @@
 #include "../image_layout.h"
 #include "../report.h"
 #include "../text.h"
-#include "../wide.h"
 #include "host_targets.h"
 #include "promises.h"
 
@@ -101,10 +100,10 @@ bool tests_promises() {
 
 }  // namespace
 
-bool HostStream::needs_wide(const Kernel& kernel, std::span<const Memory> memories, const std::array<std::uint32_t, 4>&,
-                            Sharing) {
+bool HostStream::can_be_direct(const Kernel& kernel, std::span<const Memory> memories,
+                               const std::array<std::uint32_t, 4>&, Sharing) {
     check_memories(&device_, kernel, memories);
-    return counts_in_64_bits(kernel, memories);
+    return kernel.direct.host != nullptr;
 }
 
 void HostStream::dispatch(const Kernel& kernel, const Call& call) {

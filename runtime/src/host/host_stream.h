@@ -17,8 +17,8 @@ public:
     HostStream(DeviceObject& device, HostCounters& counters) : device_(device), counters_(counters) {}
 
     std::shared_ptr<DeviceObject> device() override { return device_.shared_from_this(); }
-    bool needs_wide(const Kernel& kernel, std::span<const Memory> memories, const std::array<std::uint32_t, 4>& size,
-                    Sharing sharing) override;
+    bool can_be_direct(const Kernel& kernel, std::span<const Memory> memories, const std::array<std::uint32_t, 4>& size,
+                       Sharing sharing) override;
     void dispatch(const Kernel& kernel, const Call& call) override;
     void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) override;
     void fill_where(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value,

@@ -1,8 +1,8 @@
 #include "encoder.h"
 
 #include "../check.h"
+#include "../environment.h"
 #include "../text.h"
-#include "../wide.h"
 #include "descriptor_limits.h"
 #include "vulkan_device.h"
 
@@ -89,33 +89,30 @@ void Encoder::full_barrier() {
     reported_ = false;
 }
 
-bool Encoder::is_wide(const Kernel& kernel, std::span<const Memory> memories) const {
-    for (const Memory& memory : memories) {
-        if (vulkan_memory(memory).range > context_.properties.max_storage_buffer_range) return true;
-    }
-    return counts_in_64_bits(kernel, memories);
-}
-
-bool Encoder::needs_addresses(const Kernel& kernel, std::span<const Memory> memories) const {
-    return is_wide(kernel, memories) || !buffers_fit(context_, kernel);
+bool Encoder::fit_descriptors(std::span<const Memory> memories) const {
+    return std::ranges::all_of(memories, [&](const Memory& memory) {
+        return vulkan_memory(memory).range <= context_.properties.max_storage_buffer_range;
+    });
 }
 
 // Aliased elements need pointers that may be equal: SPIR-V lets a driver assume that two buffer descriptors of a shader
-// do not alias. A kernel without a wide form has images alone: compiler/lower/analysis/aliasing.h says how its general
-// form reads what was written through another parameter.
-bool Encoder::needs_wide(const Kernel& kernel, std::span<const Memory> memories,
-                         const std::array<std::uint32_t, 4>& size, Sharing sharing) const {
+// do not alias. compiler/lower/analysis/aliasing.h says how the general form reads what was written through another
+// parameter's image.
+bool Encoder::can_be_direct(const Kernel& kernel, std::span<const Memory> memories,
+                            const std::array<std::uint32_t, 4>& size, Sharing sharing) const {
     check_memories(&device_, kernel, memories);
-    const bool is_aliased = sharing == Sharing::one_place && !kernel.wide.spirv.empty();
-    if (is_aliased || needs_addresses(kernel, memories)) return true;
-    if (kernel.drawing || kernel.of_blocks) return false;  // draws have no workgroups; kernels over blocks fold theirs
-    return kernel.rank > 1 && !count_groups(kernel, size).within(context_.properties.max_workgroups);
+    if (kernel.direct.spirv.empty() || forces_general_form() || sharing == Sharing::one_place) return false;
+    if (!fit_descriptors(memories) || !buffers_fit(context_, kernel)) return false;
+    if (kernel.drawing || kernel.of_blocks) return true;  // draws have no workgroups; kernels over blocks fold theirs
+    return kernel.rank == 1 || count_groups(kernel, size).within(context_.properties.max_workgroups);
 }
 
 void Encoder::check_form(const Kernel& kernel, const Call& call) const {
-    if (call.form == FormName::wide || !needs_addresses(kernel, call.memories)) return;
-    if (!is_wide(kernel, call.memories))
+    if (call.form == FormName::general) return;
+    if (fit_descriptors(call.memories)) {
+        if (buffers_fit(context_, kernel)) return;
         check_descriptors(context_, kernel, count_descriptors(kernel, form_of(kernel, call.form)));
+    }
     const auto largest =
         std::max_element(call.memories.begin(), call.memories.end(), [](const Memory& a, const Memory& b) {
             return vulkan_memory(a).range < vulkan_memory(b).range;
@@ -124,7 +121,7 @@ void Encoder::check_form(const Kernel& kernel, const Call& call) const {
                 std::string("a memory is too large for the ") + form_text(call.form) + " form of a kernel",
                 kernel_text(kernel) + ", " + memory_text(largest->description()),
                 "a descriptor covers " + size_text(context_.properties.max_storage_buffer_range),
-                "ask Commands::needs_wide before packing the parameters");
+                "ask Commands::can_be_direct before packing the parameters");
 }
 
 // Records a barrier before a pass if one of its memories needs it, and notes the pass's accesses.
@@ -145,7 +142,7 @@ Slice Encoder::write_parameters(const Pipeline& pipeline, const Call& call) {
     if (form.push_constants || !form.parameter_bytes) return {};
     const Slice block = batch_->parameters.take(form.parameter_bytes);
     std::memcpy(block.data, call.parameters.data(), call.parameters.size());
-    if (pipeline.name == FormName::wide) {
+    if (pipeline.name == FormName::general) {
         for (std::size_t k = 0; k < call.memories.size(); ++k) {
             const Binding& binding = pipeline.kernel->bindings[k];
             if (binding.kind != MemoryKind::buffer) continue;
@@ -168,7 +165,7 @@ void Encoder::push_descriptors(const Pipeline& pipeline, const Call& call, const
         const Binding& binding = pipeline.kernel->bindings[k];
         VulkanMemory& memory = vulkan_memory(call.memories[k]);
         if (binding.kind == MemoryKind::buffer) {
-            if (pipeline.name != FormName::wide) (next++)->buffer = {memory.parts.buffer, 0, memory.range};
+            if (pipeline.name != FormName::general) (next++)->buffer = {memory.parts.buffer, 0, memory.range};
         } else if (binding.sampled) {
             memory.require(VK_IMAGE_USAGE_SAMPLED_BIT);
             (next++)->image = {device_.pipelines().sampler(binding.sampler), memory.views_as(binding.kind).sampled,

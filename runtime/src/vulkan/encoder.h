@@ -22,8 +22,8 @@ public:
     }
     CommandBatch& batch() { return *batch_; }
 
-    bool needs_wide(const Kernel& kernel, std::span<const Memory> memories, const std::array<std::uint32_t, 4>& size,
-                    Sharing sharing) const;
+    bool can_be_direct(const Kernel& kernel, std::span<const Memory> memories, const std::array<std::uint32_t, 4>& size,
+                       Sharing sharing) const;
     void dispatch(const Kernel& kernel, const Call& call);
 
     void fill(const VulkanMemory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value);
@@ -58,8 +58,7 @@ private:
     void touch(const VulkanMemory& memory, Access access);
     void touch(const VulkanMemory& from, const VulkanMemory& to);
     void check_form(const Kernel& kernel, const Call& call) const;
-    bool is_wide(const Kernel& kernel, std::span<const Memory> memories) const;
-    bool needs_addresses(const Kernel& kernel, std::span<const Memory> memories) const;
+    bool fit_descriptors(std::span<const Memory> memories) const;
     void order(const Kernel& kernel, const Call& call);
     Slice write_parameters(const Pipeline& pipeline, const Call& call);
     void bind(const Pipeline& pipeline, const Call& call, const Slice& block);

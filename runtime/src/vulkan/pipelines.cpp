@@ -154,7 +154,7 @@ std::unique_ptr<Pipeline> Pipelines::make(std::uint64_t digest, const Kernel& ke
     check_limits(context_, kernel, compiled);
     check_requirements(context_, kernel, compiled);
     DescriptorCounts counts = count_descriptors(kernel, compiled);
-    if (form == FormName::wide) counts.buffers = 0;
+    if (form == FormName::general) counts.buffers = 0;
     check_descriptors(context_, kernel, counts);
     auto pipeline = std::make_unique<Pipeline>();
     pipeline->digest = digest;
@@ -192,7 +192,7 @@ void Pipelines::make_layout(Pipeline& pipeline) {
     for (std::size_t k = 0; k < kernel.bindings.size(); ++k) {
         const Binding& binding = kernel.bindings[k];
         if (binding.kind == MemoryKind::buffer) {
-            if (pipeline.name != FormName::wide) {
+            if (pipeline.name != FormName::general) {
                 add(k + 1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, pipeline.storage_buffers);
             }
         } else if (binding.sampled) {

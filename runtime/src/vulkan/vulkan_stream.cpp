@@ -15,9 +15,9 @@ constexpr std::uint64_t part_bytes = std::uint64_t(32) << 20;
 
 VulkanStream::VulkanStream(VulkanDevice& device) : device_(device), encoder_(device) {}
 
-bool VulkanStream::needs_wide(const Kernel& kernel, std::span<const Memory> memories,
-                              const std::array<std::uint32_t, 4>& size, Sharing sharing) {
-    return encoder_.needs_wide(kernel, memories, size, sharing);
+bool VulkanStream::can_be_direct(const Kernel& kernel, std::span<const Memory> memories,
+                                 const std::array<std::uint32_t, 4>& size, Sharing sharing) {
+    return encoder_.can_be_direct(kernel, memories, size, sharing);
 }
 
 void VulkanStream::dispatch(const Kernel& kernel, const Call& call) {

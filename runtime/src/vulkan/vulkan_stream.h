@@ -9,8 +9,8 @@ class VulkanStream : public Stream {
 public:
     explicit VulkanStream(VulkanDevice& device);
 
-    bool needs_wide(const Kernel& kernel, std::span<const Memory> memories, const std::array<std::uint32_t, 4>& size,
-                    Sharing sharing) override;
+    bool can_be_direct(const Kernel& kernel, std::span<const Memory> memories, const std::array<std::uint32_t, 4>& size,
+                       Sharing sharing) override;
     void dispatch(const Kernel& kernel, const Call& call) override;
     void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) override;
     void fill_where(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value,

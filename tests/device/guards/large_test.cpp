@@ -1,5 +1,5 @@
-// Structures larger than lavapipe's descriptors can cover: there kernels access them by 64-bit addresses, in their wide
-// form.
+// Structures larger than lavapipe's descriptors can cover: there kernels access them by device address, in their
+// general form.
 #include "on_every_device.h"
 
 #include "large.glift.hpp"
@@ -24,7 +24,7 @@ std::vector<std::uint32_t> origins() {
 
 TEST_P(Large, AGibibyteIsWrittenComputedOnAndReadBack) {
     if (name() == "lavapipe") {
-        ASSERT_LT(device.properties().max_storage_buffer_range, 4ull * count);  // the wide form runs
+        ASSERT_LT(device.properties().max_storage_buffer_range, 4ull * count);  // the general form runs
     }
     large::Line line(device, count);
     EXPECT_EQ(line.read({count - 1}, {1})[0], 0.0f);

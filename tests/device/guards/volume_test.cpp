@@ -1,7 +1,6 @@
 // A dense volume whose kernels compute addresses in 64 bits: written, computed on, summed, gathered, read back.
-// GLIFT_TEST_GIB is its size in GiB, a power of two; without it the volume is small. GLIFT_WIDE_ELEMENTS=1, which ctest
-// sets (CMakeLists.txt), makes the runtime use 64-bit addresses at any size. Without that variable it does so from 16
-// GiB on, or where a buffer is larger than a descriptor can cover.
+// GLIFT_TEST_GIB is its size in GiB, a power of two; without it the volume is small. GLIFT_GENERAL_FORM=1, which ctest
+// sets (CMakeLists.txt), makes Vulkan devices run the kernels' general form, which has them, at any size.
 #include "on_every_device.h"
 
 #include "volume.glift.hpp"

@@ -62,11 +62,11 @@ TEST_P(Dispatch, TallIterationsSplit) {
                                     size[2]};  // then the base and the address, which the runtime fills in
     const std::span<const std::byte> bytes = bytes_of(block);
     const glift::Commands commands = device;
-    const bool wide = commands.needs_wide(mark_grid, {&g, 1}, size);
-    EXPECT_EQ(wide, !device.is_host());
-    commands.dispatch(mark_grid, {.form = wide ? glift::FormName::wide : glift::FormName::direct,
+    const bool is_direct = commands.can_be_direct(mark_grid, {&g, 1}, size);
+    EXPECT_EQ(is_direct, device.is_host());
+    commands.dispatch(mark_grid, {.form = is_direct ? glift::FormName::direct : glift::FormName::general,
                                   .memories = {&g, 1},
-                                  .parameters = wide ? bytes : bytes.first(24),
+                                  .parameters = is_direct ? bytes.first(24) : bytes,
                                   .size = size});
     const auto visits = read<std::uint32_t>(device, g, 140000);
     for (std::uint32_t i = 0; i < 140000; ++i) ASSERT_EQ(visits[i], 1 + i % 70000) << i;

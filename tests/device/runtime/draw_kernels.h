@@ -13,6 +13,8 @@ struct Corner {
 struct DrawParameters {
     std::uint32_t corners, instances;
     float shift;  ///< how far each instance is shifted to the right of the one before, in half widths of the viewport
+    std::uint32_t unused = 0;
+    std::uint64_t addresses[2] = {};  ///< filled in by the runtime
 };
 
 /// All have the general form only. Bindings: the corners, and a count of fragments; they write colour to an rgba32f

@@ -231,7 +231,7 @@ TEST_P(CallErrors, CallsThatDoNotFitTheirKernel) {
               ErrorCode::wrong_argument);
     EXPECT_EQ(error_of([&] { device.commands().fill(f, 2, 4); }).code(), ErrorCode::wrong_argument);
     // No multiple of 4; at the end of the parameters; offset + 4 overflows.
-    for (const std::uint32_t offset : {2u, 8u, UINT32_MAX - 3}) {
+    for (const std::uint32_t offset : {2u, 24u, UINT32_MAX - 3}) {
         const ScaleParameters scaling = {64, 1.0f};
         const glift::Memory memories[] = {f, buffer(device, "g.data", 256)};
         const glift::Patch patch = {{buffer(device, "count", 4), 0}, offset};

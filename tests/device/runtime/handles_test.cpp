@@ -53,9 +53,9 @@ void use_commands(const glift::Commands& commands, const glift::Memory& f, const
     std::byte bytes[4] = {};
     expect_errors("Commands", {{"device", [&] { commands.device(); }},
                                {"is_recording", [&] { commands.is_recording(); }},
-                               {"needs_wide",
+                               {"can_be_direct",
                                 [&] {
-                                    commands.needs_wide(scale, {}, {1, 1, 1, 1});
+                                    commands.can_be_direct(scale, {}, {1, 1, 1, 1});
                                 }},
                                {"dispatch", [&] { run_scale(commands, f, g, 1, 1.0f); }},
                                {"specialised", [&] { run_scale(commands.specialised(), f, g, 1, 1.0f); }},
@@ -119,9 +119,9 @@ void use_memory(const glift::Memory& memory, const glift::Commands& commands, co
     expect_errors("Memory", {{"description", [&] { memory.description(); }}, {"extent", [&] { memory.extent(); }}});
     expect_errors("",
                   {{"dispatch", [&] { run_scale(commands, memory, other, 1, 1.0f); }},
-                   {"needs_wide",
+                   {"can_be_direct",
                     [&] {
-                        if (!commands.needs_wide(add_in_place, {&memory, 1}, {1, 1, 1, 1}))
+                        if (!commands.can_be_direct(add_in_place, {&memory, 1}, {1, 1, 1, 1}))
                             run_add(commands, memory, 1, 1);
                     }},
                    {"adopt", [&] { commands.adopt(memory, {.name = "h", .bytes = 4}); }},

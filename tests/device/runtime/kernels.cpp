@@ -6,7 +6,6 @@
 #include "report.h"
 #include "scale_direct.h"
 #include "scale_general.h"
-#include "scale_wide.h"
 #include "store_value.h"
 
 #include <algorithm>
@@ -93,8 +92,7 @@ const glift::Kernel scale = {
     .loop_rounds = 0,
     .bindings = scale_bindings,
     .direct = {.spirv = scale_direct, .host = host_scale, .parameter_bytes = 8, .push_constants = true},
-    .general = {.spirv = scale_general, .host = host_scale, .parameter_bytes = 8},
-    .wide = {.spirv = scale_wide, .host = host_scale, .parameter_bytes = 24}};
+    .general = {.spirv = scale_general, .host = host_scale, .parameter_bytes = 24}};
 
 const glift::Kernel add_in_place = {
     .name = "add_in_place",
@@ -125,7 +123,7 @@ const glift::Kernel mark_grid = {
     .loop_rounds = 0,
     .bindings = marked,
     .direct = {.host = host_mark, .parameter_bytes = 24},
-    .wide = {.spirv = ::mark_grid, .host = host_mark, .parameter_bytes = 32, .base_offset = 12}};
+    .general = {.spirv = ::mark_grid, .host = host_mark, .parameter_bytes = 32, .base_offset = 12}};
 
 const glift::Kernel image_step = {
     .name = "image_step",
@@ -155,19 +153,17 @@ glift::Memory buffer(const glift::Device& device, const char* name, std::uint64_
 void run_scale(const glift::Commands& commands, const glift::Memory& f, const glift::Memory& g, std::uint32_t size,
                float factor) {
     const glift::Memory memories[] = {f, g};
-    struct Block {
-        ScaleParameters parameters;
-        std::uint64_t addresses[2];  ///< filled in by the runtime
-    } const block = {{size, factor}, {}};
+    const ScaleParameters block = {size, factor};
     const std::array<std::uint32_t, 4> axes = {size, 1, 1, 1};
-    if (commands.needs_wide(scale, memories, axes))
-        commands.dispatch(
-            scale, {.form = glift::FormName::wide, .memories = memories, .parameters = bytes_of(block), .size = axes});
-    else
+    if (commands.can_be_direct(scale, memories, axes))
         commands.dispatch(scale, {.form = glift::FormName::direct,
                                   .memories = memories,
-                                  .parameters = bytes_of(block.parameters),
+                                  .parameters = bytes_of(block).first(8),
                                   .size = axes});
+    else
+        commands.dispatch(
+            scale,
+            {.form = glift::FormName::general, .memories = memories, .parameters = bytes_of(block), .size = axes});
 }
 
 void run_add(const glift::Commands& commands, const glift::Memory& g, std::uint32_t size, std::uint32_t amount) {

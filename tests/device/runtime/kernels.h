@@ -11,14 +11,16 @@ namespace kernels {
 extern const glift::Kernel scale;         ///< g = factor * f, in all three forms; {size, factor}
 extern const glift::Kernel add_in_place;  ///< g = 2 g + amount; {size, amount}
 extern const glift::Kernel store_value;   ///< g = value; {size, value}
-extern const glift::Kernel mark_grid;     ///< adds 1 + y at (x, y, z) of a 3-D grid; on Vulkan in the wide form only;
-                                          ///< {size[3], base[3]}
-extern const glift::Kernel image_step;    ///< samples one image and stores to another; {size[2]}
-extern const glift::Kernel report;        ///< g[i] = i for i < 10; reports an error if there is an element 10; {size}
+extern const glift::Kernel mark_grid;   ///< adds 1 + y at (x, y, z) of a 3-D grid; on Vulkan in the general form only;
+                                        ///< {size[3], base[3]}
+extern const glift::Kernel image_step;  ///< samples one image and stores to another; {size[2]}
+extern const glift::Kernel report;      ///< g[i] = i for i < 10; reports an error if there is an element 10; {size}
 
+/// The direct form takes the first eight bytes.
 struct ScaleParameters {
     std::uint32_t size;
     float factor;
+    std::uint64_t addresses[2] = {};  ///< filled in by the runtime
 };
 struct AddParameters {
     std::uint32_t size, amount;
@@ -38,8 +40,8 @@ template <class T> std::vector<T> values_of(std::span<const std::byte> bytes) {
 
 glift::Memory buffer(const glift::Device& device, const char* name, std::uint64_t bytes);
 
-/// Takes the wide form where Commands::needs_wide says so, else the direct one, as generated code does for whole
-/// structures.
+/// Takes the direct form where Commands::can_be_direct allows it, else the general one, as generated code does for
+/// whole structures.
 void run_scale(const glift::Commands& commands, const glift::Memory& f, const glift::Memory& g, std::uint32_t size,
                float factor);
 void run_add(const glift::Commands& commands, const glift::Memory& g, std::uint32_t size, std::uint32_t amount);

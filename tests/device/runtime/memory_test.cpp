@@ -176,7 +176,7 @@ TEST_P(Memories, HandlesMayGoBeforeTheDeviceIsDone) {
     for (const float value : values_of<float>(download.get())) ASSERT_EQ(value, 6.0f);
 }
 
-// Larger than lavapipe's maxStorageBufferRange, so that kernels access it by address, in the wide form.
+// Larger than lavapipe's maxStorageBufferRange, so that kernels access it by address, in the general form.
 TEST_P(Memories, LargeOnesGoThroughAddresses) {
     constexpr std::uint32_t n = 40'000'000;
     const auto f = buffer(device, "f", 4ull * n), g = buffer(device, "g", 4ull * n);

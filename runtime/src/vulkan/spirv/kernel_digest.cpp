@@ -56,7 +56,7 @@ std::uint64_t digest_of_contents(const Kernel& kernel) {
     for (const std::uint32_t count : kernel.items) digest.add(count);
     digest.add(kernel.loop_rounds);
     for (const Binding& binding : kernel.bindings) digest.add(binding);
-    for (const Form* form : {&kernel.direct, &kernel.general, &kernel.wide}) digest.add(*form);
+    for (const Form* form : {&kernel.direct, &kernel.general}) digest.add(*form);
     if (kernel.drawing) digest.add(*kernel.drawing);
     digest.add(kernel.reports);
     digest.add(kernel.shared_bytes);
