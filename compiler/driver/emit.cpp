@@ -8,6 +8,7 @@
 #include "emit/glsl/emit.h"
 #include "emit/glsl/library.h"
 #include "emit/json/emit.h"
+#include "emit/spirv/strip.h"
 #include "interop/interop.h"
 
 #include <algorithm>
@@ -105,12 +106,21 @@ void emit_shaders(const Options& options, const Compilation& c, std::uint32_t mo
     }
 }
 
+/// The shaders as programs embed them: names and line numbers would be a fifth of their bytes.
+std::vector<cpp::KernelCode> stripped(std::vector<cpp::KernelCode> shaders) {
+    for (cpp::KernelCode& code : shaders)
+        for (cpp::FormCode* form : {&code.direct, &code.general})
+            for (std::vector<std::uint32_t>* words : {&form->shader, &form->fragment})
+                if (!words->empty()) *words = spirv::without_debug_info(*words);
+    return shaders;
+}
+
 void emit_cpp(const Options& options, const Compilation& c, std::uint32_t module, const std::string& base,
               const std::vector<cpp::KernelCode>& shaders, const cpp::Options& cpp, cpp::Defined& defined,
               std::vector<Output>& outputs) {
-    const bool has_code = !options.host_only && options.wants(Target::cpp);
-    cpp::Module written = cpp::module_of(c.program, c.lowered, c.sources, module,
-                                         has_code ? shaders : std::vector<cpp::KernelCode>(), cpp, defined);
+    std::vector<cpp::KernelCode> code;
+    if (!options.host_only && options.wants(Target::cpp)) code = options.source_lines ? shaders : stripped(shaders);
+    cpp::Module written = cpp::module_of(c.program, c.lowered, c.sources, module, code, cpp, defined);
     for (cpp::File& file : written.files) {
         std::string text = file.is_code ? styled(options, std::move(file.text)) : std::move(file.text);
         if (options.source_lines && file.name.ends_with(".cpp"))

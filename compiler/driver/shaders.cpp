@@ -57,7 +57,7 @@ std::vector<cpp::KernelCode> compile_shaders(const Compilation& c, const std::se
                                              bool optimize) {
     std::vector<cpp::KernelCode> shaders(c.program.kernels.size());
     std::vector<Job> jobs = list_jobs(c, kernels, shaders);
-    auto optimise = optimize ? spirv::Optimise::performance : spirv::Optimise::no;
+    auto optimise = optimize ? spirv::Optimise::size : spirv::Optimise::no;
     for_each_parallel(jobs.size(), 1, [&](std::size_t i) { run(jobs[i], c, optimise); });
     for (const Job& job : jobs)
         if (!job.error.empty())

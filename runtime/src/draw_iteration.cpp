@@ -70,11 +70,23 @@ void DrawIteration::add_origin(const detail::Box& box) {
     targets_.origin = origin;
 }
 
-std::span<const Patch> DrawIteration::patches(std::initializer_list<std::size_t> offsets) {
-    for (std::size_t offset : offsets)
+bool DrawIteration::can_be_direct(const Commands& commands, std::span<const Memory> memories) const {
+    return whole_ && commands.can_be_direct(kernel_, memories, size(), sharing_);
+}
+
+void DrawIteration::dispatch(const Commands& commands, FormName form, std::span<const Memory> memories,
+                             std::span<const std::byte> parameters, std::initializer_list<std::size_t> sizes) {
+    for (std::size_t offset : sizes)
         for (std::size_t axis = 0; axis < axes_.size(); ++axis)
             add_patches(axes_[axis].counts, offset + 4 * axis, {axes_[axis].count(), 1, 1, 1}, 1);
-    return patches_;
+    targets_.colours = colours_;
+    commands.dispatch(kernel_, {.form = form,
+                                .memories = memories,
+                                .parameters = parameters,
+                                .size = size(),
+                                .patches = patches_,
+                                .sharing = sharing_,
+                                .targets = &targets_});
 }
 
 /// Adds a patch for each axis and count.

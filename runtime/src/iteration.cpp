@@ -56,9 +56,21 @@ void Iteration::add_any(const detail::Box& box, bool is_whole) {
     whole_ = whole_ && is_whole;
 }
 
-std::span<const Patch> Iteration::patches(std::initializer_list<std::size_t> offsets) {
-    for (std::size_t offset : offsets) patch(counts_, offset, first_.size, first_.rank);
-    return {patches_.data(), patch_count_};
+Extent Iteration::size() const { return kernel_.of_blocks ? Extent{visited_.x, visited_.y, 1, 1} : first_.size; }
+
+bool Iteration::can_be_direct(const Commands& commands, std::span<const Memory> memories) const {
+    return whole_ && commands.can_be_direct(kernel_, memories, size(), sharing_);
+}
+
+void Iteration::dispatch(const Commands& commands, FormName form, std::span<const Memory> memories,
+                         std::span<const std::byte> parameters, std::initializer_list<std::size_t> sizes) {
+    for (std::size_t offset : sizes) patch(counts_, offset, first_.size, first_.rank);
+    commands.dispatch(kernel_, {.form = form,
+                                .memories = memories,
+                                .parameters = parameters,
+                                .size = size(),
+                                .patches = {patches_.data(), patch_count_},
+                                .sharing = sharing_});
 }
 
 void Iteration::same_blocks(const char* first, const char* other,

@@ -3,6 +3,7 @@
 #include "emit/cpp/sharing.h"
 #include "ir/chain.h"
 #include "ir/effects.h"
+#include "ir/spelling.h"
 #include "ir/walk.h"
 
 #include <algorithm>
@@ -137,50 +138,63 @@ std::string value_of(Unit& unit, const Kernel& kernel, const PassParameter& para
     return "{}";
 }
 
-/// Prints the declaration of `parameters` and the dispatch of one form.
-void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& pass, const std::string& name,
-                    const char* form) {
+/// Prints `parameters`, the parameter block of a form, with its values. The addresses of buffers stand at its end; the
+/// runtime fills them in.
+void print_parameters(Unit& unit, Writer& out, const Kernel& kernel, const Pass& pass) {
     const std::vector<NamedParameter> ordered = parameters_in_order(unit.globals, pass);
-    const std::string block = name + "_" + form + "_parameters";
-    if (!ordered.empty()) {
-        out.open("const " + block + " parameters =");
-        for (const auto& [parameter, member] : ordered)
-            out.line("." + member + " = " + value_of(unit, kernel, *parameter) + ",");
-        out.close(";");
-    }
-    std::string call = std::string("{.form = glift::FormName::") + form +
-                       ", .memories = " + (pass.bindings.empty() ? "{}" : "memories") +
-                       ", .parameters = " + (ordered.empty() ? "{}" : "glift::bytes_of(parameters)") +
-                       ", .size = iteration." + (kernel.space ? "extent()" : "size()");
-    std::string counted;
-    bool counts_ranges = false;
-    if (pass.form != ir::Form::direct || kernel.space) {
-        for (const auto& [parameter, member] : ordered) {
-            const std::string offset = "offsetof(" + block + ", " + member + ")";
-            if (parameter->source == ParameterSource::range_size &&
-                ir::has_own_range(kernel.params[parameter->param].pattern)) {
-                out.line("iteration.count(" + param_name(unit, kernel.params[parameter->param]) + ", " + offset + ");");
-                counts_ranges = true;
-            }
-            const bool of_first =
-                parameter->source == ParameterSource::range_size && ir::visits(kernel.params[parameter->param].pattern);
-            const bool of_blocks = kernel.space && parameter->source == ParameterSource::size;
-            if (of_blocks) out.line("iteration.count_blocks(" + offset + ");");
-            else if (parameter->source == ParameterSource::size || of_first)
-                counted += (counted.empty() ? "" : ", ") + offset;
-            counts_ranges = counts_ranges || of_blocks;
+    std::string values;
+    std::size_t addresses = 0;
+    out.open("const struct");
+    for (const auto& [parameter, member] : ordered) {
+        if (parameter->source == ParameterSource::address) {
+            ++addresses;
+            continue;
         }
+        out.line(storage_text(unit.globals, parameter->type) + " " + member + ";");
+        values += (values.empty() ? "" : ", ") + value_of(unit, kernel, *parameter);
     }
-    if (!counted.empty() || counts_ranges) call += ", .patches = iteration.patches({" + counted + "})";
-    if (may_share(pass)) call += ", .sharing = iteration.sharing()";
-    if (kernel.raster) call += ", .targets = iteration.targets()";
-    out.line("commands.dispatch(" + name + "_kernel, " + call + "});");
+    if (addresses != 0) {
+        out.line("std::uint64_t addresses[" + std::to_string(addresses) + "];");
+        values += values.empty() ? "{}" : ", {}";
+    }
+    out.dedent();
+    out.line("} parameters = {" + values + "};");
+    out.line("static_assert(sizeof parameters == " + std::to_string(pass.parameter_bytes) + ");");
 }
 
-/// The condition under which a call may take the direct form, without the one on sharing, which print_choice adds: all
-/// ranges are whole structures, and parameters that the form assumes to have the same state (KernelParam::alike) do.
-std::string direct_condition(const Unit& unit, const Kernel& kernel) {
-    std::string condition = "iteration.is_whole()";
+/// Prints the calls that patch sizes which the device computes into the parameters. Returns the offsets of the
+/// iteration's size.
+std::string print_counts(Unit& unit, Writer& out, const Kernel& kernel, const Pass& pass) {
+    std::string sizes;
+    if (pass.form == ir::Form::direct && !kernel.space) return sizes;
+    for (const auto& [parameter, member] : parameters_in_order(unit.globals, pass)) {
+        const std::string offset = std::to_string(parameter->offset);
+        const bool is_range = parameter->source == ParameterSource::range_size;
+        const bool is_size = parameter->source == ParameterSource::size;
+        if (is_range && ir::has_own_range(kernel.params[parameter->param].pattern))
+            out.line("iteration.count(" + param_name(unit, kernel.params[parameter->param]) + ", " + offset + ");");
+        if (is_size && kernel.space) out.line("iteration.count_blocks(" + offset + ");");
+        else if (is_size || (is_range && ir::visits(kernel.params[parameter->param].pattern)))
+            sizes += (sizes.empty() ? "" : ", ") + offset;
+    }
+    return sizes;
+}
+
+/// Prints the dispatch of one form.
+void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& pass) {
+    if (!pass.parameters.empty()) print_parameters(unit, out, kernel, pass);
+    const std::string sizes = print_counts(unit, out, kernel, pass);
+    out.line("iteration.dispatch(commands, glift::FormName::" + std::string(ir::spelling(pass.form)) + ", " +
+             (pass.bindings.empty() ? "{}" : "memories") + ", " +
+             (pass.parameters.empty() ? "{}" : "glift::bytes_of(parameters)") +
+             (sizes.empty() ? ");" : ", {" + sizes + "});"));
+}
+
+/// The condition under which a call takes the direct form: the device can run it for these ranges and memories, and
+/// parameters that the form assumes to have the same state (KernelParam::alike) do.
+std::string direct_condition(const Unit& unit, const Kernel& kernel, const Pass& direct) {
+    std::string condition =
+        std::string("iteration.can_be_direct(commands, ") + (direct.bindings.empty() ? "{}" : "memories") + ")";
     for (std::size_t i = 0; i < kernel.params.size(); ++i) {
         if (!ir::is_structure(kernel.params[i])) continue;
         for (std::size_t k = i + 1; k < kernel.params.size(); ++k) {
@@ -194,19 +208,13 @@ std::string direct_condition(const Unit& unit, const Kernel& kernel) {
     return condition;
 }
 
-/// Prints the choice of a form for the call, and its dispatch: direct if its condition holds and the runtime can run it
-/// for these arguments, else general.
-void print_choice(Unit& unit, Writer& out, const Kernel& kernel, const ir::Lowered::Forms& forms,
-                  const std::string& name) {
-    const bool shares = ir::has_one_place(forms.general);
-    out.open("if (" + direct_condition(unit, kernel) + " && commands.can_be_direct(" + name + "_kernel, " +
-             (forms.direct.bindings.empty() ? "{}" : "memories") +
-             (kernel.space ? ", iteration.extent()" : ", iteration.size()") + (shares ? ", iteration.sharing()" : "") +
-             "))");
-    print_dispatch(unit, out, kernel, forms.direct, name, form_name(ir::Form::direct));
+/// Prints the choice of a form for the call, and its dispatch.
+void print_choice(Unit& unit, Writer& out, const Kernel& kernel, const ir::Lowered::Forms& forms) {
+    out.open("if (" + direct_condition(unit, kernel, forms.direct) + ")");
+    print_dispatch(unit, out, kernel, forms.direct);
     out.dedent();
     out.open("} else");
-    print_dispatch(unit, out, kernel, forms.general, name, form_name(ir::Form::general));
+    print_dispatch(unit, out, kernel, forms.general);
     out.close();
 }
 
@@ -257,18 +265,6 @@ bool function_adds_functions(const Unit& unit, std::uint32_t kernel) {
                 adds |= expr.op == ir::Op::call && !unit.globals.function_names.contains(expr.function);
             });
     return adds;
-}
-
-/// Prints the structs into which the parameters of a kernel's forms are packed.
-static void print_blocks(Writer& out, const Globals& globals, const ir::Lowered::Forms& forms,
-                         const std::string& name) {
-    std::string blocks;
-    for (const Pass* pass : forms.all()) blocks += parameters_of(globals, *pass, name + "_" + form_name(pass->form));
-    if (blocks.empty()) return;
-    out.line("namespace {");
-    out.raw(blocks);
-    out.line("}  // namespace");
-    out.gap();
 }
 
 /// Prints the statements that pass the arguments of a call to its glift::Iteration: visited ranges first, since the
@@ -340,7 +336,6 @@ std::string kernel_function(Unit& unit, std::uint32_t index) {
     const std::string& name = unit.globals.kernel_stems.at(index);
     const Pass& any = forms.general;
     Writer out;
-    print_blocks(out, unit.globals, forms, name);
     out.line("extern const glift::Kernel " + name + "_kernel;");
     out.gap();
     out.open(unit.linkage(kernel.key) + kernel_signature(unit, index, false));
@@ -353,7 +348,7 @@ std::string kernel_function(Unit& unit, std::uint32_t index) {
     if (may_share(any))
         out.line("if (iteration.is_shared(memories)) iteration.share(memories, {" + footprints_text(unit, kernel) +
                  "});");
-    print_choice(unit, out, kernel, forms, name);
+    print_choice(unit, out, kernel, forms);
     out.close();
     return out.take();
 }

@@ -5,6 +5,7 @@
 #include "ir/derivatives.h"
 #include "ir/effects.h"
 #include "ir/spelling.h"
+#include "layout/layout.h"
 
 #include <algorithm>
 #include <charconv>
@@ -85,7 +86,7 @@ FormWords print_words(Unit& unit, Writer& out, std::uint32_t kernel, const std::
         return [&out, &unit, kernel, name, part, ending](const std::vector<std::uint32_t>& spirv,
                                                          ir::Form form) -> std::string {
             if (spirv.empty()) return "";
-            const std::string constant = name + "_" + form_name(form) + ending;
+            const std::string constant = name + "_" + std::string(ir::spelling(form)) + ending;
             if (!unit.spirv_file) print_literal(out, constant, spirv);
             else
                 out.line("constexpr glift::Spirv " + constant + "(" + unit.spirv_file->place_of(kernel, form, part) +
@@ -177,16 +178,12 @@ std::string digest_text(const Unit& unit, std::uint32_t kernel, const std::strin
 }
 
 /// The table of parameters that Commands::specialised can name.
-void print_parameters(const Globals& globals, Writer& out, const Pass& direct, const std::string& name) {
-    const std::string block = name + "_direct_parameters";
-    out.open("constexpr glift::Parameter " + name + "_parameters[] =");
-    const std::vector<std::string> members = block_names(globals, direct);
-    for (std::size_t i = 0; i < members.size(); ++i) {
-        const PassParameter& parameter = direct.parameters[i];
-        out.line("{" + quoted(parameter.name) + ", " + std::to_string(parameter.offset) + ", sizeof(" + block +
-                 "::" + members[i] + ")},");
-    }
-    out.close(";");
+void print_parameters(const ir::Program& program, Writer& out, const Pass& direct, const std::string& name) {
+    std::string rows;
+    for (const PassParameter& parameter : direct.parameters)
+        rows += (rows.empty() ? "{" : ", {") + quoted(parameter.name) + ", " + std::to_string(parameter.offset) + ", " +
+                std::to_string(layout::size_of(program, parameter.type).size) + "}";
+    out.line("constexpr glift::Parameter " + name + "_parameters[] = {" + rows + "};");
 }
 
 }  // namespace
@@ -200,17 +197,14 @@ bool code_adds_functions(const Unit& unit, std::uint32_t kernel) {
                                [&](const Pass* pass) { return std::ranges::any_of(pass->functions, is_missing); });
 }
 
-/// Prints the structs of parameters of both forms and, if code for the host device is wanted, the function for it.
-/// Returns that function's name, or nothing.
-static std::string print_host_code(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, std::uint32_t index) {
-    const std::string& name = unit.globals.kernel_stems.at(index);
-    for (const Pass* pass : forms.all()) {
-        out.raw(parameters_of(unit.globals, *pass, name + "_" + form_name(pass->form)));
-        if (!pass->parameters.empty()) out.gap();
-    }
+/// Prints the code for the host device, if it is wanted: the struct of parameters, and the function. Returns that
+/// function's name, or nothing.
+static std::string print_host_code(Unit& unit, Writer& out, const Pass& pass, std::uint32_t index) {
     if (!unit.options.host_kernel || !unit.reach.host_kernels.contains(index)) return "";
-    const std::string function = name + "_" + form_name(ir::Form::general);
-    out.raw(unit.options.host_kernel(unit.globals, forms.general, function));
+    const std::string function = unit.globals.kernel_stems.at(index) + "_" + std::string(ir::spelling(pass.form));
+    out.raw(parameters_of(unit.globals, pass, function));
+    if (!pass.parameters.empty()) out.gap();
+    out.raw(unit.options.host_kernel(unit.globals, pass, function));
     out.gap();
     return function;
 }
@@ -243,14 +237,13 @@ std::string kernel_code(Unit& unit, std::uint32_t index) {
     const Pass& any = forms.general;
     const bool has_parameters = !forms.direct.parameters.empty();
     Writer code, spirv, out;
-    code.line("// " + std::string(100, '-'));
     code.line("// " + place_text(unit.sources, kernel.span) + ": " + kernel.display);
     code.gap();
     code.line("namespace {");
     code.gap();
-    const std::string host = print_host_code(unit, code, forms, index);
+    const std::string host = print_host_code(unit, code, forms.general, index);
     print_bindings(unit, code, forms, kernel, name);
-    if (has_parameters) print_parameters(unit.globals, code, forms.direct, name);
+    if (has_parameters) print_parameters(unit.program, code, forms.direct, name);
     print_other_files(unit, code, any, name);
     if (kernel.raster) {
         const auto derives = [&](const Pass& pass) { return ir::derives_loads(unit.program, pass); };

@@ -12,14 +12,6 @@ std::vector<NamedParameter> parameters_in_order(const Globals& globals, const ir
     return ordered;
 }
 
-const char* form_name(ir::Form form) {
-    switch (form) {
-    case ir::Form::direct: return "direct";
-    case ir::Form::general: return "general";
-    }
-    return "";
-}
-
 std::string parameters_of(const Globals& globals, const ir::Pass& pass, const std::string& name) {
     if (pass.parameters.empty()) return "";
     const std::vector<NamedParameter> ordered = parameters_in_order(globals, pass);
@@ -28,9 +20,7 @@ std::string parameters_of(const Globals& globals, const ir::Pass& pass, const st
     for (const auto& [parameter, member] : ordered)
         out.line(storage_text(globals, parameter->type) + " " + member + ";");
     out.close(";");
-    for (const auto& [parameter, member] : ordered)
-        out.line("static_assert(offsetof(" + name + "_parameters, " + member +
-                 ") == " + std::to_string(parameter->offset) + ");");
+    out.line("static_assert(sizeof(" + name + "_parameters) == " + std::to_string(pass.parameter_bytes) + ");");
     return out.take();
 }
 

@@ -14,10 +14,8 @@ struct NamedParameter {
 /// The pass's parameters in the order of their offsets.
 std::vector<NamedParameter> parameters_in_order(const Globals& globals, const ir::Pass& pass);
 
-const char* form_name(ir::Form form);
-
-/// The struct that mirrors the parameter block, `struct <name>_parameters { … };`, and a static_assert for the offset
-/// of each member. Empty without parameters.
+/// The struct that mirrors the parameter block, `struct <name>_parameters { … };`, and a static_assert for its size.
+/// Empty without parameters.
 std::string parameters_of(const Globals& globals, const ir::Pass& pass, const std::string& name);
 
 }  // namespace gliftc::cpp

@@ -24,36 +24,11 @@ void name_parameters(Unit& unit, const ir::Kernel& kernel) {
 
 /// Names what is made for each kernel beside its function: its code, and the data that describes it.
 void name_symbols(Unit& unit) {
-    static constexpr const char* suffixes[] = {"_bindings",
-                                               "_colours",
-                                               "_direct",
-                                               "_direct_fragment",
-                                               "_direct_fragment_spirv",
-                                               "_direct_group",
-                                               "_direct_parameters",
-                                               "_direct_rows",
-                                               "_direct_spirv",
-                                               "_direct_vertex",
-                                               "_drawing",
-                                               "_general",
-                                               "_general_fragment",
-                                               "_general_fragment_spirv",
-                                               "_general_group",
-                                               "_general_parameters",
-                                               "_general_rows",
-                                               "_general_spirv",
-                                               "_general_vertex",
-                                               "_kernel",
-                                               "_other_files",
-                                               "_parameters",
-                                               "_wide",
-                                               "_wide_fragment",
-                                               "_wide_fragment_spirv",
-                                               "_wide_group",
-                                               "_wide_parameters",
-                                               "_wide_rows",
-                                               "_wide_spirv",
-                                               "_wide_vertex"};
+    static constexpr const char* suffixes[] = {
+        "_bindings",     "_colours",          "_direct_fragment_spirv",  "_direct_spirv",  "_drawing",
+        "_general",      "_general_fragment", "_general_fragment_spirv", "_general_group", "_general_parameters",
+        "_general_rows", "_general_spirv",    "_general_vertex",         "_kernel",        "_other_files",
+        "_parameters"};
     Globals& globals = unit.globals;
     for (std::uint32_t kernel : unit.reach.kernels) {
         if (unit.program.kernels[kernel].module != unit.home) continue;

@@ -103,7 +103,10 @@ std::string validated(const std::vector<std::uint32_t>& words) {
 
 std::vector<std::uint32_t> optimised(const std::vector<std::uint32_t>& words) {
     spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_3);
-    optimizer.RegisterPerformancePasses();
+    // Those passes of spirv-opt that make modules smaller and take less time than glslang. Drivers do the rest.
+    optimizer.RegisterPass(spvtools::CreateSSARewritePass())
+        .RegisterPass(spvtools::CreateAggressiveDCEPass())
+        .RegisterPass(spvtools::CreateCompactIdsPass());
     spvtools::OptimizerOptions options;
     options.set_run_validator(false);
     std::vector<std::uint32_t> result;
@@ -117,7 +120,7 @@ Spirv spirv_of(const std::string& glsl, Optimise optimise, Stage stage) {
     if (!result.error.empty()) return result;
     result.words = made_exact(without_source(result.words));
     correct_alignments(result.words);
-    if (optimise == Optimise::performance) result.words = optimised(result.words);
+    if (optimise == Optimise::size) result.words = optimised(result.words);
     result.error = validated(result.words);
     if (!result.error.empty()) result.words.clear();
     return result;

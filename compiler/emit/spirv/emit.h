@@ -8,7 +8,7 @@
 
 namespace gliftc::spirv {
 
-enum class Optimise : std::uint8_t { no, performance };
+enum class Optimise : std::uint8_t { no, size };
 enum class Stage : std::uint8_t { compute, vertex, fragment };
 
 struct Spirv {

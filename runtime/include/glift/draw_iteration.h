@@ -55,21 +55,16 @@ public:
     void share(std::span<const Memory> memories, std::initializer_list<detail::Footprint> footprints) {
         sharing_ = detail::compare_footprints(kernel_, memories, axes_[0].box, footprints);
     }
-    Sharing sharing() const { return sharing_; }
 
     /// The numbers of corners and instances; upper bounds of those that the device computes.
     uint2 counts() const { return uint2(axes_[0].count(), axes_[1].count()); }
-    Extent size() const { return {axes_[0].count(), axes_[1].count(), 1, 1}; }
-    /// Whether all ranges are whole structures.
-    bool is_whole() const { return whole_; }
-    const DrawTargets* targets() {
-        targets_.colours = colours_;
-        return &targets_;
-    }
-
-    /// Adds patches (pass.h) that write the numbers of corners and instances into the parameters at each of the
-    /// offsets, if the device computes them. Returns all patches of the call.
-    GLIFT_API std::span<const Patch> patches(std::initializer_list<std::size_t> offsets);
+    /// Whether the call may take the kernel's direct form, as far as the ranges and the device are concerned: all
+    /// ranges are whole structures, and Commands::can_be_direct.
+    GLIFT_API bool can_be_direct(const Commands& commands, std::span<const Memory> memories) const;
+    /// Dispatches the call with the parameter block of that form. `sizes` are the offsets of the numbers of corners and
+    /// instances in it, which the device fills in if it computes them.
+    GLIFT_API void dispatch(const Commands& commands, FormName form, std::span<const Memory> memories,
+                            std::span<const std::byte> parameters, std::initializer_list<std::size_t> sizes = {});
     /// Adds patches for the size of a range that is read or written at any address, if the device computes it.
     template <class S> void count(const Range<S>& range, std::size_t offset) {
         add_patches(range.device_counts(), offset, detail::extent_of(range.size()),
@@ -77,6 +72,7 @@ public:
     }
 
 private:
+    Extent size() const { return {axes_[0].count(), axes_[1].count(), 1, 1}; }
     /// An axis of the draw, of corners or of instances: its first range, and the device values that bound the length.
     struct Axis {
         detail::Box box{};

@@ -1,6 +1,7 @@
 // What one call of a kernel visits.
 #pragma once
 
+#include <glift/commands.h>
 #include <glift/footprint.h>
 #include <glift/range.h>
 
@@ -51,9 +52,8 @@ public:
     GLIFT_API void same_blocks(const char* first, const char* other,
                                std::initializer_list<std::pair<Memory, Memory>> memories) const;
     uint2 visited() const { return visited_; }
-    Extent extent() const { return {visited_.x, visited_.y, 1, 1}; }
     /// Adds a patch (pass.h) that writes the number of blocks into the iteration's size at `offset`, if the device
-    /// computes it. Called before `patches`.
+    /// computes it.
     GLIFT_API void count_blocks(std::size_t offset);
 
     /// The address in the range's structure at which the first invocation's `near` window is centred.
@@ -73,16 +73,14 @@ public:
     void share(std::span<const Memory> memories, std::initializer_list<detail::Footprint> footprints) {
         sharing_ = detail::compare_footprints(kernel_, memories, first_, footprints);
     }
-    Sharing sharing() const { return sharing_; }
-
-    const Extent& size() const { return first_.size; }
-    /// Whether all ranges are whole structures, and those of `near` have the size of the visited ones.
-    bool is_whole() const { return whole_; }
-    /// Adds patches that write the iteration's size into the parameters at each of the offsets, if the device computes
-    /// it. Returns all patches of the call.
-    GLIFT_API std::span<const Patch> patches(std::initializer_list<std::size_t> offsets);
-    /// Adds patches for the size of a range that is read or written at any address, if the device computes it. Called
-    /// before `patches`.
+    /// Whether the call may take the kernel's direct form, as far as the ranges and the device are concerned: all
+    /// ranges are whole structures, those of `near` have the size of the visited ones, and Commands::can_be_direct.
+    GLIFT_API bool can_be_direct(const Commands& commands, std::span<const Memory> memories) const;
+    /// Dispatches the call with the parameter block of that form. `sizes` are the offsets of the iteration's size in
+    /// it, which the device fills in if it computes the size.
+    GLIFT_API void dispatch(const Commands& commands, FormName form, std::span<const Memory> memories,
+                            std::span<const std::byte> parameters, std::initializer_list<std::size_t> sizes = {});
+    /// Adds patches for the size of a range that is read or written at any address, if the device computes it.
     template <class S> void count(const Range<S>& range, std::size_t offset) {
         if (!range.device_counts().empty())
             patch(range.device_counts(), offset, detail::extent_of(range.size()),
@@ -90,6 +88,8 @@ public:
     }
 
 private:
+    /// {elements of a block, blocks} in kernels over blocks, else the size of the first visited range.
+    Extent size() const;
     GLIFT_API void add_visited(const detail::Box& box, bool is_whole, const std::vector<detail::DeviceCount>& counts);
     GLIFT_API void add_near(detail::Box box, bool is_whole);
     GLIFT_API void add_any(const detail::Box& box, bool is_whole);

@@ -204,10 +204,7 @@ std::string fragment_part(cpp::Globals& globals, const ir::Pass& pass, const std
     print_targets(part);
     const std::string text = p.out.take();
 
-    const ir::Kernel& kernel = globals.program.kernels[pass.kernel];
     cpp::Writer out;
-    out.line("// " + cpp::place_text(globals.sources, kernel.span) + ": runs " + kernel.display +
-             " for the given fragments.");
     out.line("GLIFT_HOST_KERNEL");
     out.open("static void " + name + "_fragment(const void* pointer, const glift::host::Fragments& fragments)");
     out.line("[[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);");

@@ -420,11 +420,8 @@ std::string row_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::s
     rows.p.out.close();
     const std::string text = rows.p.out.take();
 
-    const ir::Kernel& kernel = globals.program.kernels[pass.kernel];
     cpp::Writer out;
     out.reserve(text.size() + text.size() / 4);
-    out.line("// " + cpp::place_text(globals.sources, kernel.span) + ": runs kernel " + kernel.display +
-             " for the given rows.");
     out.line("GLIFT_HOST_KERNEL");
     const bool uses_call = !rows.body.used_parameters.empty() || !rows.body.used_bindings.empty() ||
                            text.find("call.") != std::string::npos;

@@ -39,10 +39,7 @@ std::string vertex_part(cpp::Globals& globals, const ir::Pass& pass, const std::
     p.out.close();
     const std::string text = p.out.take();
 
-    const ir::Kernel& kernel = globals.program.kernels[pass.kernel];
     cpp::Writer out;
-    out.line("// " + cpp::place_text(globals.sources, kernel.span) + ": runs " + kernel.display +
-             " for the given corners.");
     out.line("GLIFT_HOST_KERNEL");
     out.open("static void " + name + "_vertex(const void* pointer, std::uint64_t first, std::uint32_t count, " +
              "[[maybe_unused]] std::uint32_t instance, float* corners)");
