@@ -11,8 +11,6 @@ void print_description(const Unit& unit, Writer& out, std::uint32_t index) {
         out.line(std::string("see.") + what + "(" + quoted(unit.name(name)) + ", " + value + ");");
     };
     out.gap();
-    out.line(
-        "/// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.");
     out.open("template <class See> void describe(See&& see) const");
     for (std::size_t i = 0; i < structure.constructor.size(); ++i)
         part("value", unit.program.locals[structure.constructor[i]].name, names.argument_fields[i]);

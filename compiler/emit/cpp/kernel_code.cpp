@@ -67,13 +67,12 @@ void print_literal(Writer& out, const std::string& name, const std::vector<std::
     out.raw(text + "\";\n");
 }
 
-/// Names of the constants with the SPIR-V of one form: `fragment` is that of a draw's fragment shader. Empty: there is
-/// none.
+/// The expressions of a form's SPIR-V: `fragment` is that of a draw's fragment shader. Empty: there is none.
 struct Words {
     std::string spirv, fragment;
 };
 
-/// The names for both forms; the same ones where their code is equal.
+/// The expressions for both forms; the same ones where their code is equal.
 struct FormWords {
     Words direct, general;
 };
@@ -87,10 +86,8 @@ FormWords print_words(Unit& unit, Writer& out, std::uint32_t kernel, const std::
                                                          ir::Form form) -> std::string {
             if (spirv.empty()) return "";
             const std::string constant = name + "_" + std::string(ir::spelling(form)) + ending;
-            if (!unit.spirv_file) print_literal(out, constant, spirv);
-            else
-                out.line("constexpr glift::Spirv " + constant + "(" + unit.spirv_file->place_of(kernel, form, part) +
-                         ");");
+            if (unit.spirv_file) return "{" + unit.spirv_file->place_of(kernel, form, part) + "}";
+            print_literal(out, constant, spirv);
             return constant;
         };
     };
@@ -138,9 +135,11 @@ void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, co
     out.indent();
     for (std::size_t i = 0; i < forms.general.bindings.size(); ++i) {
         const PassBinding& binding = forms.general.bindings[i];
-        std::string text = "{.name = " + quoted(display_of(unit, kernel, binding)) +
-                           ", .kind = glift::MemoryKind::" + memory_kind(binding.shape) +
-                           ", .access = glift::Access::" + access_text(binding);
+        std::string text = "{.name = " + quoted(display_of(unit, kernel, binding));
+        if (binding.shape != ir::MemoryShape::buffer)
+            text += std::string(", .kind = glift::MemoryKind::") + memory_kind(binding.shape);
+        if (const std::string access = access_text(binding); access != "read")
+            text += ", .access = glift::Access::" + access;
         if (binding.sampled) text += ", .sampled = true";
         if (binding.sampled && binding.linear)
             text += ", .sampler = {.filter = glift::Filter::linear" +

@@ -386,7 +386,6 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index) {
     }
     out.gap();
     if (structure.kind != StructureKind::adaptor) {
-        out.line("/// The extent of the virtual domain.");
         out.line(unit.type(structure.domain_type, true) + " domain() const;");
     } else {
         out.open("const glift::Device& device() const");
@@ -395,27 +394,21 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index) {
         out.close();
     }
     print_accessors(unit, out, index, names);
-    out.line("/// Whether constructor values and the state of the parts are equal; kernels may then use the "
-             "sizes of one for both.");
     out.line("bool same_state(const " + type + "& other) const;");
     if (has_transfers(structure)) {
         const bool is_written = ir::is_written_in_boxes(unit.program, index);
         out.gap();
         if (is_written) {
             const std::string element = unit.type(structure.element, true);
-            out.line("/// Gives every element, or those of a box, the same value.");
             out.line("void fill(" + element + " value);");
             out.line("void fill(" + element + " value, const glift::Range<" + type + ">& range);");
         }
         const std::string parameters = "(const glift::Commands& commands, const glift::Range<" + type +
                                        ">& range, const glift::Memory& box) const;";
         if (has_rows(unit.program, structure)) {
-            out.line("/// The index of an element in row_memory(): an affine function of the element's address.");
             out.line("std::uint64_t place(" + unit.type(structure.domain_type, true) + " address) const;");
             out.line("const glift::Memory& row_memory() const { return " + rows_of(unit, index) + "; }");
         }
-        out.line(is_written ? "/// Copy the elements to a linear buffer, `box`, the first axis fastest, and back."
-                            : "/// Copies the elements to a linear buffer, `box`, the first axis fastest.");
         out.line("void copy_out" + parameters);
         if (is_written) out.line("void copy_in" + parameters);
         print_list_declaration(unit, out, index);

@@ -68,8 +68,8 @@ struct Sampler {
 /// buffers have no descriptor). Two bindings may alias where the call's Sharing allows it.
 struct Binding {
     const char* name;  ///< as in the source, `f.data`
-    MemoryKind kind;
-    Access access;
+    MemoryKind kind = MemoryKind::buffer;
+    Access access = Access::read;
     bool sampled = false;  ///< a combined image sampler over all mips, else a storage image of mip 0; buffers: false
     Sampler sampler = {};
     bool as_bits = false;              ///< a storage image of floats whose bits are accessed as ints
