@@ -52,8 +52,10 @@ std::string print(const Program& program, const Pass& pass, const std::vector<Ex
 
 std::string print(const Program& program, const Lowered& lowered) {
     std::string text;
-    for (const Lowered::Forms& forms : lowered.passes)
+    for (const Lowered::Forms& forms : lowered.passes) {
+        if (!program.modules[program.kernels[forms.direct.kernel].module].is_root) continue;
         for (const Pass* pass : forms.all()) text += print(program, *pass) + "\n";
+    }
     return text;
 }
 

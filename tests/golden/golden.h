@@ -1,4 +1,6 @@
-// A golden case: a .glift file and, next to it, the expected outputs of the compiler.
+// A golden case: a .glift file and, next to it, the expected outputs of the compiler for its own declarations: C++, GLSL
+// and lowered passes. A line `// golden: json` in the file adds the reflection, `// golden: host` the code for the host
+// device.
 #pragma once
 
 #include <filesystem>

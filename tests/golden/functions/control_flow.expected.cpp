@@ -10,43 +10,6 @@ namespace control_flow {
 
 using namespace glift::types;
 
-namespace {
-struct control_flow_direct_parameters {
-    uint a_extent;
-    glift::Bool mode_value_0;
-};
-static_assert(offsetof(control_flow_direct_parameters, a_extent) == 0);
-static_assert(offsetof(control_flow_direct_parameters, mode_value_0) == 4);
-struct control_flow_general_parameters {
-    uint size;
-    uint a_origin;
-    uint f_origin;
-    uint n_origin;
-    glift::Bool mode_value_0;
-};
-static_assert(offsetof(control_flow_general_parameters, size) == 0);
-static_assert(offsetof(control_flow_general_parameters, a_origin) == 4);
-static_assert(offsetof(control_flow_general_parameters, f_origin) == 8);
-static_assert(offsetof(control_flow_general_parameters, n_origin) == 12);
-static_assert(offsetof(control_flow_general_parameters, mode_value_0) == 16);
-struct control_flow_wide_parameters {
-    uint size;
-    uint a_origin;
-    uint f_origin;
-    uint n_origin;
-    glift::Bool mode_value_0;
-    std::uint64_t f_data_address;
-    std::uint64_t n_data_address;
-};
-static_assert(offsetof(control_flow_wide_parameters, size) == 0);
-static_assert(offsetof(control_flow_wide_parameters, a_origin) == 4);
-static_assert(offsetof(control_flow_wide_parameters, f_origin) == 8);
-static_assert(offsetof(control_flow_wide_parameters, n_origin) == 12);
-static_assert(offsetof(control_flow_wide_parameters, mode_value_0) == 16);
-static_assert(offsetof(control_flow_wide_parameters, f_data_address) == 24);
-static_assert(offsetof(control_flow_wide_parameters, n_data_address) == 32);
-}  // namespace
-
 extern const glift::Kernel control_flow_kernel;
 
 void control_flow(const glift::Commands& commands, const glift::Range<Line>& a, const glift::Range<Line>& f,
@@ -57,40 +20,24 @@ void control_flow(const glift::Commands& commands, const glift::Range<Line>& a, 
     iteration.each("n", n);
     const glift::Memory memories[] = {f->data(), n->data()};
     if (iteration.is_shared(memories)) iteration.share(memories, {a, f, n});
-    if (commands.needs_wide(control_flow_kernel, memories, iteration.size())) {
-        const control_flow_wide_parameters parameters = {
-            .size = a.size(),
-            .a_origin = a.origin(),
-            .f_origin = f.origin(),
-            .n_origin = n.origin(),
-            .mode_value_0 = mode == 0u,
-            .f_data_address = 0u,
-            .n_data_address = 0u,
-        };
-        commands.dispatch(control_flow_kernel,
-            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(control_flow_wide_parameters, size)}),
-            .sharing = iteration.sharing()});
-    } else if (iteration.is_whole() && a->same_state(f.structure())) {
-        const control_flow_direct_parameters parameters = {
-            .a_extent = a->extent(),
-            .mode_value_0 = mode == 0u,
-        };
-        commands.dispatch(control_flow_kernel,
-            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .sharing = iteration.sharing()});
+    if (iteration.can_be_direct(commands, memories) && a->same_state(f.structure())) {
+        const struct {
+            uint a_extent;
+            glift::Bool mode_value_0;
+        } parameters = {a->extent(), mode == 0u};
+        static_assert(sizeof parameters == 8);
+        iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
-        const control_flow_general_parameters parameters = {
-            .size = a.size(),
-            .a_origin = a.origin(),
-            .f_origin = f.origin(),
-            .n_origin = n.origin(),
-            .mode_value_0 = mode == 0u,
-        };
-        commands.dispatch(control_flow_kernel,
-            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(control_flow_general_parameters, size)}),
-            .sharing = iteration.sharing()});
+        const struct {
+            uint size;
+            uint a_origin;
+            uint f_origin;
+            uint n_origin;
+            glift::Bool mode_value_0;
+            std::uint64_t addresses[2];
+        } parameters = {a.size(), a.origin(), f.origin(), n.origin(), mode == 0u, {}};
+        static_assert(sizeof parameters == 40);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }
 }
 

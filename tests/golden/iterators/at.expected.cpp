@@ -10,37 +10,6 @@ namespace at {
 
 using namespace glift::types;
 
-namespace {
-struct ramp_direct_parameters {
-    uint2 a_extent;
-};
-static_assert(offsetof(ramp_direct_parameters, a_extent) == 0);
-struct ramp_general_parameters {
-    uint2 size;
-    uint2 a_origin;
-    uint2 f_origin;
-    uint f_extent_x;
-};
-static_assert(offsetof(ramp_general_parameters, size) == 0);
-static_assert(offsetof(ramp_general_parameters, a_origin) == 8);
-static_assert(offsetof(ramp_general_parameters, f_origin) == 16);
-static_assert(offsetof(ramp_general_parameters, f_extent_x) == 24);
-struct ramp_wide_parameters {
-    uint2 size;
-    uint2 a_origin;
-    uint2 f_origin;
-    uint3 base;
-    std::uint64_t f_extent_x;
-    std::uint64_t f_data_address;
-};
-static_assert(offsetof(ramp_wide_parameters, size) == 0);
-static_assert(offsetof(ramp_wide_parameters, a_origin) == 8);
-static_assert(offsetof(ramp_wide_parameters, f_origin) == 16);
-static_assert(offsetof(ramp_wide_parameters, base) == 24);
-static_assert(offsetof(ramp_wide_parameters, f_extent_x) == 40);
-static_assert(offsetof(ramp_wide_parameters, f_data_address) == 48);
-}  // namespace
-
 extern const glift::Kernel ramp_kernel;
 
 void ramp(const glift::Commands& commands, const glift::Range<Field>& a, const glift::Range<Field>& f) {
@@ -48,34 +17,23 @@ void ramp(const glift::Commands& commands, const glift::Range<Field>& a, const g
     iteration.each("a", a);
     iteration.each("f", f);
     const glift::Memory memories[] = {f->data()};
-    if (commands.needs_wide(ramp_kernel, memories, iteration.size())) {
-        const ramp_wide_parameters parameters = {
-            .size = a.size(),
-            .a_origin = a.origin(),
-            .f_origin = f.origin(),
-            .base = {},
-            .f_extent_x = std::uint64_t(f->extent().x),
-            .f_data_address = 0u,
-        };
-        commands.dispatch(ramp_kernel, {.form = glift::FormName::wide, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(ramp_wide_parameters, size)})});
-    } else if (iteration.is_whole() && a->same_state(f.structure())) {
-        const ramp_direct_parameters parameters = {
-            .a_extent = a->extent(),
-        };
-        commands.dispatch(ramp_kernel, {.form = glift::FormName::direct, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size()});
+    if (iteration.can_be_direct(commands, memories) && a->same_state(f.structure())) {
+        const struct {
+            uint2 a_extent;
+        } parameters = {a->extent()};
+        static_assert(sizeof parameters == 8);
+        iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
-        const ramp_general_parameters parameters = {
-            .size = a.size(),
-            .a_origin = a.origin(),
-            .f_origin = f.origin(),
-            .f_extent_x = f->extent().x,
-        };
-        commands.dispatch(ramp_kernel, {.form = glift::FormName::general, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(ramp_general_parameters, size)})});
+        const struct {
+            uint2 size;
+            uint2 a_origin;
+            uint2 f_origin;
+            uint3 base;
+            uint f_extent_x;
+            std::uint64_t addresses[1];
+        } parameters = {a.size(), a.origin(), f.origin(), {}, f->extent().x, {}};
+        static_assert(sizeof parameters == 48);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }
 }
 

@@ -24,27 +24,21 @@ public:
     /// Makes the structure with the given memory.
     Array_2_float_none_buffer(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
-    /// The extent of the virtual domain.
     glift::uint2 domain() const;
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Array_2_float_none_buffer& other) const;
 
-    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Array_2_float_none_buffer>& range);
-    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint2 address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_2_float_none_buffer>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_2_float_none_buffer>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());

@@ -23,25 +23,20 @@ public:
     /// Makes the structure with the given memory.
     ImageLevels_r32f(const glift::Commands& commands, glift::uint2 extent, glift::uint levels, glift::Memory data);
 
-    /// The extent of the virtual domain.
     glift::uint2 domain() const;
     glift::uint2 extent() const { return extent_; }
     glift::uint levels() const { return levels_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const ImageLevels_r32f& other) const;
 
-    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<ImageLevels_r32f>& range);
-    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<ImageLevels_r32f>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLevels_r32f>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.value("levels", levels_);
@@ -77,26 +72,21 @@ public:
     ImageLevel_r32f() = default;
     ImageLevel_r32f(const glift::Commands& commands, const ImageLevels_r32f& of, glift::uint level);
 
-    /// The extent of the virtual domain.
     glift::uint2 domain() const;
     glift::uint level() const { return level_; }
     const ImageLevels_r32f& of() const { return of_; }
     ImageLevels_r32f& of() { return of_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const ImageLevel_r32f& other) const;
 
-    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<ImageLevel_r32f>& range);
-    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<ImageLevel_r32f>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLevel_r32f>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("level", level_);
         see.memory("data", data());
@@ -134,25 +124,20 @@ public:
     /// Makes the structure with the given memory.
     ImageLayers_rgba8(const glift::Commands& commands, glift::uint2 extent, glift::uint layers, glift::Memory data);
 
-    /// The extent of the virtual domain.
     glift::uint3 domain() const;
     glift::uint2 extent() const { return extent_; }
     glift::uint layers() const { return layers_; }
     const glift::Memory& data() const { return data_; }
     glift::uint3 data_extent() const { return data_extent_; }
-    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const ImageLayers_rgba8& other) const;
 
-    /// Gives every element, or those of a box, the same value.
     void fill(glift::float4 value);
     void fill(glift::float4 value, const glift::Range<ImageLayers_rgba8>& range);
-    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<ImageLayers_rgba8>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLayers_rgba8>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.value("layers", layers_);
@@ -187,26 +172,21 @@ public:
     ImageLayer_rgba8() = default;
     ImageLayer_rgba8(const glift::Commands& commands, const ImageLayers_rgba8& of, glift::uint layer);
 
-    /// The extent of the virtual domain.
     glift::uint2 domain() const;
     glift::uint layer() const { return layer_; }
     const ImageLayers_rgba8& of() const { return of_; }
     ImageLayers_rgba8& of() { return of_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const ImageLayer_rgba8& other) const;
 
-    /// Gives every element, or those of a box, the same value.
     void fill(glift::float4 value);
     void fill(glift::float4 value, const glift::Range<ImageLayer_rgba8>& range);
-    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<ImageLayer_rgba8>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLayer_rgba8>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("layer", layer_);
         see.memory("data", data());

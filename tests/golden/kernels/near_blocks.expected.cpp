@@ -22,95 +22,6 @@ inline uint2 div_ceil(uint2 a, uint2 b) {
 
 }  // namespace
 
-namespace {
-struct right_direct_parameters {
-    uint2 size;
-    uint f_active_extent;
-    uint div_ceil_x;
-    uint div_ceil_x_2;
-    uint f_table_extent;
-    uint2 f_frames_extent;
-    uint2 f_extent;
-};
-static_assert(offsetof(right_direct_parameters, size) == 0);
-static_assert(offsetof(right_direct_parameters, f_active_extent) == 8);
-static_assert(offsetof(right_direct_parameters, div_ceil_x) == 12);
-static_assert(offsetof(right_direct_parameters, div_ceil_x_2) == 16);
-static_assert(offsetof(right_direct_parameters, f_table_extent) == 20);
-static_assert(offsetof(right_direct_parameters, f_frames_extent) == 24);
-static_assert(offsetof(right_direct_parameters, f_extent) == 32);
-struct right_general_parameters {
-    uint2 size;
-    uint2 g_origin;
-    uint2 f_origin;
-    uint2 g_size;
-    uint g_active_extent;
-    uint div_ceil_x;
-    uint div_ceil_x_2;
-    uint g_table_extent;
-    uint2 g_frames_extent;
-    uint div_ceil_x_3;
-    uint f_table_extent;
-    uint2 f_frames_extent;
-    uint2 f_extent;
-};
-static_assert(offsetof(right_general_parameters, size) == 0);
-static_assert(offsetof(right_general_parameters, g_origin) == 8);
-static_assert(offsetof(right_general_parameters, f_origin) == 16);
-static_assert(offsetof(right_general_parameters, g_size) == 24);
-static_assert(offsetof(right_general_parameters, g_active_extent) == 32);
-static_assert(offsetof(right_general_parameters, div_ceil_x) == 36);
-static_assert(offsetof(right_general_parameters, div_ceil_x_2) == 40);
-static_assert(offsetof(right_general_parameters, g_table_extent) == 44);
-static_assert(offsetof(right_general_parameters, g_frames_extent) == 48);
-static_assert(offsetof(right_general_parameters, div_ceil_x_3) == 56);
-static_assert(offsetof(right_general_parameters, f_table_extent) == 60);
-static_assert(offsetof(right_general_parameters, f_frames_extent) == 64);
-static_assert(offsetof(right_general_parameters, f_extent) == 72);
-struct right_wide_parameters {
-    uint2 size;
-    uint2 g_origin;
-    uint2 f_origin;
-    uint2 g_size;
-    uint g_active_extent;
-    uint div_ceil_x;
-    uint div_ceil_x_2;
-    uint g_table_extent;
-    uint g_frames_extent_y;
-    uint div_ceil_x_3;
-    uint f_table_extent;
-    std::uint64_t f_frames_extent_x;
-    uint f_frames_extent_y;
-    std::uint64_t g_frames_extent_x;
-    uint2 f_extent;
-    std::uint64_t g_active_data_address;
-    std::uint64_t f_table_data_address;
-    std::uint64_t f_frames_data_address;
-    std::uint64_t g_table_data_address;
-    std::uint64_t g_frames_data_address;
-};
-static_assert(offsetof(right_wide_parameters, size) == 0);
-static_assert(offsetof(right_wide_parameters, g_origin) == 8);
-static_assert(offsetof(right_wide_parameters, f_origin) == 16);
-static_assert(offsetof(right_wide_parameters, g_size) == 24);
-static_assert(offsetof(right_wide_parameters, g_active_extent) == 32);
-static_assert(offsetof(right_wide_parameters, div_ceil_x) == 36);
-static_assert(offsetof(right_wide_parameters, div_ceil_x_2) == 40);
-static_assert(offsetof(right_wide_parameters, g_table_extent) == 44);
-static_assert(offsetof(right_wide_parameters, g_frames_extent_y) == 48);
-static_assert(offsetof(right_wide_parameters, div_ceil_x_3) == 52);
-static_assert(offsetof(right_wide_parameters, f_table_extent) == 56);
-static_assert(offsetof(right_wide_parameters, f_frames_extent_x) == 64);
-static_assert(offsetof(right_wide_parameters, f_frames_extent_y) == 72);
-static_assert(offsetof(right_wide_parameters, g_frames_extent_x) == 80);
-static_assert(offsetof(right_wide_parameters, f_extent) == 88);
-static_assert(offsetof(right_wide_parameters, g_active_data_address) == 96);
-static_assert(offsetof(right_wide_parameters, f_table_data_address) == 104);
-static_assert(offsetof(right_wide_parameters, f_frames_data_address) == 112);
-static_assert(offsetof(right_wide_parameters, g_table_data_address) == 120);
-static_assert(offsetof(right_wide_parameters, g_frames_data_address) == 128);
-}  // namespace
-
 extern const glift::Kernel right_kernel;
 
 void right(const glift::Commands& commands, const glift::Range<Listed>& f, const glift::Range<Listed>& g) {
@@ -121,68 +32,44 @@ void right(const glift::Commands& commands, const glift::Range<Listed>& f, const
     const glift::Memory memories[] = {g->active().data(), f->table().data(), f->frames().data(), g->table().data(),
         g->frames().data()};
     if (iteration.is_shared(memories)) iteration.share(memories, {f, g});
-    if (commands.needs_wide(right_kernel, memories, iteration.extent())) {
-        const right_wide_parameters parameters = {
-            .size = iteration.visited(),
-            .g_origin = g.origin(),
-            .f_origin = iteration.centre(f),
-            .g_size = g.size(),
-            .g_active_extent = g->active().extent(),
-            .div_ceil_x = glift::max(div_ceil(g->extent(), uint2(8u, 8u)).x, 1u),
-            .div_ceil_x_2 = div_ceil(g->extent(), uint2(8u, 8u)).x,
-            .g_table_extent = g->table().extent(),
-            .g_frames_extent_y = g->frames().extent().y,
-            .div_ceil_x_3 = div_ceil(f->extent(), uint2(8u, 8u)).x,
-            .f_table_extent = f->table().extent(),
-            .f_frames_extent_x = std::uint64_t(f->frames().extent().x),
-            .f_frames_extent_y = f->frames().extent().y,
-            .g_frames_extent_x = std::uint64_t(g->frames().extent().x),
-            .f_extent = f->extent(),
-            .g_active_data_address = 0u,
-            .f_table_data_address = 0u,
-            .f_frames_data_address = 0u,
-            .g_table_data_address = 0u,
-            .g_frames_data_address = 0u,
-        };
-        iteration.count_blocks(offsetof(right_wide_parameters, size));
-        commands.dispatch(right_kernel, {.form = glift::FormName::wide, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.extent(),
-            .patches = iteration.patches({offsetof(right_wide_parameters, g_size)}), .sharing = iteration.sharing()});
-    } else if (iteration.is_whole() && f->same_state(g.structure())) {
-        const right_direct_parameters parameters = {
-            .size = iteration.visited(),
-            .f_active_extent = f->active().extent(),
-            .div_ceil_x = glift::max(div_ceil(f->extent(), uint2(8u, 8u)).x, 1u),
-            .div_ceil_x_2 = div_ceil(f->extent(), uint2(8u, 8u)).x,
-            .f_table_extent = f->table().extent(),
-            .f_frames_extent = f->frames().extent(),
-            .f_extent = f->extent(),
-        };
-        iteration.count_blocks(offsetof(right_direct_parameters, size));
-        commands.dispatch(right_kernel, {.form = glift::FormName::direct, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.extent(), .patches = iteration.patches({}),
-            .sharing = iteration.sharing()});
+    if (iteration.can_be_direct(commands, memories) && f->same_state(g.structure())) {
+        const struct {
+            uint2 size;
+            uint f_active_extent;
+            uint div_ceil_x;
+            uint div_ceil_x_2;
+            uint f_table_extent;
+            uint2 f_frames_extent;
+            uint2 f_extent;
+        } parameters = {iteration.visited(), f->active().extent(),
+            glift::max(div_ceil(f->extent(), uint2(8u, 8u)).x, 1u), div_ceil(f->extent(), uint2(8u, 8u)).x,
+            f->table().extent(), f->frames().extent(), f->extent()};
+        static_assert(sizeof parameters == 40);
+        iteration.count_blocks(0);
+        iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
-        const right_general_parameters parameters = {
-            .size = iteration.visited(),
-            .g_origin = g.origin(),
-            .f_origin = iteration.centre(f),
-            .g_size = g.size(),
-            .g_active_extent = g->active().extent(),
-            .div_ceil_x = glift::max(div_ceil(g->extent(), uint2(8u, 8u)).x, 1u),
-            .div_ceil_x_2 = div_ceil(g->extent(), uint2(8u, 8u)).x,
-            .g_table_extent = g->table().extent(),
-            .g_frames_extent = g->frames().extent(),
-            .div_ceil_x_3 = div_ceil(f->extent(), uint2(8u, 8u)).x,
-            .f_table_extent = f->table().extent(),
-            .f_frames_extent = f->frames().extent(),
-            .f_extent = f->extent(),
-        };
-        iteration.count_blocks(offsetof(right_general_parameters, size));
-        commands.dispatch(right_kernel, {.form = glift::FormName::general, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.extent(),
-            .patches = iteration.patches({offsetof(right_general_parameters, g_size)}),
-            .sharing = iteration.sharing()});
+        const struct {
+            uint2 size;
+            uint2 g_origin;
+            uint2 f_origin;
+            uint2 g_size;
+            uint g_active_extent;
+            uint div_ceil_x;
+            uint div_ceil_x_2;
+            uint g_table_extent;
+            uint2 g_frames_extent;
+            uint div_ceil_x_3;
+            uint f_table_extent;
+            uint2 f_frames_extent;
+            uint2 f_extent;
+            std::uint64_t addresses[5];
+        } parameters = {iteration.visited(), g.origin(), iteration.centre(f), g.size(), g->active().extent(),
+            glift::max(div_ceil(g->extent(), uint2(8u, 8u)).x, 1u), div_ceil(g->extent(), uint2(8u, 8u)).x,
+            g->table().extent(), g->frames().extent(), div_ceil(f->extent(), uint2(8u, 8u)).x, f->table().extent(),
+            f->frames().extent(), f->extent(), {}};
+        static_assert(sizeof parameters == 120);
+        iteration.count_blocks(0);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {24});
     }
 }
 

@@ -22,19 +22,15 @@ public:
     /// Makes the structure with the given memory.
     Shadows(const glift::Commands& commands, glift::uint2 extent, glift::uint layers, glift::Memory depths);
 
-    /// The extent of the virtual domain.
     glift::uint3 domain() const;
     glift::uint2 extent() const { return extent_; }
     glift::uint layers() const { return layers_; }
     const glift::Memory& depths() const { return depths_; }
     glift::uint3 depths_extent() const { return depths_extent_; }
-    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Shadows& other) const;
 
-    /// Copies the elements to a linear buffer, `box`, the first axis fastest.
     void copy_out(const glift::Commands& commands, const glift::Range<Shadows>& range, const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.value("layers", layers_);
@@ -61,22 +57,17 @@ public:
     /// Makes the structure with the given memory.
     Heights(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
-    /// The extent of the virtual domain.
     glift::uint2 domain() const;
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Heights& other) const;
 
-    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Heights>& range);
-    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Heights>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Heights>& range, const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
@@ -107,24 +98,19 @@ public:
     /// Makes the structure with the given memory.
     Array_2_uint_none_image2d(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
-    /// The extent of the virtual domain.
     glift::uint2 domain() const;
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     glift::uint2 data_extent() const { return data_extent_; }
-    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Array_2_uint_none_image2d& other) const;
 
-    /// Gives every element, or those of a box, the same value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Array_2_uint_none_image2d>& range);
-    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_2_uint_none_image2d>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_2_uint_none_image2d>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
@@ -161,27 +147,21 @@ public:
     /// Makes the structure with the given memory.
     Array_1_float3_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
-    /// The extent of the virtual domain.
     glift::uint domain() const;
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_float3_none_buffer& other) const;
 
-    /// Gives every element, or those of a box, the same value.
     void fill(glift::float3 value);
     void fill(glift::float3 value, const glift::Range<Array_1_float3_none_buffer>& range);
-    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float3_none_buffer>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float3_none_buffer>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
@@ -218,27 +198,21 @@ public:
     /// Makes the structure with the given memory.
     Array_1_float_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
-    /// The extent of the virtual domain.
     glift::uint domain() const;
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_float_none_buffer& other) const;
 
-    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Array_1_float_none_buffer>& range);
-    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float_none_buffer>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float_none_buffer>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());

@@ -10,110 +10,30 @@ namespace device_values {
 
 using namespace glift::types;
 
-namespace {
-struct scale_direct_parameters {
-    uint a_extent;
-    uint by;
-};
-static_assert(offsetof(scale_direct_parameters, a_extent) == 0);
-static_assert(offsetof(scale_direct_parameters, by) == 4);
-struct scale_general_parameters {
-    uint size;
-    uint a_origin;
-    uint by;
-};
-static_assert(offsetof(scale_general_parameters, size) == 0);
-static_assert(offsetof(scale_general_parameters, a_origin) == 4);
-static_assert(offsetof(scale_general_parameters, by) == 8);
-struct scale_wide_parameters {
-    uint size;
-    uint a_origin;
-    uint by;
-    std::uint64_t a_data_address;
-};
-static_assert(offsetof(scale_wide_parameters, size) == 0);
-static_assert(offsetof(scale_wide_parameters, a_origin) == 4);
-static_assert(offsetof(scale_wide_parameters, by) == 8);
-static_assert(offsetof(scale_wide_parameters, a_data_address) == 16);
-}  // namespace
-
 extern const glift::Kernel scale_kernel;
 
 void scale(const glift::Commands& commands, const glift::Range<Line>& a, uint by) {
     glift::Iteration iteration(scale_kernel);
     iteration.each("a", a);
     const glift::Memory memories[] = {a->data()};
-    if (commands.needs_wide(scale_kernel, memories, iteration.size())) {
-        const scale_wide_parameters parameters = {
-            .size = a.size(),
-            .a_origin = a.origin(),
-            .by = by,
-            .a_data_address = 0u,
-        };
-        commands.dispatch(scale_kernel, {.form = glift::FormName::wide, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(scale_wide_parameters, size)})});
-    } else if (iteration.is_whole()) {
-        const scale_direct_parameters parameters = {
-            .a_extent = a->extent(),
-            .by = by,
-        };
-        commands.dispatch(scale_kernel, {.form = glift::FormName::direct, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size()});
+    if (iteration.can_be_direct(commands, memories)) {
+        const struct {
+            uint a_extent;
+            uint by;
+        } parameters = {a->extent(), by};
+        static_assert(sizeof parameters == 8);
+        iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
-        const scale_general_parameters parameters = {
-            .size = a.size(),
-            .a_origin = a.origin(),
-            .by = by,
-        };
-        commands.dispatch(scale_kernel, {.form = glift::FormName::general, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(scale_general_parameters, size)})});
+        const struct {
+            uint size;
+            uint a_origin;
+            uint by;
+            std::uint64_t addresses[1];
+        } parameters = {a.size(), a.origin(), by, {}};
+        static_assert(sizeof parameters == 24);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }
 }
-
-namespace {
-struct value_a0d1f05f_2_direct_parameters {
-    uint element_index;
-    uint element_2_index;
-    uint result_extent;
-    uint by;
-};
-static_assert(offsetof(value_a0d1f05f_2_direct_parameters, element_index) == 0);
-static_assert(offsetof(value_a0d1f05f_2_direct_parameters, element_2_index) == 4);
-static_assert(offsetof(value_a0d1f05f_2_direct_parameters, result_extent) == 8);
-static_assert(offsetof(value_a0d1f05f_2_direct_parameters, by) == 12);
-struct value_a0d1f05f_2_general_parameters {
-    uint size;
-    uint element_index;
-    uint element_2_index;
-    uint result_origin;
-    uint by;
-};
-static_assert(offsetof(value_a0d1f05f_2_general_parameters, size) == 0);
-static_assert(offsetof(value_a0d1f05f_2_general_parameters, element_index) == 4);
-static_assert(offsetof(value_a0d1f05f_2_general_parameters, element_2_index) == 8);
-static_assert(offsetof(value_a0d1f05f_2_general_parameters, result_origin) == 12);
-static_assert(offsetof(value_a0d1f05f_2_general_parameters, by) == 16);
-struct value_a0d1f05f_2_wide_parameters {
-    uint size;
-    uint element_index;
-    uint element_2_index;
-    uint result_origin;
-    uint by;
-    std::uint64_t element_data_address;
-    std::uint64_t element_2_data_address;
-    std::uint64_t result_data_address;
-};
-static_assert(offsetof(value_a0d1f05f_2_wide_parameters, size) == 0);
-static_assert(offsetof(value_a0d1f05f_2_wide_parameters, element_index) == 4);
-static_assert(offsetof(value_a0d1f05f_2_wide_parameters, element_2_index) == 8);
-static_assert(offsetof(value_a0d1f05f_2_wide_parameters, result_origin) == 12);
-static_assert(offsetof(value_a0d1f05f_2_wide_parameters, by) == 16);
-static_assert(offsetof(value_a0d1f05f_2_wide_parameters, element_data_address) == 24);
-static_assert(offsetof(value_a0d1f05f_2_wide_parameters, element_2_data_address) == 32);
-static_assert(offsetof(value_a0d1f05f_2_wide_parameters, result_data_address) == 40);
-}  // namespace
 
 extern const glift::Kernel value_a0d1f05f_2_kernel;
 
@@ -123,74 +43,28 @@ GLIFT_SHARED void value_a0d1f05f_2(const glift::Commands& commands, const glift:
     iteration.each("result", result);
     const glift::Memory memories[] = {element.memory, element_2.memory, result->data()};
     if (iteration.is_shared(memories)) iteration.share(memories, {{}, {}, result});
-    if (commands.needs_wide(value_a0d1f05f_2_kernel, memories, iteration.size())) {
-        const value_a0d1f05f_2_wide_parameters parameters = {
-            .size = result.size(),
-            .element_index = element.index(),
-            .element_2_index = element_2.index(),
-            .result_origin = result.origin(),
-            .by = by,
-            .element_data_address = 0u,
-            .element_2_data_address = 0u,
-            .result_data_address = 0u,
-        };
-        commands.dispatch(value_a0d1f05f_2_kernel,
-            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(value_a0d1f05f_2_wide_parameters, size)}),
-            .sharing = iteration.sharing()});
-    } else if (iteration.is_whole()) {
-        const value_a0d1f05f_2_direct_parameters parameters = {
-            .element_index = element.index(),
-            .element_2_index = element_2.index(),
-            .result_extent = result->extent(),
-            .by = by,
-        };
-        commands.dispatch(value_a0d1f05f_2_kernel,
-            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .sharing = iteration.sharing()});
+    if (iteration.can_be_direct(commands, memories)) {
+        const struct {
+            uint element_index;
+            uint element_2_index;
+            uint result_extent;
+            uint by;
+        } parameters = {element.index(), element_2.index(), result->extent(), by};
+        static_assert(sizeof parameters == 16);
+        iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
-        const value_a0d1f05f_2_general_parameters parameters = {
-            .size = result.size(),
-            .element_index = element.index(),
-            .element_2_index = element_2.index(),
-            .result_origin = result.origin(),
-            .by = by,
-        };
-        commands.dispatch(value_a0d1f05f_2_kernel,
-            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(value_a0d1f05f_2_general_parameters,
-            size)}), .sharing = iteration.sharing()});
+        const struct {
+            uint size;
+            uint element_index;
+            uint element_2_index;
+            uint result_origin;
+            uint by;
+            std::uint64_t addresses[3];
+        } parameters = {result.size(), element.index(), element_2.index(), result.origin(), by, {}};
+        static_assert(sizeof parameters == 48);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }
 }
-
-namespace {
-struct value_324e3ecf_2_direct_parameters {
-    uint n_index;
-    uint result_extent;
-};
-static_assert(offsetof(value_324e3ecf_2_direct_parameters, n_index) == 0);
-static_assert(offsetof(value_324e3ecf_2_direct_parameters, result_extent) == 4);
-struct value_324e3ecf_2_general_parameters {
-    uint size;
-    uint n_index;
-    uint result_origin;
-};
-static_assert(offsetof(value_324e3ecf_2_general_parameters, size) == 0);
-static_assert(offsetof(value_324e3ecf_2_general_parameters, n_index) == 4);
-static_assert(offsetof(value_324e3ecf_2_general_parameters, result_origin) == 8);
-struct value_324e3ecf_2_wide_parameters {
-    uint size;
-    uint n_index;
-    uint result_origin;
-    std::uint64_t n_data_address;
-    std::uint64_t result_data_address;
-};
-static_assert(offsetof(value_324e3ecf_2_wide_parameters, size) == 0);
-static_assert(offsetof(value_324e3ecf_2_wide_parameters, n_index) == 4);
-static_assert(offsetof(value_324e3ecf_2_wide_parameters, result_origin) == 8);
-static_assert(offsetof(value_324e3ecf_2_wide_parameters, n_data_address) == 16);
-static_assert(offsetof(value_324e3ecf_2_wide_parameters, result_data_address) == 24);
-}  // namespace
 
 extern const glift::Kernel value_324e3ecf_2_kernel;
 
@@ -200,67 +74,24 @@ GLIFT_SHARED void value_324e3ecf_2(const glift::Commands& commands, const glift:
     iteration.each("result", result);
     const glift::Memory memories[] = {n.memory, result->data()};
     if (iteration.is_shared(memories)) iteration.share(memories, {{}, result});
-    if (commands.needs_wide(value_324e3ecf_2_kernel, memories, iteration.size())) {
-        const value_324e3ecf_2_wide_parameters parameters = {
-            .size = result.size(),
-            .n_index = n.index(),
-            .result_origin = result.origin(),
-            .n_data_address = 0u,
-            .result_data_address = 0u,
-        };
-        commands.dispatch(value_324e3ecf_2_kernel,
-            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(value_324e3ecf_2_wide_parameters, size)}),
-            .sharing = iteration.sharing()});
-    } else if (iteration.is_whole()) {
-        const value_324e3ecf_2_direct_parameters parameters = {
-            .n_index = n.index(),
-            .result_extent = result->extent(),
-        };
-        commands.dispatch(value_324e3ecf_2_kernel,
-            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .sharing = iteration.sharing()});
+    if (iteration.can_be_direct(commands, memories)) {
+        const struct {
+            uint n_index;
+            uint result_extent;
+        } parameters = {n.index(), result->extent()};
+        static_assert(sizeof parameters == 8);
+        iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
-        const value_324e3ecf_2_general_parameters parameters = {
-            .size = result.size(),
-            .n_index = n.index(),
-            .result_origin = result.origin(),
-        };
-        commands.dispatch(value_324e3ecf_2_kernel,
-            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(value_324e3ecf_2_general_parameters,
-            size)}), .sharing = iteration.sharing()});
+        const struct {
+            uint size;
+            uint n_index;
+            uint result_origin;
+            std::uint64_t addresses[2];
+        } parameters = {result.size(), n.index(), result.origin(), {}};
+        static_assert(sizeof parameters == 32);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }
 }
-
-namespace {
-struct scale_device_by_direct_parameters {
-    uint by_index;
-    uint a_extent;
-};
-static_assert(offsetof(scale_device_by_direct_parameters, by_index) == 0);
-static_assert(offsetof(scale_device_by_direct_parameters, a_extent) == 4);
-struct scale_device_by_general_parameters {
-    uint size;
-    uint by_index;
-    uint a_origin;
-};
-static_assert(offsetof(scale_device_by_general_parameters, size) == 0);
-static_assert(offsetof(scale_device_by_general_parameters, by_index) == 4);
-static_assert(offsetof(scale_device_by_general_parameters, a_origin) == 8);
-struct scale_device_by_wide_parameters {
-    uint size;
-    uint by_index;
-    uint a_origin;
-    std::uint64_t by_data_address;
-    std::uint64_t a_data_address;
-};
-static_assert(offsetof(scale_device_by_wide_parameters, size) == 0);
-static_assert(offsetof(scale_device_by_wide_parameters, by_index) == 4);
-static_assert(offsetof(scale_device_by_wide_parameters, a_origin) == 8);
-static_assert(offsetof(scale_device_by_wide_parameters, by_data_address) == 16);
-static_assert(offsetof(scale_device_by_wide_parameters, a_data_address) == 24);
-}  // namespace
 
 extern const glift::Kernel scale_device_by_kernel;
 
@@ -270,59 +101,24 @@ GLIFT_SHARED void scale_device_by(const glift::Commands& commands, const glift::
     iteration.each("a", a);
     const glift::Memory memories[] = {by.memory, a->data()};
     if (iteration.is_shared(memories)) iteration.share(memories, {a, {}});
-    if (commands.needs_wide(scale_device_by_kernel, memories, iteration.size())) {
-        const scale_device_by_wide_parameters parameters = {
-            .size = a.size(),
-            .by_index = by.index(),
-            .a_origin = a.origin(),
-            .by_data_address = 0u,
-            .a_data_address = 0u,
-        };
-        commands.dispatch(scale_device_by_kernel,
-            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(scale_device_by_wide_parameters, size)}),
-            .sharing = iteration.sharing()});
-    } else if (iteration.is_whole()) {
-        const scale_device_by_direct_parameters parameters = {
-            .by_index = by.index(),
-            .a_extent = a->extent(),
-        };
-        commands.dispatch(scale_device_by_kernel,
-            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .sharing = iteration.sharing()});
+    if (iteration.can_be_direct(commands, memories)) {
+        const struct {
+            uint by_index;
+            uint a_extent;
+        } parameters = {by.index(), a->extent()};
+        static_assert(sizeof parameters == 8);
+        iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
-        const scale_device_by_general_parameters parameters = {
-            .size = a.size(),
-            .by_index = by.index(),
-            .a_origin = a.origin(),
-        };
-        commands.dispatch(scale_device_by_kernel,
-            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(scale_device_by_general_parameters,
-            size)}), .sharing = iteration.sharing()});
+        const struct {
+            uint size;
+            uint by_index;
+            uint a_origin;
+            std::uint64_t addresses[2];
+        } parameters = {a.size(), by.index(), a.origin(), {}};
+        static_assert(sizeof parameters == 32);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }
 }
-
-namespace {
-struct value_true_2_direct_parameters {
-    uint result_extent;
-};
-static_assert(offsetof(value_true_2_direct_parameters, result_extent) == 0);
-struct value_true_2_general_parameters {
-    uint size;
-    uint result_origin;
-};
-static_assert(offsetof(value_true_2_general_parameters, size) == 0);
-static_assert(offsetof(value_true_2_general_parameters, result_origin) == 4);
-struct value_true_2_wide_parameters {
-    uint size;
-    uint result_origin;
-    std::uint64_t result_data_address;
-};
-static_assert(offsetof(value_true_2_wide_parameters, size) == 0);
-static_assert(offsetof(value_true_2_wide_parameters, result_origin) == 4);
-static_assert(offsetof(value_true_2_wide_parameters, result_data_address) == 8);
-}  // namespace
 
 extern const glift::Kernel value_true_2_kernel;
 
@@ -331,53 +127,22 @@ GLIFT_SHARED void value_true_2(const glift::Commands& commands,
     glift::Iteration iteration(value_true_2_kernel);
     iteration.each("result", result);
     const glift::Memory memories[] = {result->data()};
-    if (commands.needs_wide(value_true_2_kernel, memories, iteration.size())) {
-        const value_true_2_wide_parameters parameters = {
-            .size = result.size(),
-            .result_origin = result.origin(),
-            .result_data_address = 0u,
-        };
-        commands.dispatch(value_true_2_kernel,
-            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(value_true_2_wide_parameters, size)})});
-    } else if (iteration.is_whole()) {
-        const value_true_2_direct_parameters parameters = {
-            .result_extent = result->extent(),
-        };
-        commands.dispatch(value_true_2_kernel,
-            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size()});
+    if (iteration.can_be_direct(commands, memories)) {
+        const struct {
+            uint result_extent;
+        } parameters = {result->extent()};
+        static_assert(sizeof parameters == 4);
+        iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
-        const value_true_2_general_parameters parameters = {
-            .size = result.size(),
-            .result_origin = result.origin(),
-        };
-        commands.dispatch(value_true_2_kernel,
-            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(value_true_2_general_parameters, size)})});
+        const struct {
+            uint size;
+            uint result_origin;
+            std::uint64_t addresses[1];
+        } parameters = {result.size(), result.origin(), {}};
+        static_assert(sizeof parameters == 16);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }
 }
-
-namespace {
-struct value_0u_2_direct_parameters {
-    uint result_extent;
-};
-static_assert(offsetof(value_0u_2_direct_parameters, result_extent) == 0);
-struct value_0u_2_general_parameters {
-    uint size;
-    uint result_origin;
-};
-static_assert(offsetof(value_0u_2_general_parameters, size) == 0);
-static_assert(offsetof(value_0u_2_general_parameters, result_origin) == 4);
-struct value_0u_2_wide_parameters {
-    uint size;
-    uint result_origin;
-    std::uint64_t result_data_address;
-};
-static_assert(offsetof(value_0u_2_wide_parameters, size) == 0);
-static_assert(offsetof(value_0u_2_wide_parameters, result_origin) == 4);
-static_assert(offsetof(value_0u_2_wide_parameters, result_data_address) == 8);
-}  // namespace
 
 extern const glift::Kernel value_0u_2_kernel;
 
@@ -385,69 +150,22 @@ GLIFT_SHARED void value_0u_2(const glift::Commands& commands, const glift::Range
     glift::Iteration iteration(value_0u_2_kernel);
     iteration.each("result", result);
     const glift::Memory memories[] = {result->data()};
-    if (commands.needs_wide(value_0u_2_kernel, memories, iteration.size())) {
-        const value_0u_2_wide_parameters parameters = {
-            .size = result.size(),
-            .result_origin = result.origin(),
-            .result_data_address = 0u,
-        };
-        commands.dispatch(value_0u_2_kernel,
-            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(value_0u_2_wide_parameters, size)})});
-    } else if (iteration.is_whole()) {
-        const value_0u_2_direct_parameters parameters = {
-            .result_extent = result->extent(),
-        };
-        commands.dispatch(value_0u_2_kernel,
-            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size()});
+    if (iteration.can_be_direct(commands, memories)) {
+        const struct {
+            uint result_extent;
+        } parameters = {result->extent()};
+        static_assert(sizeof parameters == 4);
+        iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
-        const value_0u_2_general_parameters parameters = {
-            .size = result.size(),
-            .result_origin = result.origin(),
-        };
-        commands.dispatch(value_0u_2_kernel,
-            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(value_0u_2_general_parameters, size)})});
+        const struct {
+            uint size;
+            uint result_origin;
+            std::uint64_t addresses[1];
+        } parameters = {result.size(), result.origin(), {}};
+        static_assert(sizeof parameters == 16);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }
 }
-
-namespace {
-struct value_53ad928e_2_direct_parameters {
-    uint condition_index;
-    uint times_index;
-    uint result_extent;
-};
-static_assert(offsetof(value_53ad928e_2_direct_parameters, condition_index) == 0);
-static_assert(offsetof(value_53ad928e_2_direct_parameters, times_index) == 4);
-static_assert(offsetof(value_53ad928e_2_direct_parameters, result_extent) == 8);
-struct value_53ad928e_2_general_parameters {
-    uint size;
-    uint condition_index;
-    uint times_index;
-    uint result_origin;
-};
-static_assert(offsetof(value_53ad928e_2_general_parameters, size) == 0);
-static_assert(offsetof(value_53ad928e_2_general_parameters, condition_index) == 4);
-static_assert(offsetof(value_53ad928e_2_general_parameters, times_index) == 8);
-static_assert(offsetof(value_53ad928e_2_general_parameters, result_origin) == 12);
-struct value_53ad928e_2_wide_parameters {
-    uint size;
-    uint condition_index;
-    uint times_index;
-    uint result_origin;
-    std::uint64_t condition_data_address;
-    std::uint64_t times_data_address;
-    std::uint64_t result_data_address;
-};
-static_assert(offsetof(value_53ad928e_2_wide_parameters, size) == 0);
-static_assert(offsetof(value_53ad928e_2_wide_parameters, condition_index) == 4);
-static_assert(offsetof(value_53ad928e_2_wide_parameters, times_index) == 8);
-static_assert(offsetof(value_53ad928e_2_wide_parameters, result_origin) == 12);
-static_assert(offsetof(value_53ad928e_2_wide_parameters, condition_data_address) == 16);
-static_assert(offsetof(value_53ad928e_2_wide_parameters, times_data_address) == 24);
-static_assert(offsetof(value_53ad928e_2_wide_parameters, result_data_address) == 32);
-}  // namespace
 
 extern const glift::Kernel value_53ad928e_2_kernel;
 
@@ -457,87 +175,26 @@ GLIFT_SHARED void value_53ad928e_2(const glift::Commands& commands, const glift:
     iteration.each("result", result);
     const glift::Memory memories[] = {condition.memory, times.memory, result->data()};
     if (iteration.is_shared(memories)) iteration.share(memories, {{}, {}, result});
-    if (commands.needs_wide(value_53ad928e_2_kernel, memories, iteration.size())) {
-        const value_53ad928e_2_wide_parameters parameters = {
-            .size = result.size(),
-            .condition_index = condition.index(),
-            .times_index = times.index(),
-            .result_origin = result.origin(),
-            .condition_data_address = 0u,
-            .times_data_address = 0u,
-            .result_data_address = 0u,
-        };
-        commands.dispatch(value_53ad928e_2_kernel,
-            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(value_53ad928e_2_wide_parameters, size)}),
-            .sharing = iteration.sharing()});
-    } else if (iteration.is_whole()) {
-        const value_53ad928e_2_direct_parameters parameters = {
-            .condition_index = condition.index(),
-            .times_index = times.index(),
-            .result_extent = result->extent(),
-        };
-        commands.dispatch(value_53ad928e_2_kernel,
-            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .sharing = iteration.sharing()});
+    if (iteration.can_be_direct(commands, memories)) {
+        const struct {
+            uint condition_index;
+            uint times_index;
+            uint result_extent;
+        } parameters = {condition.index(), times.index(), result->extent()};
+        static_assert(sizeof parameters == 12);
+        iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
-        const value_53ad928e_2_general_parameters parameters = {
-            .size = result.size(),
-            .condition_index = condition.index(),
-            .times_index = times.index(),
-            .result_origin = result.origin(),
-        };
-        commands.dispatch(value_53ad928e_2_kernel,
-            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(value_53ad928e_2_general_parameters,
-            size)}), .sharing = iteration.sharing()});
+        const struct {
+            uint size;
+            uint condition_index;
+            uint times_index;
+            uint result_origin;
+            std::uint64_t addresses[3];
+        } parameters = {result.size(), condition.index(), times.index(), result.origin(), {}};
+        static_assert(sizeof parameters == 40);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }
 }
-
-namespace {
-struct value_b207683c_2_direct_parameters {
-    uint running_index;
-    uint element_index;
-    uint times_index;
-    uint result_extent;
-};
-static_assert(offsetof(value_b207683c_2_direct_parameters, running_index) == 0);
-static_assert(offsetof(value_b207683c_2_direct_parameters, element_index) == 4);
-static_assert(offsetof(value_b207683c_2_direct_parameters, times_index) == 8);
-static_assert(offsetof(value_b207683c_2_direct_parameters, result_extent) == 12);
-struct value_b207683c_2_general_parameters {
-    uint size;
-    uint running_index;
-    uint element_index;
-    uint times_index;
-    uint result_origin;
-};
-static_assert(offsetof(value_b207683c_2_general_parameters, size) == 0);
-static_assert(offsetof(value_b207683c_2_general_parameters, running_index) == 4);
-static_assert(offsetof(value_b207683c_2_general_parameters, element_index) == 8);
-static_assert(offsetof(value_b207683c_2_general_parameters, times_index) == 12);
-static_assert(offsetof(value_b207683c_2_general_parameters, result_origin) == 16);
-struct value_b207683c_2_wide_parameters {
-    uint size;
-    uint running_index;
-    uint element_index;
-    uint times_index;
-    uint result_origin;
-    std::uint64_t running_data_address;
-    std::uint64_t element_data_address;
-    std::uint64_t times_data_address;
-    std::uint64_t result_data_address;
-};
-static_assert(offsetof(value_b207683c_2_wide_parameters, size) == 0);
-static_assert(offsetof(value_b207683c_2_wide_parameters, running_index) == 4);
-static_assert(offsetof(value_b207683c_2_wide_parameters, element_index) == 8);
-static_assert(offsetof(value_b207683c_2_wide_parameters, times_index) == 12);
-static_assert(offsetof(value_b207683c_2_wide_parameters, result_origin) == 16);
-static_assert(offsetof(value_b207683c_2_wide_parameters, running_data_address) == 24);
-static_assert(offsetof(value_b207683c_2_wide_parameters, element_data_address) == 32);
-static_assert(offsetof(value_b207683c_2_wide_parameters, times_data_address) == 40);
-static_assert(offsetof(value_b207683c_2_wide_parameters, result_data_address) == 48);
-}  // namespace
 
 extern const glift::Kernel value_b207683c_2_kernel;
 
@@ -548,83 +205,28 @@ GLIFT_SHARED void value_b207683c_2(const glift::Commands& commands, const glift:
     iteration.each("result", result);
     const glift::Memory memories[] = {running.memory, element.memory, times.memory, result->data()};
     if (iteration.is_shared(memories)) iteration.share(memories, {{}, {}, {}, result});
-    if (commands.needs_wide(value_b207683c_2_kernel, memories, iteration.size())) {
-        const value_b207683c_2_wide_parameters parameters = {
-            .size = result.size(),
-            .running_index = running.index(),
-            .element_index = element.index(),
-            .times_index = times.index(),
-            .result_origin = result.origin(),
-            .running_data_address = 0u,
-            .element_data_address = 0u,
-            .times_data_address = 0u,
-            .result_data_address = 0u,
-        };
-        commands.dispatch(value_b207683c_2_kernel,
-            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(value_b207683c_2_wide_parameters, size)}),
-            .sharing = iteration.sharing()});
-    } else if (iteration.is_whole()) {
-        const value_b207683c_2_direct_parameters parameters = {
-            .running_index = running.index(),
-            .element_index = element.index(),
-            .times_index = times.index(),
-            .result_extent = result->extent(),
-        };
-        commands.dispatch(value_b207683c_2_kernel,
-            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .sharing = iteration.sharing()});
+    if (iteration.can_be_direct(commands, memories)) {
+        const struct {
+            uint running_index;
+            uint element_index;
+            uint times_index;
+            uint result_extent;
+        } parameters = {running.index(), element.index(), times.index(), result->extent()};
+        static_assert(sizeof parameters == 16);
+        iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
-        const value_b207683c_2_general_parameters parameters = {
-            .size = result.size(),
-            .running_index = running.index(),
-            .element_index = element.index(),
-            .times_index = times.index(),
-            .result_origin = result.origin(),
-        };
-        commands.dispatch(value_b207683c_2_kernel,
-            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(value_b207683c_2_general_parameters,
-            size)}), .sharing = iteration.sharing()});
+        const struct {
+            uint size;
+            uint running_index;
+            uint element_index;
+            uint times_index;
+            uint result_origin;
+            std::uint64_t addresses[4];
+        } parameters = {result.size(), running.index(), element.index(), times.index(), result.origin(), {}};
+        static_assert(sizeof parameters == 56);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }
 }
-
-namespace {
-struct value_7992094a_2_direct_parameters {
-    uint running_index;
-    uint times_index;
-    uint result_extent;
-};
-static_assert(offsetof(value_7992094a_2_direct_parameters, running_index) == 0);
-static_assert(offsetof(value_7992094a_2_direct_parameters, times_index) == 4);
-static_assert(offsetof(value_7992094a_2_direct_parameters, result_extent) == 8);
-struct value_7992094a_2_general_parameters {
-    uint size;
-    uint running_index;
-    uint times_index;
-    uint result_origin;
-};
-static_assert(offsetof(value_7992094a_2_general_parameters, size) == 0);
-static_assert(offsetof(value_7992094a_2_general_parameters, running_index) == 4);
-static_assert(offsetof(value_7992094a_2_general_parameters, times_index) == 8);
-static_assert(offsetof(value_7992094a_2_general_parameters, result_origin) == 12);
-struct value_7992094a_2_wide_parameters {
-    uint size;
-    uint running_index;
-    uint times_index;
-    uint result_origin;
-    std::uint64_t running_data_address;
-    std::uint64_t times_data_address;
-    std::uint64_t result_data_address;
-};
-static_assert(offsetof(value_7992094a_2_wide_parameters, size) == 0);
-static_assert(offsetof(value_7992094a_2_wide_parameters, running_index) == 4);
-static_assert(offsetof(value_7992094a_2_wide_parameters, times_index) == 8);
-static_assert(offsetof(value_7992094a_2_wide_parameters, result_origin) == 12);
-static_assert(offsetof(value_7992094a_2_wide_parameters, running_data_address) == 16);
-static_assert(offsetof(value_7992094a_2_wide_parameters, times_data_address) == 24);
-static_assert(offsetof(value_7992094a_2_wide_parameters, result_data_address) == 32);
-}  // namespace
 
 extern const glift::Kernel value_7992094a_2_kernel;
 
@@ -634,40 +236,24 @@ GLIFT_SHARED void value_7992094a_2(const glift::Commands& commands, const glift:
     iteration.each("result", result);
     const glift::Memory memories[] = {running.memory, times.memory, result->data()};
     if (iteration.is_shared(memories)) iteration.share(memories, {{}, {}, result});
-    if (commands.needs_wide(value_7992094a_2_kernel, memories, iteration.size())) {
-        const value_7992094a_2_wide_parameters parameters = {
-            .size = result.size(),
-            .running_index = running.index(),
-            .times_index = times.index(),
-            .result_origin = result.origin(),
-            .running_data_address = 0u,
-            .times_data_address = 0u,
-            .result_data_address = 0u,
-        };
-        commands.dispatch(value_7992094a_2_kernel,
-            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(value_7992094a_2_wide_parameters, size)}),
-            .sharing = iteration.sharing()});
-    } else if (iteration.is_whole()) {
-        const value_7992094a_2_direct_parameters parameters = {
-            .running_index = running.index(),
-            .times_index = times.index(),
-            .result_extent = result->extent(),
-        };
-        commands.dispatch(value_7992094a_2_kernel,
-            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .sharing = iteration.sharing()});
+    if (iteration.can_be_direct(commands, memories)) {
+        const struct {
+            uint running_index;
+            uint times_index;
+            uint result_extent;
+        } parameters = {running.index(), times.index(), result->extent()};
+        static_assert(sizeof parameters == 12);
+        iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
-        const value_7992094a_2_general_parameters parameters = {
-            .size = result.size(),
-            .running_index = running.index(),
-            .times_index = times.index(),
-            .result_origin = result.origin(),
-        };
-        commands.dispatch(value_7992094a_2_kernel,
-            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(value_7992094a_2_general_parameters,
-            size)}), .sharing = iteration.sharing()});
+        const struct {
+            uint size;
+            uint running_index;
+            uint times_index;
+            uint result_origin;
+            std::uint64_t addresses[3];
+        } parameters = {result.size(), running.index(), times.index(), result.origin(), {}};
+        static_assert(sizeof parameters == 40);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }
 }
 

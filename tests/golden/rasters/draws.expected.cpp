@@ -10,47 +10,6 @@ namespace draws {
 
 using namespace glift::types;
 
-namespace {
-struct draw_mesh_direct_parameters {
-    uint points_extent;
-    float4x4 camera;
-};
-static_assert(offsetof(draw_mesh_direct_parameters, points_extent) == 0);
-static_assert(offsetof(draw_mesh_direct_parameters, camera) == 4);
-struct draw_mesh_general_parameters {
-    uint2 size;
-    uint corner_origin;
-    uint points_origin;
-    uint points_size;
-    uint2 colour_origin;
-    float4x4 camera;
-};
-static_assert(offsetof(draw_mesh_general_parameters, size) == 0);
-static_assert(offsetof(draw_mesh_general_parameters, corner_origin) == 8);
-static_assert(offsetof(draw_mesh_general_parameters, points_origin) == 12);
-static_assert(offsetof(draw_mesh_general_parameters, points_size) == 16);
-static_assert(offsetof(draw_mesh_general_parameters, colour_origin) == 20);
-static_assert(offsetof(draw_mesh_general_parameters, camera) == 28);
-struct draw_mesh_wide_parameters {
-    uint2 size;
-    uint corner_origin;
-    uint points_origin;
-    uint points_size;
-    uint2 colour_origin;
-    float4x4 camera;
-    std::uint64_t corner_data_address;
-    std::uint64_t points_data_address;
-};
-static_assert(offsetof(draw_mesh_wide_parameters, size) == 0);
-static_assert(offsetof(draw_mesh_wide_parameters, corner_origin) == 8);
-static_assert(offsetof(draw_mesh_wide_parameters, points_origin) == 12);
-static_assert(offsetof(draw_mesh_wide_parameters, points_size) == 16);
-static_assert(offsetof(draw_mesh_wide_parameters, colour_origin) == 20);
-static_assert(offsetof(draw_mesh_wide_parameters, camera) == 28);
-static_assert(offsetof(draw_mesh_wide_parameters, corner_data_address) == 96);
-static_assert(offsetof(draw_mesh_wide_parameters, points_data_address) == 104);
-}  // namespace
-
 extern const glift::Kernel draw_mesh_kernel;
 
 void draw_mesh(const glift::Commands& commands, const glift::Range<Corners>& corner, const glift::Range<Points>& points,
@@ -61,71 +20,29 @@ void draw_mesh(const glift::Commands& commands, const glift::Range<Corners>& cor
     iteration.colour("colour", colour, colour->data());
     iteration.depth("depth", depth, depth->data());
     const glift::Memory memories[] = {corner->data(), points->data()};
-    if (commands.needs_wide(draw_mesh_kernel, memories, iteration.size())) {
-        const draw_mesh_wide_parameters parameters = {
-            .size = iteration.counts(),
-            .corner_origin = corner.origin(),
-            .points_origin = points.origin(),
-            .points_size = points.size(),
-            .colour_origin = colour.origin(),
-            .camera = camera,
-            .corner_data_address = 0u,
-            .points_data_address = 0u,
-        };
-        iteration.count(points, offsetof(draw_mesh_wide_parameters, points_size));
-        commands.dispatch(draw_mesh_kernel, {.form = glift::FormName::wide, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(draw_mesh_wide_parameters, size)}), .targets = iteration.targets()});
-    } else if (iteration.is_whole()) {
-        const draw_mesh_direct_parameters parameters = {
-            .points_extent = points->extent(),
-            .camera = camera,
-        };
-        commands.dispatch(draw_mesh_kernel, {.form = glift::FormName::direct, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(), .targets = iteration.targets()});
+    if (iteration.can_be_direct(commands, memories)) {
+        const struct {
+            uint points_extent;
+            float4x4 camera;
+        } parameters = {points->extent(), camera};
+        static_assert(sizeof parameters == 68);
+        iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
-        const draw_mesh_general_parameters parameters = {
-            .size = iteration.counts(),
-            .corner_origin = corner.origin(),
-            .points_origin = points.origin(),
-            .points_size = points.size(),
-            .colour_origin = colour.origin(),
-            .camera = camera,
-        };
-        iteration.count(points, offsetof(draw_mesh_general_parameters, points_size));
-        commands.dispatch(draw_mesh_kernel, {.form = glift::FormName::general, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(draw_mesh_general_parameters, size)}),
-            .targets = iteration.targets()});
+        const struct {
+            uint2 size;
+            uint corner_origin;
+            uint points_origin;
+            uint points_size;
+            uint2 colour_origin;
+            float4x4 camera;
+            std::uint64_t addresses[2];
+        } parameters = {iteration.counts(), corner.origin(), points.origin(), points.size(), colour.origin(), camera,
+            {}};
+        static_assert(sizeof parameters == 112);
+        iteration.count(points, 16);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }
 }
-
-namespace {
-struct draw_marks_general_parameters {
-    uint2 size;
-    uint corner_origin;
-    uint mark_origin;
-    uint2 image_origin;
-};
-static_assert(offsetof(draw_marks_general_parameters, size) == 0);
-static_assert(offsetof(draw_marks_general_parameters, corner_origin) == 8);
-static_assert(offsetof(draw_marks_general_parameters, mark_origin) == 12);
-static_assert(offsetof(draw_marks_general_parameters, image_origin) == 16);
-struct draw_marks_wide_parameters {
-    uint2 size;
-    uint corner_origin;
-    uint mark_origin;
-    uint2 image_origin;
-    std::uint64_t corner_data_address;
-    std::uint64_t mark_data_address;
-};
-static_assert(offsetof(draw_marks_wide_parameters, size) == 0);
-static_assert(offsetof(draw_marks_wide_parameters, corner_origin) == 8);
-static_assert(offsetof(draw_marks_wide_parameters, mark_origin) == 12);
-static_assert(offsetof(draw_marks_wide_parameters, image_origin) == 16);
-static_assert(offsetof(draw_marks_wide_parameters, corner_data_address) == 24);
-static_assert(offsetof(draw_marks_wide_parameters, mark_data_address) == 32);
-}  // namespace
 
 extern const glift::Kernel draw_marks_kernel;
 
@@ -137,71 +54,20 @@ void draw_marks(const glift::Commands& commands, const glift::Range<Points>& cor
     iteration.colour("image", image, image->data());
     iteration.depth("depth", depth, depth->data());
     const glift::Memory memories[] = {corner->data(), mark->data()};
-    if (commands.needs_wide(draw_marks_kernel, memories, iteration.size(), iteration.sharing())) {
-        const draw_marks_wide_parameters parameters = {
-            .size = iteration.counts(),
-            .corner_origin = corner.origin(),
-            .mark_origin = mark.origin(),
-            .image_origin = image.origin(),
-            .corner_data_address = 0u,
-            .mark_data_address = 0u,
-        };
-        commands.dispatch(draw_marks_kernel,
-            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(draw_marks_wide_parameters, size)}),
-            .targets = iteration.targets()});
-    } else if (iteration.is_whole() && iteration.sharing() != glift::Sharing::one_place) {
-        commands.dispatch(draw_marks_kernel,
-            {.form = glift::FormName::direct, .memories = memories, .parameters = {}, .size = iteration.size(),
-            .targets = iteration.targets()});
+    if (iteration.can_be_direct(commands, memories)) {
+        iteration.dispatch(commands, glift::FormName::direct, memories, {});
     } else {
-        const draw_marks_general_parameters parameters = {
-            .size = iteration.counts(),
-            .corner_origin = corner.origin(),
-            .mark_origin = mark.origin(),
-            .image_origin = image.origin(),
-        };
-        commands.dispatch(draw_marks_kernel,
-            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(draw_marks_general_parameters, size)}),
-            .targets = iteration.targets()});
+        const struct {
+            uint2 size;
+            uint corner_origin;
+            uint mark_origin;
+            uint2 image_origin;
+            std::uint64_t addresses[2];
+        } parameters = {iteration.counts(), corner.origin(), mark.origin(), image.origin(), {}};
+        static_assert(sizeof parameters == 40);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }
 }
-
-namespace {
-struct even_direct_parameters {
-    float factor;
-    float2 factor_2;
-};
-static_assert(offsetof(even_direct_parameters, factor) == 0);
-static_assert(offsetof(even_direct_parameters, factor_2) == 4);
-struct even_general_parameters {
-    uint2 size;
-    uint corner_origin;
-    uint2 image_origin;
-    float factor;
-    float2 factor_2;
-};
-static_assert(offsetof(even_general_parameters, size) == 0);
-static_assert(offsetof(even_general_parameters, corner_origin) == 8);
-static_assert(offsetof(even_general_parameters, image_origin) == 12);
-static_assert(offsetof(even_general_parameters, factor) == 20);
-static_assert(offsetof(even_general_parameters, factor_2) == 24);
-struct even_wide_parameters {
-    uint2 size;
-    uint corner_origin;
-    uint2 image_origin;
-    float factor;
-    float2 factor_2;
-    std::uint64_t corner_data_address;
-};
-static_assert(offsetof(even_wide_parameters, size) == 0);
-static_assert(offsetof(even_wide_parameters, corner_origin) == 8);
-static_assert(offsetof(even_wide_parameters, image_origin) == 12);
-static_assert(offsetof(even_wide_parameters, factor) == 20);
-static_assert(offsetof(even_wide_parameters, factor_2) == 24);
-static_assert(offsetof(even_wide_parameters, corner_data_address) == 32);
-}  // namespace
 
 extern const glift::Kernel even_kernel;
 
@@ -211,36 +77,24 @@ void even(const glift::Commands& commands, const glift::Range<Points>& corner, f
     iteration.corners("corner", corner);
     iteration.colour("image", image, image->data());
     const glift::Memory memories[] = {corner->data()};
-    if (commands.needs_wide(even_kernel, memories, iteration.size())) {
-        const even_wide_parameters parameters = {
-            .size = iteration.counts(),
-            .corner_origin = corner.origin(),
-            .image_origin = image.origin(),
-            .factor = factor,
-            .factor_2 = float2(factor, 2.0f),
-            .corner_data_address = 0u,
-        };
-        commands.dispatch(even_kernel, {.form = glift::FormName::wide, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(even_wide_parameters, size)}), .targets = iteration.targets()});
-    } else if (iteration.is_whole()) {
-        const even_direct_parameters parameters = {
-            .factor = factor,
-            .factor_2 = float2(factor, 2.0f),
-        };
-        commands.dispatch(even_kernel, {.form = glift::FormName::direct, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(), .targets = iteration.targets()});
+    if (iteration.can_be_direct(commands, memories)) {
+        const struct {
+            float factor;
+            float2 factor_2;
+        } parameters = {factor, float2(factor, 2.0f)};
+        static_assert(sizeof parameters == 12);
+        iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
-        const even_general_parameters parameters = {
-            .size = iteration.counts(),
-            .corner_origin = corner.origin(),
-            .image_origin = image.origin(),
-            .factor = factor,
-            .factor_2 = float2(factor, 2.0f),
-        };
-        commands.dispatch(even_kernel, {.form = glift::FormName::general, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(even_general_parameters, size)}), .targets = iteration.targets()});
+        const struct {
+            uint2 size;
+            uint corner_origin;
+            uint2 image_origin;
+            float factor;
+            float2 factor_2;
+            std::uint64_t addresses[1];
+        } parameters = {iteration.counts(), corner.origin(), image.origin(), factor, float2(factor, 2.0f), {}};
+        static_assert(sizeof parameters == 40);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }
 }
 

@@ -11,95 +11,9 @@ namespace draws {
 
 using namespace glift::types;
 
-// ----------------------------------------------------------------------------------------------------
 // draws.glift:14: draw_mesh
 
 namespace {
-struct draw_mesh_direct_parameters {
-    uint points_extent;
-    float4x4 camera;
-};
-static_assert(offsetof(draw_mesh_direct_parameters, points_extent) == 0);
-static_assert(offsetof(draw_mesh_direct_parameters, camera) == 4);
-
-// draws.glift:14: runs draw_mesh for the given corners.
-GLIFT_HOST_KERNEL
-static void draw_mesh_direct_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
-    [[maybe_unused]] std::uint32_t instance, float* corners) {
-    [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
-    const auto& parameters = *static_cast<const draw_mesh_direct_parameters*>(call.parameters);
-    const uint points_extent = parameters.points_extent;
-    const float4x4 camera = parameters.camera;
-    const uint* corner_data = glift::host::elements<const uint>(call.memories[0]);
-    const float3* points_data = glift::host::elements<const float3>(call.memories[1]);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        [[maybe_unused]] const uint corner = static_cast<uint>(first) + i;
-        float4 place{};
-        float3 world{};
-        const uint2 address_2 = uint2(corner, instance);
-        // draws.glift:20
-        const uint points_address = corner_data[address_2.x];
-        const bool points_value_inside = points_address < points_extent;
-        const float3 points_value = points_data[points_value_inside ? points_address : 0u];
-        world = points_value_inside ? points_value : float3(0.0f);
-        // draws.glift:21
-        place = camera * float4(world, 1.0f);
-        corners = glift::host::put(corners, place);
-        corners = glift::host::put(corners, world);
-    }
-}
-
-// draws.glift:14: runs draw_mesh for the given fragments.
-GLIFT_HOST_KERNEL
-static void draw_mesh_direct_fragment(const void* pointer, const glift::host::Fragments& fragments) {
-    [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
-    float4 colour[glift::host::block_pixels];
-    [[maybe_unused]] std::uint64_t drawn = fragments.covered;
-    const std::uint64_t running = glift::host::quads_of(drawn);
-    float3 derived[glift::host::block_pixels];
-    for (std::uint64_t left = running; left != 0; left &= left - 1) {
-        [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
-        const float3 world = glift::host::smooth<float3>(fragments, pixel, 0);
-        // draws.glift:25
-        derived[pixel] = world;
-    }
-    // All pixels of each quad have computed the value whose derivative follows.
-    for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
-        [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
-        const float3 normal = glift::normalize(glift::cross(glift::host::dFdx(derived, pixel),
-            glift::host::dFdy(derived, pixel)));
-        // draws.glift:26
-        if (normal.z < 0.0f) {
-            // draws.glift:27
-            drawn &= ~(std::uint64_t{1} << pixel);
-            continue;
-        }
-        // draws.glift:29
-        colour[pixel] = float4(float3(0.2f) + 0.8f * normal.z, 1.0f);
-    }
-    drawn = fragments.test(drawn);
-    glift::host::draw_colour<glift::Format::rgba8,
-        glift::Blend::replace>(call.targets->colours[0], fragments, drawn, colour);
-}
-
-static void draw_mesh_direct(const glift::HostCall& call) {
-    const glift::HostTargets& targets = *call.targets;
-    glift::host::Draw draw;
-    draw.body = &call;
-    draw.vertex = draw_mesh_direct_vertex;
-    draw.fragment = draw_mesh_direct_fragment;
-    draw.corners = call.size[0];
-    draw.instances = call.size[1];
-    draw.varyings = 3;
-    draw.viewport = targets.extent;
-    draw.framebuffer = targets.origin;
-    draw.cull = glift::Cull::back;
-    draw.has_smooth = true;
-    draw.depth = {reinterpret_cast<float*>(targets.depth.first), targets.depth.row / sizeof(float),
-        glift::DepthTest::less, true, false};
-    glift::host::draw(draw);
-}
-
 struct draw_mesh_general_parameters {
     uint2 size;
     uint corner_origin;
@@ -107,15 +21,11 @@ struct draw_mesh_general_parameters {
     uint points_size;
     uint2 colour_origin;
     float4x4 camera;
+    std::uint64_t corner_data_address;
+    std::uint64_t points_data_address;
 };
-static_assert(offsetof(draw_mesh_general_parameters, size) == 0);
-static_assert(offsetof(draw_mesh_general_parameters, corner_origin) == 8);
-static_assert(offsetof(draw_mesh_general_parameters, points_origin) == 12);
-static_assert(offsetof(draw_mesh_general_parameters, points_size) == 16);
-static_assert(offsetof(draw_mesh_general_parameters, colour_origin) == 20);
-static_assert(offsetof(draw_mesh_general_parameters, camera) == 28);
+static_assert(sizeof(draw_mesh_general_parameters) == 112);
 
-// draws.glift:14: runs draw_mesh for the given corners.
 GLIFT_HOST_KERNEL
 static void draw_mesh_general_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
     [[maybe_unused]] std::uint32_t instance, float* corners) {
@@ -146,7 +56,6 @@ static void draw_mesh_general_vertex(const void* pointer, std::uint64_t first, s
     }
 }
 
-// draws.glift:14: runs draw_mesh for the given fragments.
 GLIFT_HOST_KERNEL
 static void draw_mesh_general_fragment(const void* pointer, const glift::host::Fragments& fragments) {
     [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
@@ -197,121 +106,11 @@ static void draw_mesh_general(const glift::HostCall& call) {
     glift::host::draw(draw);
 }
 
-struct draw_mesh_wide_parameters {
-    uint2 size;
-    uint corner_origin;
-    uint points_origin;
-    uint points_size;
-    uint2 colour_origin;
-    float4x4 camera;
-    std::uint64_t corner_data_address;
-    std::uint64_t points_data_address;
-};
-static_assert(offsetof(draw_mesh_wide_parameters, size) == 0);
-static_assert(offsetof(draw_mesh_wide_parameters, corner_origin) == 8);
-static_assert(offsetof(draw_mesh_wide_parameters, points_origin) == 12);
-static_assert(offsetof(draw_mesh_wide_parameters, points_size) == 16);
-static_assert(offsetof(draw_mesh_wide_parameters, colour_origin) == 20);
-static_assert(offsetof(draw_mesh_wide_parameters, camera) == 28);
-static_assert(offsetof(draw_mesh_wide_parameters, corner_data_address) == 96);
-static_assert(offsetof(draw_mesh_wide_parameters, points_data_address) == 104);
-
-// draws.glift:14: runs draw_mesh for the given corners.
-GLIFT_HOST_KERNEL
-static void draw_mesh_wide_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
-    [[maybe_unused]] std::uint32_t instance, float* corners) {
-    [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
-    const auto& parameters = *static_cast<const draw_mesh_wide_parameters*>(call.parameters);
-    const uint corner_origin = parameters.corner_origin;
-    const uint points_origin = parameters.points_origin;
-    const uint points_size = parameters.points_size;
-    const float4x4 camera = parameters.camera;
-    const uint* corner_data = glift::host::elements<const uint>(call.memories[0]);
-    const float3* points_data = glift::host::elements<const float3>(call.memories[1]);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        [[maybe_unused]] const uint corner = static_cast<uint>(first) + i;
-        float4 place{};
-        float3 world{};
-        const uint2 address_2 = uint2(corner, instance);
-        // draws.glift:20
-        const uint corner_address = corner_origin + address_2.x;
-        // draws.glift:14
-        const std::uint64_t corner_at = std::uint64_t(corner_address);
-        // draws.glift:20
-        const uint points_address = corner_data[corner_at];
-        const uint points_virtual = points_origin + points_address;
-        const bool points_value_inside = points_address < points_size;
-        const std::uint64_t points_value_at = std::uint64_t(points_virtual);
-        const float3 points_value = points_data[points_value_inside ? points_value_at : std::uint64_t{0u}];
-        world = points_value_inside ? points_value : float3(0.0f);
-        // draws.glift:21
-        place = camera * float4(world, 1.0f);
-        corners = glift::host::put(corners, place);
-        corners = glift::host::put(corners, world);
-    }
-}
-
-// draws.glift:14: runs draw_mesh for the given fragments.
-GLIFT_HOST_KERNEL
-static void draw_mesh_wide_fragment(const void* pointer, const glift::host::Fragments& fragments) {
-    [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
-    float4 colour[glift::host::block_pixels];
-    [[maybe_unused]] std::uint64_t drawn = fragments.covered;
-    const std::uint64_t running = glift::host::quads_of(drawn);
-    float3 derived[glift::host::block_pixels];
-    for (std::uint64_t left = running; left != 0; left &= left - 1) {
-        [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
-        const float3 world = glift::host::smooth<float3>(fragments, pixel, 0);
-        // draws.glift:25
-        derived[pixel] = world;
-    }
-    // All pixels of each quad have computed the value whose derivative follows.
-    for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
-        [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
-        const float3 normal = glift::normalize(glift::cross(glift::host::dFdx(derived, pixel),
-            glift::host::dFdy(derived, pixel)));
-        // draws.glift:26
-        if (normal.z < 0.0f) {
-            // draws.glift:27
-            drawn &= ~(std::uint64_t{1} << pixel);
-            continue;
-        }
-        // draws.glift:29
-        colour[pixel] = float4(float3(0.2f) + 0.8f * normal.z, 1.0f);
-    }
-    drawn = fragments.test(drawn);
-    glift::host::draw_colour<glift::Format::rgba8,
-        glift::Blend::replace>(call.targets->colours[0], fragments, drawn, colour);
-}
-
-static void draw_mesh_wide(const glift::HostCall& call) {
-    const glift::HostTargets& targets = *call.targets;
-    glift::host::Draw draw;
-    draw.body = &call;
-    draw.vertex = draw_mesh_wide_vertex;
-    draw.fragment = draw_mesh_wide_fragment;
-    draw.corners = call.size[0];
-    draw.instances = call.size[1];
-    draw.varyings = 3;
-    draw.viewport = targets.extent;
-    draw.framebuffer = targets.origin;
-    draw.cull = glift::Cull::back;
-    draw.has_smooth = true;
-    draw.depth = {reinterpret_cast<float*>(targets.depth.first), targets.depth.row / sizeof(float),
-        glift::DepthTest::less, true, false};
-    glift::host::draw(draw);
-}
-
 const glift::Binding draw_mesh_bindings[] = {
-    {.name = "corner.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 96,
-        .element_bytes = sizeof(uint)},
-    {.name = "points.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 104,
-        .element_bytes = sizeof(float3)},
+    {.name = "corner.data", .address_offset = 96, .element_bytes = sizeof(uint)},
+    {.name = "points.data", .address_offset = 104, .element_bytes = sizeof(float3)},
 };
-constexpr glift::Parameter draw_mesh_parameters[] = {
-    {"points_extent", 0, sizeof(draw_mesh_direct_parameters::points_extent)},
-    {"camera", 4, sizeof(draw_mesh_direct_parameters::camera)},
-};
+constexpr glift::Parameter draw_mesh_parameters[] = {{"points_extent", 0, 4}, {"camera", 4, 64}};
 const glift::ColourTarget draw_mesh_colours[] = {
     {.name = "colour", .format = glift::Format::rgba8},
 };
@@ -328,90 +127,25 @@ const glift::Kernel draw_mesh_kernel = {
     .group = {1, 1, 1},
     .loop_rounds = 0,
     .bindings = draw_mesh_bindings,
-    .direct = {.host = &draw_mesh_direct, .parameter_bytes = 68, .push_constants = true},
-    .general = {.host = &draw_mesh_general, .parameter_bytes = 92, .uniform_buffer = true},
-    .wide = {.host = &draw_mesh_wide, .parameter_bytes = 112, .uniform_buffer = true},
+    .direct = {.parameter_bytes = 68, .push_constants = true},
+    .general = {.host = &draw_mesh_general, .parameter_bytes = 112, .uniform_buffer = true},
     .parameters = draw_mesh_parameters,
     .drawing = &draw_mesh_drawing,
 };
 
-// ----------------------------------------------------------------------------------------------------
 // draws.glift:34: draw_marks
 
 namespace {
-// draws.glift:34: runs draw_marks for the given corners.
-GLIFT_HOST_KERNEL
-static void draw_marks_direct_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
-    [[maybe_unused]] std::uint32_t instance, float* corners) {
-    [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
-    const float3* corner_data = glift::host::elements<const float3>(call.memories[0]);
-    const float3* mark_data = glift::host::elements<const float3>(call.memories[1]);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        [[maybe_unused]] const uint corner = static_cast<uint>(first) + i;
-        float4 place{};
-        float2 inside_2{};
-        uint kind{};
-        const uint2 address_2 = uint2(corner, instance);
-        // draws.glift:40
-        const float2 value = corner_data[address_2.x].xy();
-        inside_2 = value;
-        // draws.glift:41
-        const float3 mark_data_value = mark_data[address_2.y];
-        kind = glift::convert<uint>(mark_data_value.z);
-        // draws.glift:42
-        place = float4(mark_data_value.xy() + 0.125f * value, 0.0f, 1.0f);
-        corners = glift::host::put(corners, place);
-        corners = glift::host::put(corners, inside_2);
-        corners = glift::host::put(corners, kind);
-    }
-}
-
-// draws.glift:34: runs draw_marks for the given fragments.
-GLIFT_HOST_KERNEL
-static void draw_marks_direct_fragment(const void* pointer, const glift::host::Fragments& fragments) {
-    [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
-    const uint kind = glift::host::flat<uint>(fragments, 2);
-    float4 image[glift::host::block_pixels];
-    [[maybe_unused]] std::uint64_t drawn = fragments.covered;
-    const std::uint64_t running = drawn;
-    for (std::uint64_t left = running; left != 0; left &= left - 1) {
-        [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
-        const float2 inside_2 = glift::host::linear<float2>(fragments, pixel, 0);
-        // draws.glift:45
-        image[pixel] = float4(inside_2, float(kind), 0.5f) * (fragments.is_front ? 1.0f : 0.5f);
-    }
-    glift::host::draw_colour<glift::Format::rgba8,
-        glift::Blend::over>(call.targets->colours[0], fragments, drawn, image);
-}
-
-static void draw_marks_direct(const glift::HostCall& call) {
-    const glift::HostTargets& targets = *call.targets;
-    glift::host::Draw draw;
-    draw.body = &call;
-    draw.vertex = draw_marks_direct_vertex;
-    draw.fragment = draw_marks_direct_fragment;
-    draw.corners = call.size[0];
-    draw.instances = call.size[1];
-    draw.varyings = 3;
-    draw.viewport = targets.extent;
-    draw.framebuffer = targets.origin;
-    draw.depth = {reinterpret_cast<float*>(targets.depth.first), targets.depth.row / sizeof(float),
-        glift::DepthTest::greater, false, true};
-    glift::host::draw(draw);
-}
-
 struct draw_marks_general_parameters {
     uint2 size;
     uint corner_origin;
     uint mark_origin;
     uint2 image_origin;
+    std::uint64_t corner_data_address;
+    std::uint64_t mark_data_address;
 };
-static_assert(offsetof(draw_marks_general_parameters, size) == 0);
-static_assert(offsetof(draw_marks_general_parameters, corner_origin) == 8);
-static_assert(offsetof(draw_marks_general_parameters, mark_origin) == 12);
-static_assert(offsetof(draw_marks_general_parameters, image_origin) == 16);
+static_assert(sizeof(draw_marks_general_parameters) == 40);
 
-// draws.glift:34: runs draw_marks for the given corners.
 GLIFT_HOST_KERNEL
 static void draw_marks_general_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
     [[maybe_unused]] std::uint32_t instance, float* corners) {
@@ -445,7 +179,6 @@ static void draw_marks_general_vertex(const void* pointer, std::uint64_t first, 
     }
 }
 
-// draws.glift:34: runs draw_marks for the given fragments.
 GLIFT_HOST_KERNEL
 static void draw_marks_general_fragment(const void* pointer, const glift::host::Fragments& fragments) {
     [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
@@ -479,98 +212,9 @@ static void draw_marks_general(const glift::HostCall& call) {
     glift::host::draw(draw);
 }
 
-struct draw_marks_wide_parameters {
-    uint2 size;
-    uint corner_origin;
-    uint mark_origin;
-    uint2 image_origin;
-    std::uint64_t corner_data_address;
-    std::uint64_t mark_data_address;
-};
-static_assert(offsetof(draw_marks_wide_parameters, size) == 0);
-static_assert(offsetof(draw_marks_wide_parameters, corner_origin) == 8);
-static_assert(offsetof(draw_marks_wide_parameters, mark_origin) == 12);
-static_assert(offsetof(draw_marks_wide_parameters, image_origin) == 16);
-static_assert(offsetof(draw_marks_wide_parameters, corner_data_address) == 24);
-static_assert(offsetof(draw_marks_wide_parameters, mark_data_address) == 32);
-
-// draws.glift:34: runs draw_marks for the given corners.
-GLIFT_HOST_KERNEL
-static void draw_marks_wide_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
-    [[maybe_unused]] std::uint32_t instance, float* corners) {
-    [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
-    const auto& parameters = *static_cast<const draw_marks_wide_parameters*>(call.parameters);
-    const uint corner_origin = parameters.corner_origin;
-    const uint mark_origin = parameters.mark_origin;
-    const float3* corner_data = glift::host::elements<const float3>(call.memories[0]);
-    const float3* mark_data = glift::host::elements<const float3>(call.memories[1]);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        [[maybe_unused]] const uint corner = static_cast<uint>(first) + i;
-        float4 place{};
-        float2 inside_2{};
-        uint kind{};
-        const uint2 address_2 = uint2(corner, instance);
-        // draws.glift:40
-        const uint corner_address = corner_origin + address_2.x;
-        // draws.glift:34
-        const std::uint64_t corner_at = std::uint64_t(corner_address);
-        // draws.glift:41
-        const uint mark_address = mark_origin + address_2.y;
-        // draws.glift:34
-        const std::uint64_t mark_at = std::uint64_t(mark_address);
-        // draws.glift:40
-        const float2 value = corner_data[corner_at].xy();
-        inside_2 = value;
-        // draws.glift:41
-        const float3 mark_data_value = mark_data[mark_at];
-        kind = glift::convert<uint>(mark_data_value.z);
-        // draws.glift:42
-        place = float4(mark_data_value.xy() + 0.125f * value, 0.0f, 1.0f);
-        corners = glift::host::put(corners, place);
-        corners = glift::host::put(corners, inside_2);
-        corners = glift::host::put(corners, kind);
-    }
-}
-
-// draws.glift:34: runs draw_marks for the given fragments.
-GLIFT_HOST_KERNEL
-static void draw_marks_wide_fragment(const void* pointer, const glift::host::Fragments& fragments) {
-    [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
-    const uint kind = glift::host::flat<uint>(fragments, 2);
-    float4 image[glift::host::block_pixels];
-    [[maybe_unused]] std::uint64_t drawn = fragments.covered;
-    const std::uint64_t running = drawn;
-    for (std::uint64_t left = running; left != 0; left &= left - 1) {
-        [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
-        const float2 inside_2 = glift::host::linear<float2>(fragments, pixel, 0);
-        // draws.glift:45
-        image[pixel] = float4(inside_2, float(kind), 0.5f) * (fragments.is_front ? 1.0f : 0.5f);
-    }
-    glift::host::draw_colour<glift::Format::rgba8,
-        glift::Blend::over>(call.targets->colours[0], fragments, drawn, image);
-}
-
-static void draw_marks_wide(const glift::HostCall& call) {
-    const glift::HostTargets& targets = *call.targets;
-    glift::host::Draw draw;
-    draw.body = &call;
-    draw.vertex = draw_marks_wide_vertex;
-    draw.fragment = draw_marks_wide_fragment;
-    draw.corners = call.size[0];
-    draw.instances = call.size[1];
-    draw.varyings = 3;
-    draw.viewport = targets.extent;
-    draw.framebuffer = targets.origin;
-    draw.depth = {reinterpret_cast<float*>(targets.depth.first), targets.depth.row / sizeof(float),
-        glift::DepthTest::greater, false, true};
-    glift::host::draw(draw);
-}
-
 const glift::Binding draw_marks_bindings[] = {
-    {.name = "corner.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 24,
-        .element_bytes = sizeof(float3)},
-    {.name = "mark.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 32,
-        .element_bytes = sizeof(float3)},
+    {.name = "corner.data", .address_offset = 24, .element_bytes = sizeof(float3)},
+    {.name = "mark.data", .address_offset = 32, .element_bytes = sizeof(float3)},
 };
 const glift::ColourTarget draw_marks_colours[] = {
     {.name = "image", .format = glift::Format::rgba8, .blend = glift::Blend::over},
@@ -588,96 +232,24 @@ const glift::Kernel draw_marks_kernel = {
     .group = {1, 1, 1},
     .loop_rounds = 0,
     .bindings = draw_marks_bindings,
-    .direct = {.host = &draw_marks_direct, .push_constants = true},
-    .general = {.host = &draw_marks_general, .parameter_bytes = 24, .uniform_buffer = true},
-    .wide = {.host = &draw_marks_wide, .parameter_bytes = 40, .uniform_buffer = true},
+    .direct = {.push_constants = true},
+    .general = {.host = &draw_marks_general, .parameter_bytes = 40, .uniform_buffer = true},
     .drawing = &draw_marks_drawing,
 };
 
-// ----------------------------------------------------------------------------------------------------
 // draws.glift:67: even
 
 namespace {
-struct even_direct_parameters {
-    float factor;
-    float2 factor_2;
-};
-static_assert(offsetof(even_direct_parameters, factor) == 0);
-static_assert(offsetof(even_direct_parameters, factor_2) == 4);
-
-// draws.glift:67: runs even for the given corners.
-GLIFT_HOST_KERNEL
-static void even_direct_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
-    [[maybe_unused]] std::uint32_t instance, float* corners) {
-    [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
-    const float3* corner_data = glift::host::elements<const float3>(call.memories[0]);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        [[maybe_unused]] const uint corner = static_cast<uint>(first) + i;
-        float4 place{};
-        const uint2 address_2 = uint2(corner, instance);
-        // draws.glift:68
-        place = float4(corner_data[address_2.x], 1.0f);
-        corners = glift::host::put(corners, place);
-    }
-}
-
-// draws.glift:67: runs even for the given fragments.
-GLIFT_HOST_KERNEL
-static void even_direct_fragment(const void* pointer, const glift::host::Fragments& fragments) {
-    [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
-    const auto& parameters = *static_cast<const even_direct_parameters*>(call.parameters);
-    const float factor = parameters.factor;
-    const float2 factor_2 = parameters.factor_2;
-    float4 image[glift::host::block_pixels];
-    [[maybe_unused]] std::uint64_t drawn = fragments.covered;
-    const std::uint64_t running = glift::host::quads_of(drawn);
-    float derived[glift::host::block_pixels];
-    float derived_2[glift::host::block_pixels];
-    float2 derived_3[glift::host::block_pixels];
-    for (std::uint64_t left = running; left != 0; left &= left - 1) {
-        [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
-        // draws.glift:70
-        derived[pixel] = 3.0f;
-        derived_2[pixel] = factor;
-        derived_3[pixel] = factor_2;
-    }
-    // All pixels of each quad have computed the value whose derivative follows.
-    for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
-        [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
-        image[pixel] = float4(glift::host::dFdx(derived, pixel), glift::host::dFdy(derived_2, pixel),
-            glift::host::fwidth(derived_3, pixel));
-    }
-    glift::host::draw_colour<glift::Format::rgba8,
-        glift::Blend::replace>(call.targets->colours[0], fragments, drawn, image);
-}
-
-static void even_direct(const glift::HostCall& call) {
-    const glift::HostTargets& targets = *call.targets;
-    glift::host::Draw draw;
-    draw.body = &call;
-    draw.vertex = even_direct_vertex;
-    draw.fragment = even_direct_fragment;
-    draw.corners = call.size[0];
-    draw.instances = call.size[1];
-    draw.viewport = targets.extent;
-    draw.framebuffer = targets.origin;
-    glift::host::draw(draw);
-}
-
 struct even_general_parameters {
     uint2 size;
     uint corner_origin;
     uint2 image_origin;
     float factor;
     float2 factor_2;
+    std::uint64_t corner_data_address;
 };
-static_assert(offsetof(even_general_parameters, size) == 0);
-static_assert(offsetof(even_general_parameters, corner_origin) == 8);
-static_assert(offsetof(even_general_parameters, image_origin) == 12);
-static_assert(offsetof(even_general_parameters, factor) == 20);
-static_assert(offsetof(even_general_parameters, factor_2) == 24);
+static_assert(sizeof(even_general_parameters) == 40);
 
-// draws.glift:67: runs even for the given corners.
 GLIFT_HOST_KERNEL
 static void even_general_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
     [[maybe_unused]] std::uint32_t instance, float* corners) {
@@ -696,7 +268,6 @@ static void even_general_vertex(const void* pointer, std::uint64_t first, std::u
     }
 }
 
-// draws.glift:67: runs even for the given fragments.
 GLIFT_HOST_KERNEL
 static void even_general_fragment(const void* pointer, const glift::host::Fragments& fragments) {
     [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
@@ -739,94 +310,10 @@ static void even_general(const glift::HostCall& call) {
     glift::host::draw(draw);
 }
 
-struct even_wide_parameters {
-    uint2 size;
-    uint corner_origin;
-    uint2 image_origin;
-    float factor;
-    float2 factor_2;
-    std::uint64_t corner_data_address;
-};
-static_assert(offsetof(even_wide_parameters, size) == 0);
-static_assert(offsetof(even_wide_parameters, corner_origin) == 8);
-static_assert(offsetof(even_wide_parameters, image_origin) == 12);
-static_assert(offsetof(even_wide_parameters, factor) == 20);
-static_assert(offsetof(even_wide_parameters, factor_2) == 24);
-static_assert(offsetof(even_wide_parameters, corner_data_address) == 32);
-
-// draws.glift:67: runs even for the given corners.
-GLIFT_HOST_KERNEL
-static void even_wide_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
-    [[maybe_unused]] std::uint32_t instance, float* corners) {
-    [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
-    const auto& parameters = *static_cast<const even_wide_parameters*>(call.parameters);
-    const uint corner_origin = parameters.corner_origin;
-    const float3* corner_data = glift::host::elements<const float3>(call.memories[0]);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        [[maybe_unused]] const uint corner = static_cast<uint>(first) + i;
-        float4 place{};
-        const uint2 address_2 = uint2(corner, instance);
-        // draws.glift:68
-        const uint corner_address = corner_origin + address_2.x;
-        // draws.glift:67
-        const std::uint64_t corner_at = std::uint64_t(corner_address);
-        // draws.glift:68
-        place = float4(corner_data[corner_at], 1.0f);
-        corners = glift::host::put(corners, place);
-    }
-}
-
-// draws.glift:67: runs even for the given fragments.
-GLIFT_HOST_KERNEL
-static void even_wide_fragment(const void* pointer, const glift::host::Fragments& fragments) {
-    [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
-    const auto& parameters = *static_cast<const even_wide_parameters*>(call.parameters);
-    const float factor = parameters.factor;
-    const float2 factor_2 = parameters.factor_2;
-    float4 image[glift::host::block_pixels];
-    [[maybe_unused]] std::uint64_t drawn = fragments.covered;
-    const std::uint64_t running = glift::host::quads_of(drawn);
-    float derived[glift::host::block_pixels];
-    float derived_2[glift::host::block_pixels];
-    float2 derived_3[glift::host::block_pixels];
-    for (std::uint64_t left = running; left != 0; left &= left - 1) {
-        [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
-        // draws.glift:70
-        derived[pixel] = 3.0f;
-        derived_2[pixel] = factor;
-        derived_3[pixel] = factor_2;
-    }
-    // All pixels of each quad have computed the value whose derivative follows.
-    for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
-        [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
-        image[pixel] = float4(glift::host::dFdx(derived, pixel), glift::host::dFdy(derived_2, pixel),
-            glift::host::fwidth(derived_3, pixel));
-    }
-    glift::host::draw_colour<glift::Format::rgba8,
-        glift::Blend::replace>(call.targets->colours[0], fragments, drawn, image);
-}
-
-static void even_wide(const glift::HostCall& call) {
-    const glift::HostTargets& targets = *call.targets;
-    glift::host::Draw draw;
-    draw.body = &call;
-    draw.vertex = even_wide_vertex;
-    draw.fragment = even_wide_fragment;
-    draw.corners = call.size[0];
-    draw.instances = call.size[1];
-    draw.viewport = targets.extent;
-    draw.framebuffer = targets.origin;
-    glift::host::draw(draw);
-}
-
 const glift::Binding even_bindings[] = {
-    {.name = "corner.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 32,
-        .element_bytes = sizeof(float3)},
+    {.name = "corner.data", .address_offset = 32, .element_bytes = sizeof(float3)},
 };
-constexpr glift::Parameter even_parameters[] = {
-    {"factor", 0, sizeof(even_direct_parameters::factor)},
-    {"factor_2", 4, sizeof(even_direct_parameters::factor_2)},
-};
+constexpr glift::Parameter even_parameters[] = {{"factor", 0, 4}, {"factor_2", 4, 8}};
 const glift::ColourTarget even_colours[] = {
     {.name = "image", .format = glift::Format::rgba8},
 };
@@ -843,9 +330,8 @@ const glift::Kernel even_kernel = {
     .group = {1, 1, 1},
     .loop_rounds = 0,
     .bindings = even_bindings,
-    .direct = {.host = &even_direct, .parameter_bytes = 12, .push_constants = true},
-    .general = {.host = &even_general, .parameter_bytes = 32, .uniform_buffer = true},
-    .wide = {.host = &even_wide, .parameter_bytes = 40, .uniform_buffer = true},
+    .direct = {.parameter_bytes = 12, .push_constants = true},
+    .general = {.host = &even_general, .parameter_bytes = 40, .uniform_buffer = true},
     .parameters = even_parameters,
     .drawing = &even_drawing,
 };

@@ -10,43 +10,6 @@ namespace composed {
 
 using namespace glift::types;
 
-namespace {
-struct copy_direct_parameters {
-    uint2 f_extent;
-};
-static_assert(offsetof(copy_direct_parameters, f_extent) == 0);
-struct copy_general_parameters {
-    uint2 size;
-    uint2 f_origin;
-    uint2 g_origin;
-    uint f_extent_y;
-    uint g_extent_y;
-};
-static_assert(offsetof(copy_general_parameters, size) == 0);
-static_assert(offsetof(copy_general_parameters, f_origin) == 8);
-static_assert(offsetof(copy_general_parameters, g_origin) == 16);
-static_assert(offsetof(copy_general_parameters, f_extent_y) == 24);
-static_assert(offsetof(copy_general_parameters, g_extent_y) == 28);
-struct copy_wide_parameters {
-    uint2 size;
-    uint2 f_origin;
-    uint2 g_origin;
-    uint3 base;
-    std::uint64_t f_extent_y;
-    std::uint64_t g_extent_y;
-    std::uint64_t f_data_address;
-    std::uint64_t g_data_address;
-};
-static_assert(offsetof(copy_wide_parameters, size) == 0);
-static_assert(offsetof(copy_wide_parameters, f_origin) == 8);
-static_assert(offsetof(copy_wide_parameters, g_origin) == 16);
-static_assert(offsetof(copy_wide_parameters, base) == 24);
-static_assert(offsetof(copy_wide_parameters, f_extent_y) == 40);
-static_assert(offsetof(copy_wide_parameters, g_extent_y) == 48);
-static_assert(offsetof(copy_wide_parameters, f_data_address) == 56);
-static_assert(offsetof(copy_wide_parameters, g_data_address) == 64);
-}  // namespace
-
 extern const glift::Kernel copy_kernel;
 
 void copy(const glift::Commands& commands, const glift::Range<Turned>& f, const glift::Range<Turned>& g) {
@@ -55,38 +18,24 @@ void copy(const glift::Commands& commands, const glift::Range<Turned>& f, const 
     iteration.each("g", g);
     const glift::Memory memories[] = {f->data(), g->data()};
     if (iteration.is_shared(memories)) iteration.share(memories, {f, g});
-    if (commands.needs_wide(copy_kernel, memories, iteration.size(), iteration.sharing())) {
-        const copy_wide_parameters parameters = {
-            .size = f.size(),
-            .f_origin = f.origin(),
-            .g_origin = g.origin(),
-            .base = {},
-            .f_extent_y = std::uint64_t(f->extent().y),
-            .g_extent_y = std::uint64_t(g->extent().y),
-            .f_data_address = 0u,
-            .g_data_address = 0u,
-        };
-        commands.dispatch(copy_kernel, {.form = glift::FormName::wide, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(copy_wide_parameters, size)}), .sharing = iteration.sharing()});
-    } else if (iteration.is_whole() && f->same_state(g.structure())
-        && iteration.sharing() != glift::Sharing::one_place) {
-        const copy_direct_parameters parameters = {
-            .f_extent = f->extent(),
-        };
-        commands.dispatch(copy_kernel, {.form = glift::FormName::direct, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(), .sharing = iteration.sharing()});
+    if (iteration.can_be_direct(commands, memories) && f->same_state(g.structure())) {
+        const struct {
+            uint2 f_extent;
+        } parameters = {f->extent()};
+        static_assert(sizeof parameters == 8);
+        iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
-        const copy_general_parameters parameters = {
-            .size = f.size(),
-            .f_origin = f.origin(),
-            .g_origin = g.origin(),
-            .f_extent_y = f->extent().y,
-            .g_extent_y = g->extent().y,
-        };
-        commands.dispatch(copy_kernel, {.form = glift::FormName::general, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(copy_general_parameters, size)}), .sharing = iteration.sharing()});
+        const struct {
+            uint2 size;
+            uint2 f_origin;
+            uint2 g_origin;
+            uint3 base;
+            uint f_extent_y;
+            uint g_extent_y;
+            std::uint64_t addresses[2];
+        } parameters = {f.size(), f.origin(), g.origin(), {}, f->extent().y, g->extent().y, {}};
+        static_assert(sizeof parameters == 64);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }
 }
 

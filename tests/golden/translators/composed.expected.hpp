@@ -22,22 +22,17 @@ public:
     /// Makes the structure with the given memory.
     Turned(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
-    /// The extent of the virtual domain.
     glift::uint2 domain() const;
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Turned& other) const;
 
-    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Turned>& range);
-    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Turned>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Turned>& range, const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());

@@ -10,62 +10,27 @@ namespace fold {
 
 using namespace glift::types;
 
-namespace {
-struct twice_direct_parameters {
-    uint3 f_extent;
-};
-static_assert(offsetof(twice_direct_parameters, f_extent) == 0);
-struct twice_general_parameters {
-    uint3 size;
-    uint3 f_origin;
-    uint3 f_extent;
-};
-static_assert(offsetof(twice_general_parameters, size) == 0);
-static_assert(offsetof(twice_general_parameters, f_origin) == 12);
-static_assert(offsetof(twice_general_parameters, f_extent) == 24);
-struct twice_wide_parameters {
-    uint3 size;
-    uint3 f_origin;
-    uint3 base;
-    uint3 f_extent;
-};
-static_assert(offsetof(twice_wide_parameters, size) == 0);
-static_assert(offsetof(twice_wide_parameters, f_origin) == 12);
-static_assert(offsetof(twice_wide_parameters, base) == 24);
-static_assert(offsetof(twice_wide_parameters, f_extent) == 36);
-}  // namespace
-
 extern const glift::Kernel twice_kernel;
 
 void twice(const glift::Commands& commands, const glift::Range<Field>& f) {
     glift::Iteration iteration(twice_kernel);
     iteration.each("f", f);
     const glift::Memory memories[] = {f->data()};
-    if (commands.needs_wide(twice_kernel, memories, iteration.size())) {
-        const twice_wide_parameters parameters = {
-            .size = f.size(),
-            .f_origin = f.origin(),
-            .base = {},
-            .f_extent = f->extent(),
-        };
-        commands.dispatch(twice_kernel, {.form = glift::FormName::wide, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(twice_wide_parameters, size)})});
-    } else if (iteration.is_whole()) {
-        const twice_direct_parameters parameters = {
-            .f_extent = f->extent(),
-        };
-        commands.dispatch(twice_kernel, {.form = glift::FormName::direct, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size()});
+    if (iteration.can_be_direct(commands, memories)) {
+        const struct {
+            uint3 f_extent;
+        } parameters = {f->extent()};
+        static_assert(sizeof parameters == 12);
+        iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
-        const twice_general_parameters parameters = {
-            .size = f.size(),
-            .f_origin = f.origin(),
-            .f_extent = f->extent(),
-        };
-        commands.dispatch(twice_kernel, {.form = glift::FormName::general, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(twice_general_parameters, size)})});
+        const struct {
+            uint3 size;
+            uint3 f_origin;
+            uint3 base;
+            uint3 f_extent;
+        } parameters = {f.size(), f.origin(), {}, f->extent()};
+        static_assert(sizeof parameters == 48);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }
 }
 

@@ -10,55 +10,6 @@ namespace frames {
 
 using namespace glift::types;
 
-namespace {
-struct double_there_direct_parameters {
-    uint s_frames_n;
-    uint s_data_extent;
-};
-static_assert(offsetof(double_there_direct_parameters, s_frames_n) == 0);
-static_assert(offsetof(double_there_direct_parameters, s_data_extent) == 4);
-struct double_there_general_parameters {
-    uint size;
-    uint g_origin;
-    uint s_origin;
-    uint g_frames_n;
-    uint g_data_extent;
-    uint s_frames_n;
-    uint s_data_extent;
-};
-static_assert(offsetof(double_there_general_parameters, size) == 0);
-static_assert(offsetof(double_there_general_parameters, g_origin) == 4);
-static_assert(offsetof(double_there_general_parameters, s_origin) == 8);
-static_assert(offsetof(double_there_general_parameters, g_frames_n) == 12);
-static_assert(offsetof(double_there_general_parameters, g_data_extent) == 16);
-static_assert(offsetof(double_there_general_parameters, s_frames_n) == 20);
-static_assert(offsetof(double_there_general_parameters, s_data_extent) == 24);
-struct double_there_wide_parameters {
-    uint size;
-    uint g_origin;
-    uint s_origin;
-    uint g_frames_n;
-    std::uint64_t g_data_extent;
-    uint s_frames_n;
-    std::uint64_t s_data_extent;
-    std::uint64_t g_frames_data_address;
-    std::uint64_t g_data_address;
-    std::uint64_t s_frames_data_address;
-    std::uint64_t s_data_address;
-};
-static_assert(offsetof(double_there_wide_parameters, size) == 0);
-static_assert(offsetof(double_there_wide_parameters, g_origin) == 4);
-static_assert(offsetof(double_there_wide_parameters, s_origin) == 8);
-static_assert(offsetof(double_there_wide_parameters, g_frames_n) == 12);
-static_assert(offsetof(double_there_wide_parameters, g_data_extent) == 16);
-static_assert(offsetof(double_there_wide_parameters, s_frames_n) == 24);
-static_assert(offsetof(double_there_wide_parameters, s_data_extent) == 32);
-static_assert(offsetof(double_there_wide_parameters, g_frames_data_address) == 40);
-static_assert(offsetof(double_there_wide_parameters, g_data_address) == 48);
-static_assert(offsetof(double_there_wide_parameters, s_frames_data_address) == 56);
-static_assert(offsetof(double_there_wide_parameters, s_data_address) == 64);
-}  // namespace
-
 extern const glift::Kernel double_there_kernel;
 
 void double_there(const glift::Commands& commands, const glift::Range<Pool>& s, const glift::Range<Pool>& g) {
@@ -67,46 +18,27 @@ void double_there(const glift::Commands& commands, const glift::Range<Pool>& s, 
     iteration.any("s", s);
     const glift::Memory memories[] = {g->frames().data(), g->data(), s->frames().data(), s->data()};
     if (iteration.is_shared(memories)) iteration.share(memories, {s, g});
-    if (commands.needs_wide(double_there_kernel, memories, iteration.size())) {
-        const double_there_wide_parameters parameters = {
-            .size = g.size(),
-            .g_origin = g.origin(),
-            .s_origin = s.origin(),
-            .g_frames_n = g->frames().n(),
-            .g_data_extent = g->data_extent(),
-            .s_frames_n = s->frames().n(),
-            .s_data_extent = s->data_extent(),
-            .g_frames_data_address = 0u,
-            .g_data_address = 0u,
-            .s_frames_data_address = 0u,
-            .s_data_address = 0u,
-        };
-        commands.dispatch(double_there_kernel,
-            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(double_there_wide_parameters, size)}),
-            .sharing = iteration.sharing()});
-    } else if (iteration.is_whole() && s->same_state(g.structure())) {
-        const double_there_direct_parameters parameters = {
-            .s_frames_n = s->frames().n(),
-            .s_data_extent = glift::fitted(s->data_extent()),
-        };
-        commands.dispatch(double_there_kernel,
-            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .sharing = iteration.sharing()});
+    if (iteration.can_be_direct(commands, memories) && s->same_state(g.structure())) {
+        const struct {
+            uint s_frames_n;
+            uint s_data_extent;
+        } parameters = {s->frames().n(), glift::fitted(s->data_extent())};
+        static_assert(sizeof parameters == 8);
+        iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
-        const double_there_general_parameters parameters = {
-            .size = g.size(),
-            .g_origin = g.origin(),
-            .s_origin = s.origin(),
-            .g_frames_n = g->frames().n(),
-            .g_data_extent = glift::fitted(g->data_extent()),
-            .s_frames_n = s->frames().n(),
-            .s_data_extent = glift::fitted(s->data_extent()),
-        };
-        commands.dispatch(double_there_kernel,
-            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(double_there_general_parameters, size)}),
-            .sharing = iteration.sharing()});
+        const struct {
+            uint size;
+            uint g_origin;
+            uint s_origin;
+            uint g_frames_n;
+            uint g_data_extent;
+            uint s_frames_n;
+            uint s_data_extent;
+            std::uint64_t addresses[4];
+        } parameters = {g.size(), g.origin(), s.origin(), g->frames().n(), glift::fitted(g->data_extent()),
+            s->frames().n(), glift::fitted(s->data_extent()), {}};
+        static_assert(sizeof parameters == 64);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }
 }
 

@@ -22,21 +22,16 @@ public:
     /// Makes the structure with the given memory.
     Frames(const glift::Commands& commands, glift::uint n, glift::Memory data);
 
-    /// The extent of the virtual domain.
     glift::uint domain() const;
     glift::uint n() const { return n_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Frames& other) const;
 
-    /// Gives every element, or those of a box, the same value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Frames>& range);
-    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Frames>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Frames>& range, const glift::Memory& box) const;
     /// The type of the physical addresses to which addresses are translated.
@@ -49,7 +44,6 @@ public:
         const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
         const glift::Memory& values) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("n", n_);
         see.memory("data", data());
@@ -74,20 +68,16 @@ public:
     /// Makes the structure with the given nested structures and memory.
     Pool(const glift::Commands& commands, glift::uint pages, glift::uint capacity, Frames frames, glift::Memory data);
 
-    /// The extent of the virtual domain.
     glift::uint domain() const;
     glift::uint pages() const { return pages_; }
     glift::uint capacity() const { return capacity_; }
     const Frames& frames() const { return frames_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Pool& other) const;
 
-    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Pool>& range);
-    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Pool>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Pool>& range, const glift::Memory& box) const;
     /// The type of the physical addresses to which addresses are translated.
@@ -100,7 +90,6 @@ public:
         const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
         const glift::Memory& values) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("pages", pages_);
         see.value("capacity", capacity_);

@@ -10,97 +10,6 @@ namespace shared {
 
 using namespace glift::types;
 
-namespace {
-struct add_direct_parameters {
-    uint f_extent;
-    uint f_table_extent;
-    uint2 f_frames_extent;
-    uint g_field_extent;
-    uint g_field_table_extent;
-    uint2 g_field_frames_extent;
-};
-static_assert(offsetof(add_direct_parameters, f_extent) == 0);
-static_assert(offsetof(add_direct_parameters, f_table_extent) == 4);
-static_assert(offsetof(add_direct_parameters, f_frames_extent) == 8);
-static_assert(offsetof(add_direct_parameters, g_field_extent) == 16);
-static_assert(offsetof(add_direct_parameters, g_field_table_extent) == 20);
-static_assert(offsetof(add_direct_parameters, g_field_frames_extent) == 24);
-struct add_general_parameters {
-    uint size;
-    uint f_origin;
-    uint g_origin;
-    uint to_origin;
-    uint f_extent;
-    uint f_table_extent;
-    uint2 f_frames_extent;
-    uint to_extent;
-    uint to_table_extent;
-    uint2 to_frames_extent;
-    uint g_field_extent;
-    uint g_field_table_extent;
-    uint2 g_field_frames_extent;
-};
-static_assert(offsetof(add_general_parameters, size) == 0);
-static_assert(offsetof(add_general_parameters, f_origin) == 4);
-static_assert(offsetof(add_general_parameters, g_origin) == 8);
-static_assert(offsetof(add_general_parameters, to_origin) == 12);
-static_assert(offsetof(add_general_parameters, f_extent) == 16);
-static_assert(offsetof(add_general_parameters, f_table_extent) == 20);
-static_assert(offsetof(add_general_parameters, f_frames_extent) == 24);
-static_assert(offsetof(add_general_parameters, to_extent) == 32);
-static_assert(offsetof(add_general_parameters, to_table_extent) == 36);
-static_assert(offsetof(add_general_parameters, to_frames_extent) == 40);
-static_assert(offsetof(add_general_parameters, g_field_extent) == 48);
-static_assert(offsetof(add_general_parameters, g_field_table_extent) == 52);
-static_assert(offsetof(add_general_parameters, g_field_frames_extent) == 56);
-struct add_wide_parameters {
-    uint size;
-    uint f_origin;
-    uint g_origin;
-    uint to_origin;
-    uint f_extent;
-    uint f_table_extent;
-    std::uint64_t f_frames_extent_x;
-    uint f_frames_extent_y;
-    uint to_extent;
-    uint to_table_extent;
-    std::uint64_t to_frames_extent_x;
-    uint to_frames_extent_y;
-    uint g_field_extent;
-    uint g_field_table_extent;
-    uint g_field_frames_extent_y;
-    std::uint64_t g_field_frames_extent_x;
-    std::uint64_t f_table_data_address;
-    std::uint64_t f_frames_data_address;
-    std::uint64_t g_field_table_data_address;
-    std::uint64_t g_field_frames_data_address;
-    std::uint64_t to_table_data_address;
-    std::uint64_t to_frames_data_address;
-};
-static_assert(offsetof(add_wide_parameters, size) == 0);
-static_assert(offsetof(add_wide_parameters, f_origin) == 4);
-static_assert(offsetof(add_wide_parameters, g_origin) == 8);
-static_assert(offsetof(add_wide_parameters, to_origin) == 12);
-static_assert(offsetof(add_wide_parameters, f_extent) == 16);
-static_assert(offsetof(add_wide_parameters, f_table_extent) == 20);
-static_assert(offsetof(add_wide_parameters, f_frames_extent_x) == 24);
-static_assert(offsetof(add_wide_parameters, f_frames_extent_y) == 32);
-static_assert(offsetof(add_wide_parameters, to_extent) == 36);
-static_assert(offsetof(add_wide_parameters, to_table_extent) == 40);
-static_assert(offsetof(add_wide_parameters, to_frames_extent_x) == 48);
-static_assert(offsetof(add_wide_parameters, to_frames_extent_y) == 56);
-static_assert(offsetof(add_wide_parameters, g_field_extent) == 60);
-static_assert(offsetof(add_wide_parameters, g_field_table_extent) == 64);
-static_assert(offsetof(add_wide_parameters, g_field_frames_extent_y) == 68);
-static_assert(offsetof(add_wide_parameters, g_field_frames_extent_x) == 72);
-static_assert(offsetof(add_wide_parameters, f_table_data_address) == 80);
-static_assert(offsetof(add_wide_parameters, f_frames_data_address) == 88);
-static_assert(offsetof(add_wide_parameters, g_field_table_data_address) == 96);
-static_assert(offsetof(add_wide_parameters, g_field_frames_data_address) == 104);
-static_assert(offsetof(add_wide_parameters, to_table_data_address) == 112);
-static_assert(offsetof(add_wide_parameters, to_frames_data_address) == 120);
-}  // namespace
-
 extern const glift::Kernel add_kernel;
 
 void add(const glift::Commands& commands, const glift::Range<Paged>& f, const glift::Range<Same>& g,
@@ -112,134 +21,41 @@ void add(const glift::Commands& commands, const glift::Range<Paged>& f, const gl
     const glift::Memory memories[] = {f->table().data(), f->frames().data(), g->field().table().data(),
         g->field().frames().data(), to->table().data(), to->frames().data()};
     if (iteration.is_shared(memories)) iteration.share(memories, {f, g, to});
-    if (commands.needs_wide(add_kernel, memories, iteration.size(), iteration.sharing())) {
-        const add_wide_parameters parameters = {
-            .size = f.size(),
-            .f_origin = f.origin(),
-            .g_origin = iteration.centre(g),
-            .to_origin = to.origin(),
-            .f_extent = f->extent(),
-            .f_table_extent = f->table().extent(),
-            .f_frames_extent_x = std::uint64_t(f->frames().extent().x),
-            .f_frames_extent_y = f->frames().extent().y,
-            .to_extent = to->extent(),
-            .to_table_extent = to->table().extent(),
-            .to_frames_extent_x = std::uint64_t(to->frames().extent().x),
-            .to_frames_extent_y = to->frames().extent().y,
-            .g_field_extent = g->field().extent(),
-            .g_field_table_extent = g->field().table().extent(),
-            .g_field_frames_extent_y = g->field().frames().extent().y,
-            .g_field_frames_extent_x = std::uint64_t(g->field().frames().extent().x),
-            .f_table_data_address = 0u,
-            .f_frames_data_address = 0u,
-            .g_field_table_data_address = 0u,
-            .g_field_frames_data_address = 0u,
-            .to_table_data_address = 0u,
-            .to_frames_data_address = 0u,
-        };
-        commands.dispatch(add_kernel, {.form = glift::FormName::wide, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(add_wide_parameters, size)}), .sharing = iteration.sharing()});
-    } else if (iteration.is_whole() && f->same_state(to.structure())
-        && iteration.sharing() != glift::Sharing::one_place) {
-        const add_direct_parameters parameters = {
-            .f_extent = f->extent(),
-            .f_table_extent = f->table().extent(),
-            .f_frames_extent = f->frames().extent(),
-            .g_field_extent = g->field().extent(),
-            .g_field_table_extent = g->field().table().extent(),
-            .g_field_frames_extent = g->field().frames().extent(),
-        };
-        commands.dispatch(add_kernel, {.form = glift::FormName::direct, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(), .sharing = iteration.sharing()});
+    if (iteration.can_be_direct(commands, memories) && f->same_state(to.structure())) {
+        const struct {
+            uint f_extent;
+            uint f_table_extent;
+            uint2 f_frames_extent;
+            uint g_field_extent;
+            uint g_field_table_extent;
+            uint2 g_field_frames_extent;
+        } parameters = {f->extent(), f->table().extent(), f->frames().extent(), g->field().extent(),
+            g->field().table().extent(), g->field().frames().extent()};
+        static_assert(sizeof parameters == 32);
+        iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
-        const add_general_parameters parameters = {
-            .size = f.size(),
-            .f_origin = f.origin(),
-            .g_origin = iteration.centre(g),
-            .to_origin = to.origin(),
-            .f_extent = f->extent(),
-            .f_table_extent = f->table().extent(),
-            .f_frames_extent = f->frames().extent(),
-            .to_extent = to->extent(),
-            .to_table_extent = to->table().extent(),
-            .to_frames_extent = to->frames().extent(),
-            .g_field_extent = g->field().extent(),
-            .g_field_table_extent = g->field().table().extent(),
-            .g_field_frames_extent = g->field().frames().extent(),
-        };
-        commands.dispatch(add_kernel, {.form = glift::FormName::general, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(add_general_parameters, size)}), .sharing = iteration.sharing()});
+        const struct {
+            uint size;
+            uint f_origin;
+            uint g_origin;
+            uint to_origin;
+            uint f_extent;
+            uint f_table_extent;
+            uint2 f_frames_extent;
+            uint to_extent;
+            uint to_table_extent;
+            uint2 to_frames_extent;
+            uint g_field_extent;
+            uint g_field_table_extent;
+            uint2 g_field_frames_extent;
+            std::uint64_t addresses[6];
+        } parameters = {f.size(), f.origin(), iteration.centre(g), to.origin(), f->extent(), f->table().extent(),
+            f->frames().extent(), to->extent(), to->table().extent(), to->frames().extent(), g->field().extent(),
+            g->field().table().extent(), g->field().frames().extent(), {}};
+        static_assert(sizeof parameters == 112);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }
 }
-
-namespace {
-struct move_direct_parameters {
-    uint from_extent;
-    uint from_table_extent;
-    uint2 from_frames_extent;
-};
-static_assert(offsetof(move_direct_parameters, from_extent) == 0);
-static_assert(offsetof(move_direct_parameters, from_table_extent) == 4);
-static_assert(offsetof(move_direct_parameters, from_frames_extent) == 8);
-struct move_general_parameters {
-    uint size;
-    uint a_origin;
-    uint from_origin;
-    uint to_origin;
-    uint to_extent;
-    uint to_table_extent;
-    uint2 to_frames_extent;
-    uint from_extent;
-    uint from_table_extent;
-    uint2 from_frames_extent;
-};
-static_assert(offsetof(move_general_parameters, size) == 0);
-static_assert(offsetof(move_general_parameters, a_origin) == 4);
-static_assert(offsetof(move_general_parameters, from_origin) == 8);
-static_assert(offsetof(move_general_parameters, to_origin) == 12);
-static_assert(offsetof(move_general_parameters, to_extent) == 16);
-static_assert(offsetof(move_general_parameters, to_table_extent) == 20);
-static_assert(offsetof(move_general_parameters, to_frames_extent) == 24);
-static_assert(offsetof(move_general_parameters, from_extent) == 32);
-static_assert(offsetof(move_general_parameters, from_table_extent) == 36);
-static_assert(offsetof(move_general_parameters, from_frames_extent) == 40);
-struct move_wide_parameters {
-    uint size;
-    uint a_origin;
-    uint from_origin;
-    uint to_origin;
-    uint to_extent;
-    uint to_table_extent;
-    std::uint64_t to_frames_extent_x;
-    uint to_frames_extent_y;
-    uint from_extent;
-    uint from_table_extent;
-    uint from_frames_extent_y;
-    std::uint64_t from_frames_extent_x;
-    std::uint64_t from_table_data_address;
-    std::uint64_t from_frames_data_address;
-    std::uint64_t to_table_data_address;
-    std::uint64_t to_frames_data_address;
-};
-static_assert(offsetof(move_wide_parameters, size) == 0);
-static_assert(offsetof(move_wide_parameters, a_origin) == 4);
-static_assert(offsetof(move_wide_parameters, from_origin) == 8);
-static_assert(offsetof(move_wide_parameters, to_origin) == 12);
-static_assert(offsetof(move_wide_parameters, to_extent) == 16);
-static_assert(offsetof(move_wide_parameters, to_table_extent) == 20);
-static_assert(offsetof(move_wide_parameters, to_frames_extent_x) == 24);
-static_assert(offsetof(move_wide_parameters, to_frames_extent_y) == 32);
-static_assert(offsetof(move_wide_parameters, from_extent) == 36);
-static_assert(offsetof(move_wide_parameters, from_table_extent) == 40);
-static_assert(offsetof(move_wide_parameters, from_frames_extent_y) == 44);
-static_assert(offsetof(move_wide_parameters, from_frames_extent_x) == 48);
-static_assert(offsetof(move_wide_parameters, from_table_data_address) == 56);
-static_assert(offsetof(move_wide_parameters, from_frames_data_address) == 64);
-static_assert(offsetof(move_wide_parameters, to_table_data_address) == 72);
-static_assert(offsetof(move_wide_parameters, to_frames_data_address) == 80);
-}  // namespace
 
 extern const glift::Kernel move_kernel;
 
@@ -252,52 +68,32 @@ void move(const glift::Commands& commands, const glift::Range<Paged>& from, cons
     const glift::Memory memories[] = {from->table().data(), from->frames().data(), to->table().data(),
         to->frames().data()};
     if (iteration.is_shared(memories)) iteration.share(memories, {from, a, to});
-    if (commands.needs_wide(move_kernel, memories, iteration.size())) {
-        const move_wide_parameters parameters = {
-            .size = a.size(),
-            .a_origin = a.origin(),
-            .from_origin = from.origin(),
-            .to_origin = to.origin(),
-            .to_extent = to->extent(),
-            .to_table_extent = to->table().extent(),
-            .to_frames_extent_x = std::uint64_t(to->frames().extent().x),
-            .to_frames_extent_y = to->frames().extent().y,
-            .from_extent = from->extent(),
-            .from_table_extent = from->table().extent(),
-            .from_frames_extent_y = from->frames().extent().y,
-            .from_frames_extent_x = std::uint64_t(from->frames().extent().x),
-            .from_table_data_address = 0u,
-            .from_frames_data_address = 0u,
-            .to_table_data_address = 0u,
-            .to_frames_data_address = 0u,
-        };
-        commands.dispatch(move_kernel, {.form = glift::FormName::wide, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(move_wide_parameters, size)}), .sharing = iteration.sharing()});
-    } else if (iteration.is_whole() && from->same_state(a.structure()) && a->same_state(to.structure())) {
-        const move_direct_parameters parameters = {
-            .from_extent = from->extent(),
-            .from_table_extent = from->table().extent(),
-            .from_frames_extent = from->frames().extent(),
-        };
-        commands.dispatch(move_kernel, {.form = glift::FormName::direct, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(), .sharing = iteration.sharing()});
+    if (iteration.can_be_direct(commands, memories) && from->same_state(a.structure())
+        && a->same_state(to.structure())) {
+        const struct {
+            uint from_extent;
+            uint from_table_extent;
+            uint2 from_frames_extent;
+        } parameters = {from->extent(), from->table().extent(), from->frames().extent()};
+        static_assert(sizeof parameters == 16);
+        iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
-        const move_general_parameters parameters = {
-            .size = a.size(),
-            .a_origin = a.origin(),
-            .from_origin = from.origin(),
-            .to_origin = to.origin(),
-            .to_extent = to->extent(),
-            .to_table_extent = to->table().extent(),
-            .to_frames_extent = to->frames().extent(),
-            .from_extent = from->extent(),
-            .from_table_extent = from->table().extent(),
-            .from_frames_extent = from->frames().extent(),
-        };
-        commands.dispatch(move_kernel, {.form = glift::FormName::general, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(move_general_parameters, size)}), .sharing = iteration.sharing()});
+        const struct {
+            uint size;
+            uint a_origin;
+            uint from_origin;
+            uint to_origin;
+            uint to_extent;
+            uint to_table_extent;
+            uint2 to_frames_extent;
+            uint from_extent;
+            uint from_table_extent;
+            uint2 from_frames_extent;
+            std::uint64_t addresses[4];
+        } parameters = {a.size(), a.origin(), from.origin(), to.origin(), to->extent(), to->table().extent(),
+            to->frames().extent(), from->extent(), from->table().extent(), from->frames().extent(), {}};
+        static_assert(sizeof parameters == 80);
+        iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }
 }
 

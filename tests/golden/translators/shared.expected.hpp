@@ -26,27 +26,21 @@ public:
     /// Makes the structure with the given memory.
     Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
-    /// The extent of the virtual domain.
     glift::uint domain() const;
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Array_1_uint_none_buffer& other) const;
 
-    /// Gives every element, or those of a box, the same value.
     void fill(glift::uint value);
     void fill(glift::uint value, const glift::Range<Array_1_uint_none_buffer>& range);
-    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
@@ -83,27 +77,21 @@ public:
     /// Makes the structure with the given memory.
     Array_2_float_none_buffer(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
-    /// The extent of the virtual domain.
     glift::uint2 domain() const;
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Array_2_float_none_buffer& other) const;
 
-    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Array_2_float_none_buffer>& range);
-    /// The index of an element in row_memory(): an affine function of the element's address.
     std::uint64_t place(glift::uint2 address) const;
     const glift::Memory& row_memory() const { return data_; }
-    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Array_2_float_none_buffer>& range,
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_2_float_none_buffer>& range,
         const glift::Memory& box) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
@@ -134,7 +122,6 @@ public:
     /// Makes the structure with the given nested structures.
     Paged(const glift::Commands& commands, const Table& table, glift::uint extent, glift::uint capacity, Plane frames);
 
-    /// The extent of the virtual domain.
     glift::uint domain() const;
     glift::uint extent() const { return extent_; }
     glift::uint capacity() const { return capacity_; }
@@ -142,13 +129,10 @@ public:
     Table& table() { return table_; }
     const Plane& frames() const { return frames_; }
     Plane& frames() { return frames_; }
-    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Paged& other) const;
 
-    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Paged>& range);
-    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Paged>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Paged>& range, const glift::Memory& box) const;
     /// The type of the physical addresses to which addresses are translated.
@@ -161,7 +145,6 @@ public:
         const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
         const glift::Memory& values) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.value("capacity", capacity_);
@@ -187,19 +170,15 @@ public:
     Same() = default;
     Same(const glift::Commands& commands, const Paged& field);
 
-    /// The extent of the virtual domain.
     glift::uint domain() const;
     const Paged& field() const { return field_; }
     Paged& field() { return field_; }
     const Paged& elements() const { return field_; }
     Paged& elements() { return field_; }
-    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Same& other) const;
 
-    /// Gives every element, or those of a box, the same value.
     void fill(float value);
     void fill(float value, const glift::Range<Same>& range);
-    /// Copy the elements to a linear buffer, `box`, the first axis fastest, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Same>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Same>& range, const glift::Memory& box) const;
     /// The type of the physical addresses to which addresses are translated.
@@ -212,7 +191,6 @@ public:
         const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
         const glift::Memory& values) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.memory("field", field());
     }
@@ -240,10 +218,8 @@ public:
     const Plane& frames() const { return frames_.get(); }
     Plane& frames() { return frames_.get(); }
     glift::uint capacity() const { return capacity_.get(); }
-    /// Whether constructor values and the state of the parts are equal; kernels may then use the sizes of one for both.
     bool same_state(const Growing& other) const;
 
-    /// Calls see.value, see.memory, see.member or see.given for each part. glift/inspect.h has such a class.
     template <class See> void describe(See&& see) const {
         see.value("n", n_);
         see.value("capacity", capacity());

@@ -1,8 +1,0 @@
-// Made by gliftc from fold.glift. Changes are lost when it is made again.
-#pragma once
-
-#include <glift/vector.h>
-
-#include <cstddef>
-#include <optional>
-
