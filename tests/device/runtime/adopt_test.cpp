@@ -54,27 +54,6 @@ TEST(Adopt, WithoutPushDescriptors) {
     expect_no_messages(device);
 }
 
-TEST(Adopt, PassesGoIntoTheProgramsCommandBuffer) {
-    const PlainVulkan mine;
-    const auto device = glift::vulkan::adopt(mine.objects());
-    const auto g = buffer(device, "g.data", 256), copy = buffer(device, "copy.data", 256);
-    run_store(device, g, 64, 5);  // submitted before the program's own work
-    const VkCommandBuffer commands = mine.begin();
-    {
-        const auto into = glift::vulkan::record_into(device, commands);
-        run_add(into, g, 64, 1);
-        run_add(into, g, 64, 2);
-        glift::vulkan::finish(into);
-        // A command of the program's own that reads what Glift wrote.
-        const auto from = glift::vulkan::buffer(g), to = glift::vulkan::buffer(copy);
-        const VkBufferCopy region = {from.offset, to.offset, 256};
-        vkCmdCopyBuffer(commands, from.buffer, to.buffer, 1, &region);
-        mine.run(commands);
-    }
-    EXPECT_EQ(read<std::uint32_t>(device, copy, 64)[63], (5u * 2 + 1) * 2 + 2);
-    expect_no_messages(device);
-}
-
 TEST(Adopt, OldAndPoorDevicesAreRefused) {
     const PlainVulkan mine;
     auto objects = mine.objects();
