@@ -37,9 +37,9 @@ private:
 
 /// Vulkan objects of the user's program, which must outlive the Device and everything made from it. The queue's family
 /// must support compute, for draws also graphics. Glift uses the queue only inside its calls, during which no other
-/// thread may use it. Needed on the device: Vulkan 1.3, scalarBlockLayout, timelineSemaphore, bufferDeviceAddress,
-/// synchronization2, hostQueryReset, maintenance4, subgroupSizeControl, computeFullSubgroups; for draws also
-/// dynamicRendering and shaderTerminateInvocation.
+/// thread may use it. Needed on instance and device: Vulkan 1.3 (VkApplicationInfo::apiVersion); on the device
+/// scalarBlockLayout, timelineSemaphore, bufferDeviceAddress, synchronization2, hostQueryReset, maintenance4,
+/// subgroupSizeControl, computeFullSubgroups; for draws also dynamicRendering and shaderTerminateInvocation.
 struct Objects {
     VkInstance instance = VK_NULL_HANDLE;
     VkPhysicalDevice physical = VK_NULL_HANDLE;

@@ -103,7 +103,8 @@ void FeatureChain::require() const {
     if (!names.empty()) {
         throw Error(ErrorCode::missing_feature, "the device lacks a feature that Glift needs", properties.deviceName,
                     "missing: " + names,
-                    "update its driver, or choose another device with GLIFT_DEVICE=lavapipe or GLIFT_DEVICE=host");
+                    "update its driver, or choose another device with GLIFT_DEVICE=lavapipe or GLIFT_DEVICE=host; a "
+                    "program's own instance needs VkApplicationInfo::apiVersion = VK_API_VERSION_1_3");
     }
 }
 

@@ -71,6 +71,28 @@ TEST(Adopt, OldAndPoorDevicesAreRefused) {
         EXPECT_NE(poor.why().find(needed), std::string::npos) << poor.what();
 }
 
+// Functions of Vulkan 1.3 are then missing; without the check, the first call of one would crash.
+TEST(Adopt, InstancesForOldVulkanAreRefused) {
+    {
+        const PlainVulkan mine(VK_API_VERSION_1_2);
+        const auto old = error_of([&] { glift::vulkan::adopt(mine.objects()); });
+        EXPECT_EQ(old.code(), glift::ErrorCode::unsupported_version) << old.what();
+        EXPECT_NE(old.remedy().find("apiVersion"), std::string::npos) << old.what();
+    }
+    const VkApplicationInfo application = {.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
+                                           .apiVersion = VK_API_VERSION_1_0};
+    const VkInstanceCreateInfo info = {.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
+                                       .pApplicationInfo = &application};
+    VkInstance instance = VK_NULL_HANDLE;
+    ASSERT_EQ(vkCreateInstance(&info, nullptr, &instance), VK_SUCCESS);
+    std::uint32_t count = 1;
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+    vkEnumeratePhysicalDevices(instance, &count, &physical);
+    const auto older = error_of([&] { glift::vulkan::DeviceFeatures(instance, physical); });
+    EXPECT_NE(older.remedy().find("apiVersion"), std::string::npos) << older.what();
+    vkDestroyInstance(instance, nullptr);
+}
+
 // Without the check, the first call that uses a missing object would crash.
 TEST(Adopt, ObjectsThatDoNotFitAreRefused) {
     const PlainVulkan mine;

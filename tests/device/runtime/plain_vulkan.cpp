@@ -168,10 +168,9 @@ PFN_vkVoidFunction VKAPI_CALL pretending_loader(VkInstance instance, const char*
     return vkGetInstanceProcAddr(instance, name);
 }
 
-PlainVulkan::PlainVulkan() {
+PlainVulkan::PlainVulkan(std::uint32_t api_version) {
     pretence = {};
-    const VkApplicationInfo application = {.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
-                                           .apiVersion = VK_API_VERSION_1_3};
+    const VkApplicationInfo application = {.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO, .apiVersion = api_version};
     const char* layer = "VK_LAYER_KHRONOS_validation";
     const char* debug = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
     const char* wanted = std::getenv("GLIFT_VALIDATE");

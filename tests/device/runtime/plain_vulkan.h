@@ -39,7 +39,7 @@ PFN_vkVoidFunction VKAPI_CALL pretending_loader(VkInstance instance, const char*
 
 class PlainVulkan {
 public:
-    PlainVulkan();
+    explicit PlainVulkan(std::uint32_t api_version = VK_API_VERSION_1_3);
     ~PlainVulkan();
     void destroy_device();  ///< for tests that destroy the device before the other objects
 
