@@ -1,4 +1,5 @@
 // The code of test programs that does not depend on the types of their structures.
+#include <glift/inspected_values.h>
 #include <glift/testing.h>
 #include <glift/translation_checks.h>
 
@@ -33,15 +34,11 @@ struct ScalarReader {
         return load<double>(at);
     }
     static std::string text(char kind, const std::byte* at) {
-        char buffer[40];
-        if (is_floating(kind)) std::snprintf(buffer, sizeof buffer, "%.9g", number(kind, at));
-        else if (kind == 'i') std::snprintf(buffer, sizeof buffer, "%d", load<std::int32_t>(at));
-        else if (kind == 'U')
-            std::snprintf(buffer, sizeof buffer, "%llu", static_cast<unsigned long long>(load<std::uint64_t>(at)));
-        else if (kind == 'I')
-            std::snprintf(buffer, sizeof buffer, "%lld", static_cast<long long>(load<std::int64_t>(at)));
-        else std::snprintf(buffer, sizeof buffer, "%u", load<std::uint32_t>(at));
-        return buffer;
+        if (is_floating(kind)) return detail::number_text(number(kind, at), 9);
+        if (kind == 'i') return std::to_string(load<std::int32_t>(at));
+        if (kind == 'U') return std::to_string(load<std::uint64_t>(at));
+        if (kind == 'I') return std::to_string(load<std::int64_t>(at));
+        return std::to_string(load<std::uint32_t>(at));
     }
     /// Whether two scalars have the same bits, are floats that are both NaN, or, unless the tolerance is 0, are floats
     /// that differ by no more than the tolerance times the largest of 1 and their magnitudes (those that are drawn,
@@ -245,9 +242,9 @@ void Test::expect(bool condition, const char* place) {
 
 void Test::expect_numbers_near(double a, double b, double tolerance, const char* place) {
     if (std::fabs(a - b) <= tolerance) return;
-    char text[160];
-    std::snprintf(text, sizeof text, "%s: expect_near: %.9g is not within %g of %.9g", place, a, tolerance, b);
-    failures.push_back(text);
+    const auto text = [](double x) { return detail::number_text(x, 9); };
+    failures.push_back(std::string(place) + ": expect_near: " + text(a) + " is not within " + text(tolerance) + " of " +
+                       text(b));
 }
 
 void Test::check_as_made(const char* title, void (*check)(const void* body), const void* body) {
