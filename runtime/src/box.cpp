@@ -79,12 +79,29 @@ void throw_unmapped(const char* type, const char* operation) {
                 std::string("Mapped::") + operation, "it was unmapped, or moved from", "map it again");
 }
 
+namespace {
+
 void log_unwritten(const char* type, const std::exception& error) noexcept {
     try {
         log(std::string("the values of a mapped ") + type + " were not written: " + error.what());
     } catch (...) {
         // The log itself failed, and a destructor cannot throw.
     }
+}
+
+}  // namespace
+
+void write_back(const char* type, void (*write)(void* mapped), void* mapped) noexcept {
+    try {
+        write(mapped);
+    } catch (const std::exception& error) {
+        log_unwritten(type, error);
+    }
+}
+
+void throw_other_part(const char* name) {
+    throw Error(ErrorCode::wrong_argument, "a part was made with other arguments than the structure would make it with",
+                name, {}, "make it with the arguments that the structure's declaration gives it");
 }
 
 }  // namespace glift::detail

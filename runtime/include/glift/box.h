@@ -79,6 +79,7 @@ struct Box {
                                         const Extent& whole);
 /// Throws the error for a number of values that is not the number of elements of the box.
 [[noreturn]] GLIFT_API void throw_count(const char* type, std::size_t given, const Extent& size, unsigned rank);
+[[noreturn]] GLIFT_API void throw_other_part(const char* name);
 /// Throws the error for a structure that was default-constructed or moved from.
 [[noreturn]] GLIFT_API void throw_empty_structure(const char* type, const char* operation);
 

@@ -76,9 +76,8 @@ template <class S> std::optional<std::vector<CopyRegion>> rows_of(const S& struc
 /// was made with are not compared).
 template <class S> S&& part(S&& made, bool alike, const char* name) {
     if constexpr (requires { made.device(); }) (void)made.device();
-    if (alike) return std::move(made);
-    throw Error(ErrorCode::wrong_argument, "a part was made with other arguments than the structure would make it with",
-                name, {}, "make it with the arguments that the structure's declaration gives it");
+    if (!alike) throw_other_part(name);
+    return std::move(made);
 }
 
 }  // namespace detail
