@@ -1,10 +1,14 @@
 // Errors of structures and ranges: boxes, slices and addresses out of bounds, empty structures, numbers that do not
 // fit. They are not inline, so that generated sources need not compile the code that makes the messages.
+#include "text.h"
+
 #include <glift/box.h>
 #include <glift/log.h>
 #include <glift/mapped.h>
 #include <glift/resident.h>
 
+#include <new>
+#include <stdexcept>
 #include <string>
 
 namespace glift::detail {
@@ -96,6 +100,24 @@ void write_back(const char* type, void (*write)(void* mapped), void* mapped) noe
         write(mapped);
     } catch (const std::exception& error) {
         log_unwritten(type, error);
+    }
+}
+
+void make_values(const char* type, unsigned rank, const Extent& size, std::size_t element_bytes,
+                 const ValueList& list) {
+    const std::uint64_t elements = volume_of(size);
+    const auto refuse = [&] {
+        throw Error(ErrorCode::out_of_memory, "the host has no memory left for the values of a box",
+                    std::string(type) + "::read, or ::map",
+                    text_of(size, rank) + " elements, " + size_text(saturated_product(elements, element_bytes)),
+                    "read smaller boxes, or only the resident elements (read_resident)");
+    };
+    try {
+        list.resize(list.values, elements);
+    } catch (const std::bad_alloc&) {
+        refuse();
+    } catch (const std::length_error&) {
+        refuse();
     }
 }
 
