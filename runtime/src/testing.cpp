@@ -42,14 +42,14 @@ struct ScalarReader {
     }
     /// Whether two scalars have the same bits, are floats that are both NaN, or, unless the tolerance is 0, are floats
     /// that differ by no more than the tolerance times the largest of 1 and their magnitudes (those that are drawn,
-    /// kind n: by no more than drawn_tolerance).
+    /// kind n: by no more than byte_tolerance).
     static bool agree(char kind, const std::byte* a, const std::byte* b, double tolerance) {
         if (std::memcmp(a, b, size_of(kind)) == 0) return true;
         if (!is_floating(kind)) return false;
         const double x = number(kind, a), y = number(kind, b);
         if (x != x && y != y) return true;
         if (tolerance == 0) return false;
-        if (kind == 'n') return std::fabs(x - y) <= drawn_tolerance;
+        if (kind == 'n') return std::fabs(x - y) <= byte_tolerance;
         return std::fabs(x - y) <= tolerance * std::max(1.0, std::max(std::fabs(x), std::fabs(y)));
     }
 };
@@ -116,8 +116,7 @@ public:
         if (runs.size() == 2 && runs[0].kept.size() == runs[1].kept.size()) {
             for (std::size_t i = 0; i < runs[0].kept.size(); ++i)
                 detail::compare(runs[0].kept[i], "the host", runs[1].kept[i], devices_[1].properties().name,
-                                test.exact ? 0 : inexact_tolerance,
-                                std::string(test.place) + ": " + runs[0].kept[i].name, failures);
+                                test.tolerance, std::string(test.place) + ": " + runs[0].kept[i].name, failures);
         }
         report(test, "", failures);
         for (const std::string& note : notes) std::printf("      %s\n", note.c_str());
