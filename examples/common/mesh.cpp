@@ -67,8 +67,9 @@ void check(const std::string& path, const Mesh& mesh) {
 
 Mesh read(const std::string& path) {
     Assimp::Importer importer;
-    constexpr unsigned steps = aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
-                               aiProcess_PreTransformVertices | aiProcess_SortByPType;
+    // Damaged files may have faces with corners that are not in the file: the other steps would crash.
+    constexpr unsigned steps = aiProcess_ValidateDataStructure | aiProcess_Triangulate |
+                               aiProcess_JoinIdenticalVertices | aiProcess_PreTransformVertices | aiProcess_SortByPType;
     const std::filesystem::path name(path);
     const aiScene* scene = nullptr;
     if (name.extension() == ".gz") {

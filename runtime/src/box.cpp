@@ -1,10 +1,14 @@
 // Errors of structures and ranges: boxes, slices and addresses out of bounds, empty structures, numbers that do not
 // fit. They are not inline, so that generated sources need not compile the code that makes the messages.
+#include "text.h"
+
 #include <glift/box.h>
 #include <glift/log.h>
 #include <glift/mapped.h>
 #include <glift/resident.h>
 
+#include <new>
+#include <stdexcept>
 #include <string>
 
 namespace glift::detail {
@@ -79,12 +83,47 @@ void throw_unmapped(const char* type, const char* operation) {
                 std::string("Mapped::") + operation, "it was unmapped, or moved from", "map it again");
 }
 
+namespace {
+
 void log_unwritten(const char* type, const std::exception& error) noexcept {
     try {
         log(std::string("the values of a mapped ") + type + " were not written: " + error.what());
     } catch (...) {
         // The log itself failed, and a destructor cannot throw.
     }
+}
+
+}  // namespace
+
+void write_back(const char* type, void (*write)(void* mapped), void* mapped) noexcept {
+    try {
+        write(mapped);
+    } catch (const std::exception& error) {
+        log_unwritten(type, error);
+    }
+}
+
+void make_values(const char* type, unsigned rank, const Extent& size, std::size_t element_bytes,
+                 const ValueList& list) {
+    const std::uint64_t elements = volume_of(size);
+    const auto refuse = [&] {
+        throw Error(ErrorCode::out_of_memory, "the host has no memory left for the values of a box",
+                    std::string(type) + "::read, or ::map",
+                    text_of(size, rank) + " elements, " + size_text(saturated_product(elements, element_bytes)),
+                    "read smaller boxes, or only the resident elements (read_resident)");
+    };
+    try {
+        list.resize(list.values, elements);
+    } catch (const std::bad_alloc&) {
+        refuse();
+    } catch (const std::length_error&) {
+        refuse();
+    }
+}
+
+void throw_other_part(const char* name) {
+    throw Error(ErrorCode::wrong_argument, "a part was made with other arguments than the structure would make it with",
+                name, {}, "make it with the arguments that the structure's declaration gives it");
 }
 
 }  // namespace glift::detail

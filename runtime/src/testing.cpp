@@ -1,4 +1,5 @@
 // The code of test programs that does not depend on the types of their structures.
+#include <glift/inspected_values.h>
 #include <glift/testing.h>
 #include <glift/translation_checks.h>
 
@@ -33,26 +34,22 @@ struct ScalarReader {
         return load<double>(at);
     }
     static std::string text(char kind, const std::byte* at) {
-        char buffer[40];
-        if (is_floating(kind)) std::snprintf(buffer, sizeof buffer, "%.9g", number(kind, at));
-        else if (kind == 'i') std::snprintf(buffer, sizeof buffer, "%d", load<std::int32_t>(at));
-        else if (kind == 'U')
-            std::snprintf(buffer, sizeof buffer, "%llu", static_cast<unsigned long long>(load<std::uint64_t>(at)));
-        else if (kind == 'I')
-            std::snprintf(buffer, sizeof buffer, "%lld", static_cast<long long>(load<std::int64_t>(at)));
-        else std::snprintf(buffer, sizeof buffer, "%u", load<std::uint32_t>(at));
-        return buffer;
+        if (is_floating(kind)) return detail::number_text(number(kind, at), 9);
+        if (kind == 'i') return std::to_string(load<std::int32_t>(at));
+        if (kind == 'U') return std::to_string(load<std::uint64_t>(at));
+        if (kind == 'I') return std::to_string(load<std::int64_t>(at));
+        return std::to_string(load<std::uint32_t>(at));
     }
     /// Whether two scalars have the same bits, are floats that are both NaN, or, unless the tolerance is 0, are floats
     /// that differ by no more than the tolerance times the largest of 1 and their magnitudes (those that are drawn,
-    /// kind n: by no more than drawn_tolerance).
+    /// kind n: by no more than byte_tolerance).
     static bool agree(char kind, const std::byte* a, const std::byte* b, double tolerance) {
         if (std::memcmp(a, b, size_of(kind)) == 0) return true;
         if (!is_floating(kind)) return false;
         const double x = number(kind, a), y = number(kind, b);
         if (x != x && y != y) return true;
         if (tolerance == 0) return false;
-        if (kind == 'n') return std::fabs(x - y) <= drawn_tolerance;
+        if (kind == 'n') return std::fabs(x - y) <= byte_tolerance;
         return std::fabs(x - y) <= tolerance * std::max(1.0, std::max(std::fabs(x), std::fabs(y)));
     }
 };
@@ -119,8 +116,7 @@ public:
         if (runs.size() == 2 && runs[0].kept.size() == runs[1].kept.size()) {
             for (std::size_t i = 0; i < runs[0].kept.size(); ++i)
                 detail::compare(runs[0].kept[i], "the host", runs[1].kept[i], devices_[1].properties().name,
-                                test.exact ? 0 : inexact_tolerance,
-                                std::string(test.place) + ": " + runs[0].kept[i].name, failures);
+                                test.tolerance, std::string(test.place) + ": " + runs[0].kept[i].name, failures);
         }
         report(test, "", failures);
         for (const std::string& note : notes) std::printf("      %s\n", note.c_str());
@@ -245,9 +241,9 @@ void Test::expect(bool condition, const char* place) {
 
 void Test::expect_numbers_near(double a, double b, double tolerance, const char* place) {
     if (std::fabs(a - b) <= tolerance) return;
-    char text[160];
-    std::snprintf(text, sizeof text, "%s: expect_near: %.9g is not within %g of %.9g", place, a, tolerance, b);
-    failures.push_back(text);
+    const auto text = [](double x) { return detail::number_text(x, 9); };
+    failures.push_back(std::string(place) + ": expect_near: " + text(a) + " is not within " + text(tolerance) + " of " +
+                       text(b));
 }
 
 void Test::check_as_made(const char* title, void (*check)(const void* body), const void* body) {

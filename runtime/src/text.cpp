@@ -1,7 +1,9 @@
 #include "text.h"
 
+#include <glift/inspected_values.h>
+
 #include <array>
-#include <cstdio>
+#include <charconv>
 
 namespace glift::detail {
 
@@ -12,9 +14,13 @@ std::string size_text(std::uint64_t bytes) {
     std::size_t unit = 0;
     for (; value >= 1024 && unit + 1 < units.size(); ++unit) value /= 1024;
     char text[64];
-    std::snprintf(text, sizeof text, "%.1f %s (%llu bytes)", value, units[unit],
-                  static_cast<unsigned long long>(bytes));
-    return text;
+    char* const end = std::to_chars(text, std::end(text), value, std::chars_format::fixed, 1).ptr;
+    return std::string(text, end) + " " + units[unit] + " (" + std::to_string(bytes) + " bytes)";
+}
+
+std::string number_text(double value, int digits) {
+    char text[64];
+    return {text, std::to_chars(text, std::end(text), value, std::chars_format::general, digits).ptr};
 }
 
 std::string kernel_text(const Kernel& kernel) {

@@ -12,20 +12,42 @@ namespace {
 
 using ir::TypeKind;
 
-/// True if every pass that the pipeline runs gives the same bits on every device. Pipelines in `seen` are left out:
-/// they have been looked at already.
-bool is_exact(const Unit& unit, std::uint32_t index, std::set<std::uint32_t>& seen) {
-    if (!seen.insert(index).second) return true;
-    bool exact = true;
+/// How much the devices' results of a test may differ.
+enum class Agreement : std::uint8_t { exact, inexact, of_bytes };
+
+const char* tolerance_of(Agreement agreement) {
+    switch (agreement) {
+    case Agreement::exact: return "0";
+    case Agreement::inexact: return "glift::inexact_tolerance";
+    case Agreement::of_bytes: return "glift::byte_tolerance";
+    }
+    return "";
+}
+
+bool is_of_bytes(ir::Format format) {
+    return format == ir::Format::r8 || format == ir::Format::rg8 || format == ir::Format::rgba8;
+}
+
+bool filters_bytes(const ir::Pass& pass) {
+    return std::ranges::any_of(
+        pass.bindings, [](const ir::PassBinding& binding) { return binding.linear && is_of_bytes(binding.format); });
+}
+
+/// That of all passes that the pipeline runs. Pipelines in `seen` are left out: they have been looked at already.
+Agreement agreement_of(const Unit& unit, std::uint32_t index, std::set<std::uint32_t>& seen) {
+    Agreement all = Agreement::exact;
+    if (!seen.insert(index).second) return all;
     const ir::Pipeline& pipeline = unit.program.pipelines[index];
     ir::for_each_statement(unit.program, pipeline.body, [&](const ir::Stmt& stmt) {
-        if (stmt.op == ir::StmtOp::dispatch) exact = exact && unit.lowered.passes[stmt.slot].direct.exact;
+        if (stmt.op != ir::StmtOp::dispatch) return;
+        const ir::Pass& pass = unit.lowered.passes[stmt.slot].direct;
+        if (!pass.exact) all = std::max(all, filters_bytes(pass) ? Agreement::of_bytes : Agreement::inexact);
     });
     ir::for_each_expression(unit.program, pipeline.body, [&](ir::ExprId node) {
         const ir::Expr& expr = unit.program.exprs[node];
-        if (expr.op == ir::Op::pipeline_call) exact = exact && is_exact(unit, expr.slot, seen);
+        if (expr.op == ir::Op::pipeline_call) all = std::max(all, agreement_of(unit, expr.slot, seen));
     });
-    return exact;
+    return all;
 }
 
 }  // namespace
@@ -84,26 +106,24 @@ std::string kept_scalars(const ir::Program& program, std::uint32_t index) {
                });
     };
     if (structure.memories.empty() || std::ranges::none_of(program.kernels, draws)) return scalars;
-    const ir::Format format = structure.memories[structure.via_memory].format;
-    const bool is_fraction = format == ir::Format::r8 || format == ir::Format::rg8 || format == ir::Format::rgba8;
-    if (is_fraction) std::ranges::replace(scalars, 'f', 'n');
+    if (is_of_bytes(structure.memories[structure.via_memory].format)) std::ranges::replace(scalars, 'f', 'n');
     return scalars;
 }
 
 void print_tests(Unit& unit, Writer& out) {
     std::vector<std::string> rows;
-    const auto row = [&](const std::string& title, Span span, bool exact, const std::string& rest) {
+    const auto row = [&](const std::string& title, Span span, Agreement agreement, const std::string& rest) {
         unit.test_names.push_back({title, place_text(unit.sources, span)});
         rows.push_back("{" + quoted(title) + ", \"" + place_text(unit.sources, span) + "\", " +
-                       (exact ? "true, " : "false, ") + rest + "},");
+                       tolerance_of(agreement) + ", " + rest + "},");
     };
     for (const TranslationCheck& check : unit.translation_checks)
-        row(check.title, unit.program.structures[check.structure].span, true,
+        row(check.title, unit.program.structures[check.structure].span, Agreement::exact,
             check.of_extents.empty() ? "nullptr, " + quoted(check.why_not_alone) : "&" + check.of_extents);
     for (const ir::Test& test : unit.program.tests) {
         if (test.module != unit.module) continue;
         std::set<std::uint32_t> seen;
-        row(test.title, test.span, is_exact(unit, test.pipeline, seen),
+        row(test.title, test.span, agreement_of(unit, test.pipeline, seen),
             "&" + unit.globals.pipeline_names.at(test.pipeline));
     }
     if (rows.empty()) return;

@@ -22,6 +22,7 @@ const char* name_of(Helper helper) {
     case Helper::to_int64: return "to_int64";
     case Helper::to_uint64: return "to_uint64";
     case Helper::to_half: return "to_half";
+    case Helper::nearest_half: return "nearest_half";
     case Helper::ordered_dot: return "ordered_dot";
     case Helper::cross_product: return "cross_product";
     case Helper::blend: return "blend";
@@ -200,6 +201,18 @@ std::string half_of_double() {
            "    return float16_t(intBitsToFloat(bits)) + float16_t(-0.0);\n}\n";
 }
 
+constexpr const char* nearest_half_text =
+    R"(// Rounds to halves, ties to even: drivers may round towards zero where they store texels of 16-bit floats.
+vec4 nearest_half(vec4 x) {
+    uvec4 bits = floatBitsToUint(x) & 0x7fffffffu, sign = floatBitsToUint(x) & 0x80000000u;
+    uvec4 rounded = (bits + 0xfffu + (bits >> 13 & 1u)) & 0xffffe000u;
+    rounded = mix(rounded, uvec4(0x7f800000u), greaterThanEqual(rounded, uvec4(0x47800000u)));
+    uvec4 subnormal = floatBitsToUint(roundEven(abs(x) * 16777216.0) * 5.9604644775390625e-8);
+    rounded = mix(rounded, subnormal, lessThan(bits, uvec4(0x38800000u)));
+    return mix(uintBitsToFloat(rounded | sign), x, isnan(x));
+}
+)";
+
 std::string half_conversion(Printer& p, const HelperUse& use) {
     const ir::Types& types = p.program.types;
     const std::uint32_t count = types.components(use.a);
@@ -342,6 +355,7 @@ std::string definition(Printer& p, const HelperUse& use) {
     case Helper::to_int64:
     case Helper::to_uint64: return saturating_conversion(p, use);
     case Helper::to_half: return half_conversion(p, use);
+    case Helper::nearest_half: return nearest_half_text;
     case Helper::ordered_dot: return dot_definition(p, use);
     case Helper::matrix_vector:
     case Helper::vector_matrix:
@@ -441,6 +455,7 @@ void need_inner(Printer& p, const HelperUse& use) {
     case Helper::to_half:
         if (types.components(use.a) > 1 && scalar == types.double_) need(p, use.helper, scalar);
         break;
+    case Helper::nearest_half:
     case Helper::split_float:
     case Helper::ordered_dot:
     case Helper::matrix_vector:

@@ -329,12 +329,22 @@ Text print_load(Printer& p, const ir::Expr& expr) {
     return {stored_as_bits(p, binding) ? as_float(binding, loaded) : loaded};
 }
 
+namespace {
+
+bool has_half_channels(ir::Format format) {
+    return format == ir::Format::r16f || format == ir::Format::rg16f || format == ir::Format::rgba16f;
+}
+
+}  // namespace
+
 void print_store(Printer& p, const ir::Stmt& stmt) {
     const PassBinding& binding = p.pass.bindings.at(stmt.slot);
     const std::string& name = p.binding_names[stmt.slot];
-    if (stmt.op == ir::StmtOp::image_store)
-        return line(p, "imageStore(" + name + ", " + texel_text(p, stmt.target) + ", " +
-                           four_components(p, stmt.value) + ");");
+    if (stmt.op == ir::StmtOp::image_store) {
+        std::string texel = four_components(p, stmt.value);
+        if (has_half_channels(binding.format)) texel = need(p, Helper::nearest_half, {}) + "(" + texel + ")";
+        return line(p, "imageStore(" + name + ", " + texel_text(p, stmt.target) + ", " + texel + ");");
+    }
     std::string value = print_any(p, stmt.value);
     if (is_row(p.program.types, binding, p.program.exprs[stmt.value].type))
         return line(p, row_text(p, stmt.slot, stmt.target) + " = " + value + ";");

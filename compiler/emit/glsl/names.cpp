@@ -24,6 +24,7 @@ const std::unordered_set<std::string_view>& reserved_words() {
         "to_int64",
         "to_uint64",
         "to_half",
+        "nearest_half",
         "ordered_dot",
         "shuffled",
         "shuffled_xor",

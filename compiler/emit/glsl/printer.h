@@ -46,6 +46,7 @@ enum class Helper : std::uint8_t {
     to_int64,
     to_uint64,
     to_half,
+    nearest_half,
     ordered_dot,
     cross_product,
     blend,

@@ -79,6 +79,15 @@ struct Box {
                                         const Extent& whole);
 /// Throws the error for a number of values that is not the number of elements of the box.
 [[noreturn]] GLIFT_API void throw_count(const char* type, std::size_t given, const Extent& size, unsigned rank);
+[[noreturn]] GLIFT_API void throw_other_part(const char* name);
+/// A list of values whose type is erased.
+struct ValueList {
+    void* values;
+    void (*resize)(void* values, std::size_t count);
+};
+/// Gives the list one value per element of a box that is read. Throws out_of_memory.
+GLIFT_API void make_values(const char* type, unsigned rank, const Extent& size, std::size_t element_bytes,
+                           const ValueList& list);
 /// Throws the error for a structure that was default-constructed or moved from.
 [[noreturn]] GLIFT_API void throw_empty_structure(const char* type, const char* operation);
 

@@ -28,6 +28,8 @@ struct DeviceProperties {
     std::string name;    ///< `NVIDIA H200`, `llvmpipe (LLVM 15.0.6, 256 bits)`, `host`
     std::string driver;  ///< name and version of the driver; host: `compiled C++`
     DeviceKind kind = DeviceKind::host;
+    /// Of every kernel that uses subgroups. A device that allows several sizes runs such kernels with this one; if it
+    /// cannot be told to, this is 1, the subgroup operations below are false, and such kernels are refused.
     std::uint32_t subgroup_size = 1;
     std::uint64_t memory_bytes = 0;                  ///< of the largest heap of device memory; host: of the machine
     std::uint64_t max_allocation_bytes = unlimited;  ///< of one buffer; an image may be limited to less

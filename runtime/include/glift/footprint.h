@@ -18,7 +18,8 @@ concept HasPlaces = requires(const S& s, typename S::Address a) {
     { s.place(a) } -> std::same_as<std::uint64_t>;
 };
 
-/// Type-erased functions of a structure type. Each type has one table, so that its address identifies the type.
+/// Type-erased functions of a structure type. Each type has one table in a library, so that the table's address
+/// identifies the type within a call.
 struct StructureTable {
     bool (*same_state)(const void* one, const void* other);
     /// Index of an element in the buffer; null: not HasPlaces.
@@ -36,7 +37,7 @@ template <class S> std::uint64_t place_in(const void* structure, const Extent& a
     }
 }
 
-template <class S> inline constexpr StructureTable structure_table = [] {
+template <class S> GLIFT_LOCAL inline constexpr StructureTable structure_table = [] {
     StructureTable table{[](const void* one, const void* other) {
                              return static_cast<const S*>(one)->same_state(*static_cast<const S*>(other));
                          },

@@ -13,7 +13,6 @@
 #include <glift/structure.h>
 
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <optional>
 #include <set>
@@ -35,13 +34,7 @@ public:
     explicit Inspection(std::string text) : text_(std::move(text)) {}
     const std::string& text() const { return text_; }
 
-    void save(const std::string& path) const {
-        std::FILE* file = std::fopen(path.c_str(), "wb");
-        const bool is_written = file && std::fwrite(text_.data(), 1, text_.size(), file) == text_.size();
-        if ((file && std::fclose(file) != 0) || !is_written)
-            throw Error(ErrorCode::wrong_argument, "the file cannot be written", "Inspection::save", path,
-                        "name a file in a folder that exists and has room");
-    }
+    GLIFT_API void save(const std::string& path) const;
 
 private:
     std::string text_;
@@ -56,7 +49,7 @@ namespace detail {
 struct Cells {
     Extent first{}, size{1, 1, 1, 1}, cell{1, 1, 1, 1}, count{1, 1, 1, 1};
 
-    Cells(const Extent& first, const Extent& size, const Extent& most) : first(first), size(size) {
+    Cells(const Extent& begin, const Extent& extent, const Extent& most) : first(begin), size(extent) {
         for (unsigned i = 0; i < 4; ++i) {
             cell[i] = std::max(1u, static_cast<std::uint32_t>((std::uint64_t{size[i]} + most[i] - 1) / most[i]));
             count[i] = static_cast<std::uint32_t>((std::uint64_t{size[i]} + cell[i] - 1) / cell[i]);
@@ -171,8 +164,8 @@ private:
             const std::uint32_t length = bounds_.high[axis] - bounds_.low[axis] + 1;
             size[axis] = std::min(length, longest);
             first[axis] = bounds_.low[axis] + (length - size[axis]) / 2;
-            cells_along[axis] =
-                std::clamp<std::uint64_t>(rank == 1 ? std::uint64_t{most_} * most_ : most_, 1, UINT32_MAX);
+            cells_along[axis] = static_cast<std::uint32_t>(
+                std::clamp<std::uint64_t>(rank == 1 ? std::uint64_t{most_} * most_ : most_, 1, UINT32_MAX));
         }
         if constexpr (rank == 1) size[1] = 1, first[1] = 0;
         const auto found = structure_.read_resident(address_of(first), address_of(size));
@@ -299,7 +292,7 @@ public:
 
 private:
     struct Parts : SeesNothing {
-        Parts(Inspector& inspector) : inspector(inspector) {}
+        Parts(Inspector& owner) : inspector(owner) {}
         template <class T> void value(const char* name, const T& value) {
             JsonObject json;
             json.put("name", quoted(name));

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <string>
 #include <type_traits>
@@ -91,6 +90,9 @@ concept Described = requires(const T& x, SeesNothing see) {
     x.describe(see);
 };
 
+/// What printf writes for `%.<digits>g`, in any locale with a decimal point.
+GLIFT_API std::string number_text(double value, int digits);
+
 template <class T> std::string text_of_value(const T& value);
 
 struct FieldTexts : SeesNothing {
@@ -104,9 +106,7 @@ template <class T> std::string text_of_value(const T& value) {
     if constexpr (std::is_same_v<T, bool>) {
         return value ? "true" : "false";
     } else if constexpr (std::is_floating_point_v<T>) {
-        char text[40];
-        std::snprintf(text, sizeof text, "%.7g", static_cast<double>(value));
-        return text;
+        return number_text(static_cast<double>(value), 7);
     } else if constexpr (std::is_arithmetic_v<T>) {
         return std::to_string(value);
     } else if constexpr (components_of<T> > 1) {

@@ -5,7 +5,6 @@
 #include <glift/range.h>
 
 #include <cstddef>
-#include <exception>
 #include <span>
 #include <utility>
 #include <vector>
@@ -15,7 +14,8 @@ namespace glift {
 namespace detail {
 
 [[noreturn]] GLIFT_API void throw_unmapped(const char* type, const char* operation);
-GLIFT_API void log_unwritten(const char* type, const std::exception& error) noexcept;
+/// Calls `write(mapped)`; an error is only logged.
+GLIFT_API void write_back(const char* type, void (*write)(void* mapped), void* mapped) noexcept;
 
 }  // namespace detail
 
@@ -34,11 +34,8 @@ public:
           values_(std::move(other.values_)), is_mapped_(std::exchange(other.is_mapped_, false)) {}
     Mapped& operator=(Mapped&&) = delete;
     ~Mapped() {
-        try {
-            unmap();
-        } catch (const std::exception& error) {
-            detail::log_unwritten(S::type_name, error);
-        }
+        detail::write_back(
+            S::type_name, [](void* mapped) { static_cast<Mapped*>(mapped)->unmap(); }, this);
     }
 
     /// The address counts from the box's origin. Throws wrong_argument for an address outside the box. Both

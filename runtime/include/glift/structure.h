@@ -76,9 +76,8 @@ template <class S> std::optional<std::vector<CopyRegion>> rows_of(const S& struc
 /// was made with are not compared).
 template <class S> S&& part(S&& made, bool alike, const char* name) {
     if constexpr (requires { made.device(); }) (void)made.device();
-    if (alike) return std::move(made);
-    throw Error(ErrorCode::wrong_argument, "a part was made with other arguments than the structure would make it with",
-                name, {}, "make it with the arguments that the structure's declaration gives it");
+    if (!alike) throw_other_part(name);
+    return std::move(made);
 }
 
 }  // namespace detail
@@ -158,10 +157,13 @@ public:
     void write(std::span<const T> values) { write({}, self().domain(), values); }
 
     /// Reads a box of elements to the host. Waits for all commands before it in the stream, not for later ones. Throws
-    /// wrong_argument where the box lies outside the domain.
+    /// wrong_argument where the box lies outside the domain, out_of_memory where the host has no memory for the values.
     std::vector<T> read(A origin, A size) const {
         check("read", origin, size);
-        std::vector<T> values(count(size));
+        std::vector<T> values;
+        detail::make_values(
+            Self::type_name, detail::Axes<A>::count, detail::extent_of(size), sizeof(T),
+            {&values, [](void* list, std::size_t n) { static_cast<std::vector<T>*>(list)->resize(n); }});
         each_part(origin, size, [&](A first, A extent, std::size_t at) {
             const std::size_t bytes = count(extent) * sizeof(T);
             const Download download = fetch(first, extent, bytes);
@@ -220,7 +222,12 @@ public:
         });
     }
 
-    /// A copy of a box on the host, which is written back (Mapped). Waits as `read` does.
+    /// Copies a whole structure.
+    template <class Other>
+    requires requires(const Other& whole) { whole.domain(); }
+    void copy_from(const Other& from, A to_origin = {}) { copy_from(Range<Other>(from), to_origin); }
+
+    /// A copy of a box on the host, which is written back (Mapped). Waits and throws as `read` does.
     Mapped<Self> map(A origin, A size) { return {self(), origin, size}; }
     Mapped<Self> map() { return {self(), {}, self().domain()}; }
 

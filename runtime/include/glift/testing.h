@@ -15,12 +15,13 @@
 
 namespace glift {
 
-/// The tolerance between two devices in tests that are not exact (TestCase::exact; docs/language.md, Accuracy),
-/// relative to the larger of 1 and the value.
+/// The tolerance between two devices in tests that are not exact (docs/language.md, Accuracy), relative to the larger
+/// of 1 and the value.
 inline constexpr double inexact_tolerance = 1e-3;
 /// The absolute tolerance, in tests that are not exact, of colours that are drawn to channels of eight bits: devices
-/// round these in different ways, and again at each blending.
-inline constexpr double drawn_tolerance = 2.01 / 255.0;
+/// round these in different ways, and again at each blending. Also the tolerance of tests that filter texels of eight
+/// bits, relative to the larger of 1 and the value: filters need not be more precise than the texels.
+inline constexpr double byte_tolerance = 2.01 / 255.0;
 
 /// A copy of all elements of a structure, of a box or of a buffer, for comparison. `scalars` is the layout of an
 /// element: one letter for each scalar (f float, n float in an image of eight-bit channels that draws write, h half, d
@@ -199,7 +200,7 @@ template <class S, class Value> void check_boxes(Test& test, const char* name, S
 struct TestCase {
     const char* title;
     const char* place;  ///< file:line
-    bool exact;         ///< all passes are exact: devices agree bit for bit
+    double tolerance;   ///< between devices; 0: they agree bit for bit
     /// Null: the case is a translator that is checked, if at all, with structures that the other tests make.
     void (*run)(Test& test, const Commands& commands);
     const char* why_not_alone = "";  ///< if `run` is null: why it cannot be checked by itself

@@ -28,7 +28,7 @@ template <class T> struct vec<T, 2> {
     T x{}, y{};
 
     constexpr vec() = default;
-    constexpr vec(T x, T y) : x(x), y(y) {}
+    constexpr vec(T a, T b) : x(a), y(b) {}
     explicit constexpr vec(T all) : x(all), y(all) {}
     template <class U> explicit(!detail::both_bools<T, U>) constexpr vec(const vec<U, 2>& v)
         : x(convert<T>(v.x)), y(convert<T>(v.y)) {}
@@ -42,10 +42,10 @@ template <class T> struct vec<T, 3> {
     T x{}, y{}, z{};
 
     constexpr vec() = default;
-    constexpr vec(T x, T y, T z) : x(x), y(y), z(z) {}
+    constexpr vec(T a, T b, T c) : x(a), y(b), z(c) {}
     explicit constexpr vec(T all) : x(all), y(all), z(all) {}
-    constexpr vec(const vec<T, 2>& a, T z) : x(a.x), y(a.y), z(z) {}
-    constexpr vec(T x, const vec<T, 2>& a) : x(x), y(a.x), z(a.y) {}
+    constexpr vec(const vec<T, 2>& v, T c) : x(v.x), y(v.y), z(c) {}
+    constexpr vec(T a, const vec<T, 2>& v) : x(a), y(v.x), z(v.y) {}
     template <class U> explicit(!detail::both_bools<T, U>) constexpr vec(const vec<U, 3>& v)
         : x(convert<T>(v.x)), y(convert<T>(v.y)), z(convert<T>(v.z)) {}
 
@@ -61,14 +61,14 @@ template <class T> struct vec<T, 4> {
     T x{}, y{}, z{}, w{};
 
     constexpr vec() = default;
-    constexpr vec(T x, T y, T z, T w) : x(x), y(y), z(z), w(w) {}
+    constexpr vec(T a, T b, T c, T d) : x(a), y(b), z(c), w(d) {}
     explicit constexpr vec(T all) : x(all), y(all), z(all), w(all) {}
     constexpr vec(const vec<T, 2>& a, const vec<T, 2>& b) : x(a.x), y(a.y), z(b.x), w(b.y) {}
-    constexpr vec(const vec<T, 2>& a, T z, T w) : x(a.x), y(a.y), z(z), w(w) {}
-    constexpr vec(T x, const vec<T, 2>& a, T w) : x(x), y(a.x), z(a.y), w(w) {}
-    constexpr vec(T x, T y, const vec<T, 2>& a) : x(x), y(y), z(a.x), w(a.y) {}
-    constexpr vec(const vec<T, 3>& a, T w) : x(a.x), y(a.y), z(a.z), w(w) {}
-    constexpr vec(T x, const vec<T, 3>& a) : x(x), y(a.x), z(a.y), w(a.z) {}
+    constexpr vec(const vec<T, 2>& v, T c, T d) : x(v.x), y(v.y), z(c), w(d) {}
+    constexpr vec(T a, const vec<T, 2>& v, T d) : x(a), y(v.x), z(v.y), w(d) {}
+    constexpr vec(T a, T b, const vec<T, 2>& v) : x(a), y(b), z(v.x), w(v.y) {}
+    constexpr vec(const vec<T, 3>& v, T d) : x(v.x), y(v.y), z(v.z), w(d) {}
+    constexpr vec(T a, const vec<T, 3>& v) : x(a), y(v.x), z(v.y), w(v.z) {}
     template <class U> explicit(!detail::both_bools<T, U>) constexpr vec(const vec<U, 4>& v)
         : x(convert<T>(v.x)), y(convert<T>(v.y)), z(convert<T>(v.z)), w(convert<T>(v.w)) {}
 

@@ -37,8 +37,9 @@ private:
 
 /// Vulkan objects of the user's program, which must outlive the Device and everything made from it. The queue's family
 /// must support compute, for draws also graphics. Glift uses the queue only inside its calls, during which no other
-/// thread may use it. Needed on the device: Vulkan 1.3, scalarBlockLayout, timelineSemaphore, bufferDeviceAddress,
-/// synchronization2, hostQueryReset; for draws also dynamicRendering.
+/// thread may use it. Needed on instance and device: Vulkan 1.3 (VkApplicationInfo::apiVersion); on the device
+/// scalarBlockLayout, timelineSemaphore, bufferDeviceAddress, synchronization2, hostQueryReset, maintenance4,
+/// subgroupSizeControl, computeFullSubgroups; for draws also dynamicRendering and shaderTerminateInvocation.
 struct Objects {
     VkInstance instance = VK_NULL_HANDLE;
     VkPhysicalDevice physical = VK_NULL_HANDLE;
@@ -66,12 +67,16 @@ struct Extensions {
 /// has no Vulkan.
 GLIFT_API Device open(const Extensions& extensions, std::string_view which = {});
 
-/// Records into the user's command buffer, which is in the recording state. A barrier against everything earlier on the
-/// queue comes first; `finish` records a barrier that makes the results visible to everything later. Both functions
-/// submit the device's own pending commands, among them those that zero new memories: submit the command buffer after
-/// `finish`. The returned Commands holds memories and parameters: keep it until the command buffer has run. download,
-/// timestamp, flush and wait throw wrong_argument there. So does record_into for the host device or a null command
-/// buffer, and finish for commands that are not from record_into.
+/// Records into the user's command buffer, which is in the recording state, outside of a rendering scope. A barrier
+/// against everything earlier on the queue comes first; `finish` records a barrier that makes the results visible to
+/// everything later. Both functions submit the device's own pending commands, among them those that zero new memories:
+/// submit the command buffer after `finish`. The returned Commands holds memories and parameters: keep it until the
+/// command buffer has run. download, timestamp, flush and wait throw wrong_argument there. So does record_into for the
+/// host device or a null command buffer, and finish for commands that are not from record_into.
+///
+/// Bound pipelines, descriptor sets, push constants, viewport and scissor are undefined after each command of Glift:
+/// set them again before commands of your own. These may be recorded between two commands of Glift, if they touch no
+/// memory that Glift's commands before or after them write; else call `finish` before them and record_into after them.
 GLIFT_API Commands record_into(const Device& device, VkCommandBuffer commands);
 GLIFT_API void finish(const Commands& commands);
 
@@ -90,8 +95,9 @@ struct ImageHandle {
 };
 
 /// The Vulkan objects of a memory, for descriptors of the user's own. Call flush() before commands of the user's use
-/// the memory. Throws wrong_argument for a memory of the host device, and for an image in place of a buffer or a buffer
-/// in place of an image.
+/// the memory, and keep the memory (or its structure) until these have run: Glift knows of its own commands only, and
+/// destroys the objects when those are done. Throws wrong_argument for a memory of the host device, and for an image in
+/// place of a buffer or a buffer in place of an image.
 GLIFT_API BufferHandle buffer(const Memory& memory);
 GLIFT_API ImageHandle image(const Memory& memory);
 

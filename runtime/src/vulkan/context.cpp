@@ -114,7 +114,8 @@ void Context::make_device(const FeatureChain& features) {
 }
 
 void Context::read_limits(const FeatureChain& features) {
-    properties = read_properties(*instance, physical, features, extensions);
+    subgroups = SubgroupSizes(*instance, physical);
+    properties = read_properties(*instance, physical, features, extensions, subgroups);
     core = features.properties;
     instance->vk().vkGetPhysicalDeviceMemoryProperties(physical, &memory);
     const VkQueueFamilyProperties family = queue_families(*instance, physical)[queue_family];

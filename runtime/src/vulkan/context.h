@@ -59,6 +59,7 @@ public:
     bool shares_queue = false;
     DeviceTable vk;
     DeviceProperties properties;
+    SubgroupSizes subgroups;
     bool can_draw = false;  ///< the queue's family has graphics
     VkPhysicalDeviceProperties core = {};
     VkPhysicalDeviceMemoryProperties memory = {};

@@ -21,6 +21,7 @@ public:
         prepared_ = {};
     }
     CommandBatch& batch() { return *batch_; }
+    void forget_pipeline() { bound_ = VK_NULL_HANDLE; }
 
     bool can_be_direct(const Kernel& kernel, std::span<const Memory> memories, const std::array<std::uint32_t, 4>& size,
                        Sharing sharing) const;

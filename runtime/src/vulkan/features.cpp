@@ -86,6 +86,9 @@ std::string FeatureChain::missing() const {
     need(v12.bufferDeviceAddress, "bufferDeviceAddress");
     need(v12.hostQueryReset, "hostQueryReset");
     need(v13.synchronization2, "synchronization2");
+    need(v13.maintenance4, "maintenance4");
+    need(v13.subgroupSizeControl, "subgroupSizeControl");
+    need(v13.computeFullSubgroups, "computeFullSubgroups");
     return names;
 }
 
@@ -100,7 +103,8 @@ void FeatureChain::require() const {
     if (!names.empty()) {
         throw Error(ErrorCode::missing_feature, "the device lacks a feature that Glift needs", properties.deviceName,
                     "missing: " + names,
-                    "update its driver, or choose another device with GLIFT_DEVICE=lavapipe or GLIFT_DEVICE=host");
+                    "update its driver, or choose another device with GLIFT_DEVICE=lavapipe or GLIFT_DEVICE=host; a "
+                    "program's own instance needs VkApplicationInfo::apiVersion = VK_API_VERSION_1_3");
     }
 }
 
@@ -116,7 +120,7 @@ std::string lacking_extensions(const Instance& instance, VkPhysicalDevice physic
 
 // long: the function has a line for each property
 DeviceProperties read_properties(const Instance& instance, VkPhysicalDevice physical, const FeatureChain& features,
-                                 const std::vector<const char*>& extensions) {
+                                 const std::vector<const char*>& extensions, const SubgroupSizes& subgroups) {
     VkPhysicalDeviceMaintenance4Properties maintenance4 = {
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_4_PROPERTIES};
     VkPhysicalDeviceVulkan11Properties v11 = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_PROPERTIES,
@@ -133,7 +137,7 @@ DeviceProperties read_properties(const Instance& instance, VkPhysicalDevice phys
     p.name = core.properties.deviceName;
     p.driver = std::string(v12.driverName) + " " + v12.driverInfo;
     p.kind = core.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? DeviceKind::cpu : DeviceKind::gpu;
-    p.subgroup_size = v11.subgroupSize;
+    p.subgroup_size = subgroups.is_certain() ? subgroups.size : 1;
     for (std::uint32_t heap = 0; heap < memory.memoryHeapCount; ++heap) {
         if (memory.memoryHeaps[heap].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) {
             p.memory_bytes = std::max(p.memory_bytes, memory.memoryHeaps[heap].size);
@@ -165,7 +169,7 @@ DeviceProperties read_properties(const Instance& instance, VkPhysicalDevice phys
         p.float32_atomic_min_max = features.atomic_float2.shaderBufferFloat32AtomicMinMax;
     }
     const auto subgroups_do = [&](VkSubgroupFeatureFlagBits operations) {
-        return (v11.subgroupSupportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0 &&
+        return subgroups.is_certain() && (v11.subgroupSupportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0 &&
                (v11.subgroupSupportedOperations & operations) != 0;
     };
     p.subgroup_vote = subgroups_do(VK_SUBGROUP_FEATURE_VOTE_BIT);
@@ -173,7 +177,7 @@ DeviceProperties read_properties(const Instance& instance, VkPhysicalDevice phys
     p.subgroup_ballot = subgroups_do(VK_SUBGROUP_FEATURE_BALLOT_BIT);
     p.subgroup_shuffle = subgroups_do(VK_SUBGROUP_FEATURE_SHUFFLE_BIT);
     p.subgroup_shuffle_relative = subgroups_do(VK_SUBGROUP_FEATURE_SHUFFLE_RELATIVE_BIT);
-    p.subgroup_extended_types = features.v12.shaderSubgroupExtendedTypes;
+    p.subgroup_extended_types = subgroups.is_certain() && features.v12.shaderSubgroupExtendedTypes;
     p.descriptor_indexing = features.v12.descriptorIndexing;
     p.push_descriptors = contains(extensions, VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
     return p;

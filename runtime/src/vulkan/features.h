@@ -2,6 +2,7 @@
 #pragma once
 
 #include "instance.h"
+#include "subgroup_sizes.h"
 
 #include <glift/device.h>
 
@@ -36,8 +37,9 @@ struct FeatureChain {
 std::string lacking_extensions(const Instance& instance, VkPhysicalDevice physical,
                                std::span<const std::string> wanted);
 
-/// Properties of a physical device; `extensions` are those that the device is made with.
+/// Properties of a physical device; `extensions` are those that the device is made with. Where it is uncertain which
+/// size subgroups have, there are none of their operations, and their size is 1.
 DeviceProperties read_properties(const Instance& instance, VkPhysicalDevice physical, const FeatureChain& features,
-                                 const std::vector<const char*>& extensions);
+                                 const std::vector<const char*>& extensions, const SubgroupSizes& subgroups);
 
 }  // namespace glift::detail

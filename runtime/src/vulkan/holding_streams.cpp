@@ -48,6 +48,14 @@ HoldingStream::HoldingStream(std::shared_ptr<VulkanDevice> device) : VulkanStrea
     batch_ = device_.take_batch();
 }
 
+// The device is done with the batch: a recording took it along in finish(), and the user's program keeps a stream until
+// its command buffer has run.
+HoldingStream::~HoldingStream() {
+    if (!batch_) return;
+    const std::lock_guard lock(device_.mutex());
+    device_.give_back(std::move(batch_));
+}
+
 std::shared_ptr<DeviceObject> HoldingStream::device() { return keep_; }
 
 void HoldingStream::open() {
@@ -61,6 +69,37 @@ void HoldingStream::hold(const Memory& memory) {
     if (held_slots_[slot]) return;
     held_slots_[slot] = true;
     held_.push_back(kept(memory));
+}
+
+namespace {
+
+[[noreturn]] void throw_in_pieces(const MemoryDescription& description) {
+    throw Error(ErrorCode::too_large, "a temporary of a recording is larger than one allocation",
+                memory_text(description), size_text(description.bytes) + " asked for",
+                "make the structure before the recording, and pass it");
+}
+
+}  // namespace
+
+Memory HoldingStream::allocate(const MemoryDescription& description) {
+    const std::lock_guard lock(device_.mutex());
+    open();
+    if (description.kind != MemoryKind::buffer) {
+        const std::shared_ptr<VulkanMemory> image = device_.new_memory(description);
+        workspace_->add(image->parts.allocation.bytes);
+        return Memory(image);
+    }
+    const std::shared_ptr<VulkanMemory> buffer = device_.new_object(description);
+    if (buffer->is_in_pieces()) throw_in_pieces(description);
+    const Workspace::Place place = workspace_->take(device_.storage_needs(description));
+    if (place.is_new_block) {
+        blocks_.push_back(device_.new_memory({.name = description.name, .bytes = place.bytes, .zeroed = false}));
+    } else if (place.is_just_free) {
+        // One note is enough for all storage that is free by now: the next barrier waits for everything before it.
+        encoder_.note_storage_reuse();
+    }
+    buffer->place(blocks_[place.block], place.offset);
+    return temporary(buffer, workspace_, place);
 }
 
 std::shared_ptr<DownloadObject> HoldingStream::download(const Memory&, std::span<const CopyRegion>, std::uint64_t) {
@@ -84,43 +123,6 @@ RecordingStream::RecordingStream(std::shared_ptr<VulkanDevice> device) : Holding
     encoder_.full_barrier();
 }
 
-// After finish(), batch_ is null. Otherwise the recording was never submitted, and the batch can be destroyed at once.
-RecordingStream::~RecordingStream() {
-    const std::lock_guard lock(device_.mutex());
-    batch_.reset();
-}
-
-namespace {
-
-[[noreturn]] void throw_in_pieces(const MemoryDescription& description) {
-    throw Error(ErrorCode::too_large, "a temporary of a recording is larger than one allocation",
-                memory_text(description), size_text(description.bytes) + " asked for",
-                "make the structure before the recording, and pass it");
-}
-
-}  // namespace
-
-Memory RecordingStream::allocate(const MemoryDescription& description) {
-    const std::lock_guard lock(device_.mutex());
-    open();
-    if (description.kind != MemoryKind::buffer) {
-        const std::shared_ptr<VulkanMemory> image = device_.new_memory(description);
-        workspace_->add(image->parts.allocation.bytes);
-        return Memory(image);
-    }
-    const std::shared_ptr<VulkanMemory> buffer = device_.new_object(description);
-    if (buffer->is_in_pieces()) throw_in_pieces(description);
-    const Workspace::Place place = workspace_->take(device_.storage_needs(description));
-    if (place.is_new_block) {
-        blocks_.push_back(device_.new_memory({.name = description.name, .bytes = place.bytes, .zeroed = false}));
-    } else if (place.is_just_free) {
-        // One note is enough for all storage that is free by now: the next barrier waits for everything before it.
-        encoder_.note_storage_reuse();
-    }
-    buffer->place(blocks_[place.block], place.offset);
-    return temporary(buffer, workspace_, place);
-}
-
 void RecordingStream::count_pass() { ++batch_->passes; }
 
 std::shared_ptr<RecordingObject> RecordingStream::finish() {
@@ -141,9 +143,10 @@ ExternalStream::ExternalStream(std::shared_ptr<VulkanDevice> device, VkCommandBu
     encoder_.full_barrier();
 }
 
-ExternalStream::~ExternalStream() {
-    const std::lock_guard lock(device_.mutex());
-    batch_.reset();
+// The user's program may have bound pipelines of its own since Glift's last command.
+void ExternalStream::open() {
+    HoldingStream::open();
+    encoder_.forget_pipeline();
 }
 
 void ExternalStream::finish() {
@@ -151,7 +154,7 @@ void ExternalStream::finish() {
     open();
     close();
     encoder_.full_barrier();
-    // Memories that were allocated meanwhile are zeroed in the device's own stream: submitted here, it runs before the
+    // Images that were made meanwhile get their layout in the device's own stream: submitted here, it runs before the
     // user's command buffer.
     device_.stream_of_device().submit();
 }

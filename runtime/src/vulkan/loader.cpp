@@ -28,19 +28,38 @@ PFN_vkGetInstanceProcAddr load_vulkan() {
     return reinterpret_cast<PFN_vkGetInstanceProcAddr>(entry);
 }
 
+namespace {
+
+/// A function of Vulkan's core. Loaders have none that is newer than the version that the instance was made for.
+PFN_vkVoidFunction required(PFN_vkVoidFunction found, const char* name) {
+    if (found) return found;
+    throw Error(ErrorCode::unsupported_version, "the instance was made for a Vulkan that is too old", name,
+                "Glift needs the functions of Vulkan 1.3, of which this one is missing",
+                "make the instance with VkApplicationInfo::apiVersion = VK_API_VERSION_1_3");
+}
+
+}  // namespace
+
 InstanceTable load_instance_table(PFN_vkGetInstanceProcAddr get, VkInstance instance) {
     InstanceTable table;
-#define GLIFT_LOAD(name) table.name = Function<PFN_##name>(get(instance, #name));
+#define GLIFT_LOAD(name) table.name = Function<PFN_##name>(required(get(instance, #name), #name));
+#define GLIFT_LOAD_OPTIONAL(name) table.name = Function<PFN_##name>(get(instance, #name));
     GLIFT_INSTANCE_FUNCTIONS(GLIFT_LOAD)
+    GLIFT_INSTANCE_EXTENSION_FUNCTIONS(GLIFT_LOAD_OPTIONAL)
 #undef GLIFT_LOAD
+#undef GLIFT_LOAD_OPTIONAL
     return table;
 }
 
 DeviceTable load_device_table(const InstanceTable& instance, VkDevice device) {
     DeviceTable table;
-#define GLIFT_LOAD(name) table.name = Function<PFN_##name>(instance.vkGetDeviceProcAddr(device, #name));
+#define GLIFT_LOAD(name)                                                                                               \
+    table.name = Function<PFN_##name>(required(instance.vkGetDeviceProcAddr(device, #name), #name));
+#define GLIFT_LOAD_OPTIONAL(name) table.name = Function<PFN_##name>(instance.vkGetDeviceProcAddr(device, #name));
     GLIFT_DEVICE_FUNCTIONS(GLIFT_LOAD)
+    GLIFT_DEVICE_EXTENSION_FUNCTIONS(GLIFT_LOAD_OPTIONAL)
 #undef GLIFT_LOAD
+#undef GLIFT_LOAD_OPTIONAL
     return table;
 }
 

@@ -3,6 +3,8 @@
 
 #include <vulkan/vulkan.h>
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
 namespace glift::detail {
@@ -49,7 +51,10 @@ private:
     X(vkEnumerateDeviceExtensionProperties) \
     X(vkGetPhysicalDeviceFormatProperties) \
     X(vkCreateDevice) \
-    X(vkGetDeviceProcAddr) \
+    X(vkGetDeviceProcAddr)
+
+// Those of extensions, null where the extension is not enabled.
+#define GLIFT_INSTANCE_EXTENSION_FUNCTIONS(X) \
     X(vkCreateDebugUtilsMessengerEXT) \
     X(vkDestroyDebugUtilsMessengerEXT) \
     X(vkSetDebugUtilsObjectNameEXT)
@@ -78,7 +83,6 @@ private:
     X(vkCmdFillBuffer) \
     X(vkCmdPipelineBarrier2) \
     X(vkCmdPushConstants) \
-    X(vkCmdPushDescriptorSetWithTemplateKHR) \
     X(vkCmdSetScissor) \
     X(vkCmdSetViewport) \
     X(vkCmdWriteTimestamp2) \
@@ -134,21 +138,26 @@ private:
     X(vkUpdateDescriptorSetWithTemplate) \
     X(vkWaitForFences) \
     X(vkWaitSemaphores)
+
+#define GLIFT_DEVICE_EXTENSION_FUNCTIONS(X) X(vkCmdPushDescriptorSetWithTemplateKHR)
 // clang-format on
 
 struct InstanceTable {
 #define GLIFT_DECLARE(name) Function<PFN_##name> name;
     GLIFT_INSTANCE_FUNCTIONS(GLIFT_DECLARE)
+    GLIFT_INSTANCE_EXTENSION_FUNCTIONS(GLIFT_DECLARE)
 };
 
 struct DeviceTable {
     GLIFT_DEVICE_FUNCTIONS(GLIFT_DECLARE)
+    GLIFT_DEVICE_EXTENSION_FUNCTIONS(GLIFT_DECLARE)
 #undef GLIFT_DECLARE
 };
 
 /// The entry point of the system's loader, or of the library that GLIFT_VULKAN_LOADER names. Throws no_loader.
 PFN_vkGetInstanceProcAddr load_vulkan();
 
+/// These throw unsupported_version if a function of Vulkan 1.3 is not there.
 InstanceTable load_instance_table(PFN_vkGetInstanceProcAddr get, VkInstance instance);
 DeviceTable load_device_table(const InstanceTable& instance, VkDevice device);
 

@@ -45,6 +45,28 @@ void check_limits(const Context& context, const Kernel& kernel, const Form& form
     }
 }
 
+/// A size of subgroups that is required bounds the workgroup, too.
+void check_subgroups(const Context& context, const Kernel& kernel, const Form& form) {
+    const SubgroupSizes& sizes = context.subgroups;
+    if (kernel.drawing || !sizes.vary() || !uses_subgroups(words_of(form.spirv))) return;
+    const auto refuse = [&](ErrorCode code, const char* what, const std::string& why, const char* remedy) {
+        throw Error(code, what, kernel_text(kernel), context.properties.name + " " + why, remedy);
+    };
+    if (!sizes.can_require) {
+        refuse(ErrorCode::missing_feature, "the device lacks what the kernel uses",
+               "has subgroups of " + std::to_string(sizes.least) + " to " + std::to_string(sizes.greatest) +
+                   " lanes, of which a kernel can require none",
+               "run it on another device (GLIFT_DEVICE=host has subgroups), or ask DeviceProperties before the call");
+    }
+    const std::uint64_t invocations = std::uint64_t(kernel.group[0]) * kernel.group[1] * kernel.group[2];
+    if (invocations > std::uint64_t(sizes.size) * sizes.most_in_workgroup) {
+        refuse(ErrorCode::too_large, "the kernel's workgroup is larger than the device allows",
+               "allows " + std::to_string(sizes.most_in_workgroup) + " subgroups of " + std::to_string(sizes.size) +
+                   " lanes",
+               "give the kernel a smaller group");
+    }
+}
+
 void check_requirements(const Context& context, const Kernel& kernel, const Form& form) {
     if (kernel.drawing && !context.can_draw) {
         throw Error(ErrorCode::missing_feature, "the device's queue cannot draw", kernel_text(kernel),
@@ -152,6 +174,7 @@ std::unique_ptr<Pipeline> Pipelines::make(std::uint64_t digest, const Kernel& ke
     const Form& compiled = form_of(kernel, form);
     if (compiled.spirv.empty()) throw_missing_form(kernel, form_text(form), context_.properties.name.c_str());
     check_limits(context_, kernel, compiled);
+    check_subgroups(context_, kernel, compiled);
     check_requirements(context_, kernel, compiled);
     DescriptorCounts counts = count_descriptors(kernel, compiled);
     if (form == FormName::general) counts.buffers = 0;

@@ -6,6 +6,7 @@
 #include "vulkan/spirv/float_controls.h"
 #include "vulkan/spirv/hidden_limits.h"
 #include "vulkan/spirv/hidden_zeros.h"
+#include "vulkan/spirv/requirements.h"
 #include "vulkan/spirv/spirv_words.h"
 
 namespace glift::detail {
@@ -52,6 +53,17 @@ ShaderStage::ShaderStage(Context& context, const Pipeline& pipeline, const Spirv
              .module = make_module(context, pipeline, spirv),
              .pName = "main",
              .pSpecializationInfo = &special_};
+    if (stage == VK_SHADER_STAGE_COMPUTE_BIT && context.subgroups.vary() && uses_subgroups(words_of(spirv)))
+        require_subgroups(pipeline.kernel->group[0]);
+}
+
+void ShaderStage::require_subgroups(std::uint32_t group_width) {
+    subgroups_ = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_REQUIRED_SUBGROUP_SIZE_CREATE_INFO,
+                  .requiredSubgroupSize = context_.properties.subgroup_size};
+    info_.pNext = &subgroups_;
+    // Vulkan allows this only where a row of the workgroup can be full subgroups.
+    if (group_width % subgroups_.requiredSubgroupSize == 0)
+        info_.flags = VK_PIPELINE_SHADER_STAGE_CREATE_REQUIRE_FULL_SUBGROUPS_BIT;
 }
 
 ShaderStage::~ShaderStage() { context_.vk.vkDestroyShaderModule(context_.device, info_.module, nullptr); }

@@ -16,10 +16,13 @@ public:
     const VkPipelineShaderStageCreateInfo& info() const { return info_; }
 
 private:
+    void require_subgroups(std::uint32_t group_width);
+
     Context& context_;
     std::array<std::uint32_t, 5> constants_;
     std::array<VkSpecializationMapEntry, 5> entries_;
     VkSpecializationInfo special_ = {};
+    VkPipelineShaderStageRequiredSubgroupSizeCreateInfo subgroups_ = {};
     VkPipelineShaderStageCreateInfo info_ = {};
 };
 

@@ -25,7 +25,7 @@ std::shared_ptr<DeviceObject> open_vulkan_device(std::string_view which, const C
 }
 
 VulkanDevice::VulkanDevice(std::unique_ptr<Context> context)
-    : context_(std::move(context)), timeline_(std::make_unique<Timeline>(*context_)),
+    : context_(std::move(context)), timeline_(std::make_unique<Timeline>(*context_)), exit_wait_(*timeline_),
       allocator_(std::make_unique<Allocator>(*context_)), chunks_(std::make_unique<ChunkPool>(*context_, *allocator_)),
       pipelines_(std::make_unique<Pipelines>(*context_)), queries_(std::make_unique<Queries>(*context_)),
       prepare_(*context_, "glift prepare indirect", ::prepare_indirect, sizeof(VkDeviceAddress)),
@@ -190,10 +190,38 @@ Statistics VulkanDevice::statistics() {
 
 std::uint64_t VulkanDevice::submit(VkCommandBuffer commands) {
     context_->require_not_lost();
+    if (!is_exit_prepared_ && pipelines_->created()) prepare_exit();
     const std::uint64_t value = timeline_->submit(commands);
     retire_value_ = value;
     ++counters_.submissions;
     return value;
+}
+
+/// Called when the driver has made a pipeline.
+void VulkanDevice::prepare_exit() {
+    is_exit_prepared_ = true;
+    if (context_->properties.kind == DeviceKind::cpu) start_compiler();
+    exit_wait_.renew();
+}
+
+/// Runs a shader that does nothing, once in a process. Drivers of CPUs compile a shader when it first runs: only then
+/// is registered at exit what their compilers use.
+void VulkanDevice::start_compiler() {
+    static std::atomic<bool> is_started{false};
+    if (is_started.exchange(true)) return;
+    std::unique_ptr<CommandBatch> batch = take_batch();
+    batch->begin(VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT);
+    const FillArguments nothing = {};
+    fill_.bind(batch->commands, &nothing);
+    context_->vk.vkCmdDispatch(batch->commands, 1, 1, 1);
+    context_->check(context_->vk.vkEndCommandBuffer(batch->commands), "vkEndCommandBuffer");
+    const VkCommandBufferSubmitInfo buffer = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
+                                              .commandBuffer = batch->commands};
+    const VkSubmitInfo2 info = {
+        .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2, .commandBufferInfoCount = 1, .pCommandBufferInfos = &buffer};
+    context_->check(context_->vk.vkQueueSubmit2(context_->queue, 1, &info, VK_NULL_HANDLE), "vkQueueSubmit2");
+    context_->check(context_->vk.vkQueueWaitIdle(context_->queue), "vkQueueWaitIdle");
+    give_back(std::move(batch));
 }
 
 void VulkanDevice::share_queue() {

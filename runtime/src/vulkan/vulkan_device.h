@@ -2,6 +2,7 @@
 #pragma once
 
 #include "command_batch.h"
+#include "exit_wait.h"
 #include "immediate_stream.h"
 #include "internal_pass.h"
 #include "queries.h"
@@ -97,6 +98,8 @@ private:
     };
 
     [[noreturn]] void throw_out_of_memory(std::uint64_t bytes, const MemoryDescription& description) const;
+    void start_compiler();
+    void prepare_exit();
     void destroy(Retired& retired);
     void destroy_retired(std::uint64_t completed);
     void check_reports();
@@ -105,6 +108,8 @@ private:
     std::unique_ptr<Context> context_;
     std::mutex mutex_;
     std::unique_ptr<Timeline> timeline_;
+    ExitWait exit_wait_;
+    bool is_exit_prepared_ = false;
     std::unique_ptr<Allocator> allocator_;
     std::unique_ptr<ChunkPool> chunks_;
     std::unique_ptr<Pipelines> pipelines_;

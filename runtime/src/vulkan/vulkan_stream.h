@@ -36,13 +36,16 @@ protected:
     Encoder encoder_;
 };
 
-/// Records once for many submissions, or into the user's command buffer. Holds every memory that recorded commands use.
+/// Records once for many submissions, or into the user's command buffer. Holds every memory that recorded commands use;
+/// temporaries with disjoint lifetimes share storage.
 class HoldingStream : public VulkanStream {
 public:
     explicit HoldingStream(std::shared_ptr<VulkanDevice> device);
+    ~HoldingStream() override;
 
     std::shared_ptr<DeviceObject> device() override;
     bool is_recording() const override { return true; }
+    Memory allocate(const MemoryDescription& description) override;
     std::shared_ptr<DownloadObject> download(const Memory&, std::span<const CopyRegion>, std::uint64_t) override;
     std::shared_ptr<DownloadObject> download_image(const Memory&, std::span<const ImageRegion>, std::uint64_t) override;
     std::shared_ptr<TimestampObject> timestamp() override;
@@ -57,26 +60,26 @@ protected:
     std::unique_ptr<CommandBatch> batch_;
     std::vector<Memory> held_;
     std::vector<bool> held_slots_;
+    std::shared_ptr<Workspace> workspace_ = std::make_shared<Workspace>();
+    std::vector<std::shared_ptr<VulkanMemory>> blocks_;  ///< of the workspace
 };
 
 class RecordingStream final : public HoldingStream {
 public:
     explicit RecordingStream(std::shared_ptr<VulkanDevice> device);
-    ~RecordingStream() override;
-    Memory allocate(const MemoryDescription& description) override;
     std::shared_ptr<RecordingObject> finish();
 
 private:
     void count_pass() override;  ///< counted again at each submission
-    std::shared_ptr<Workspace> workspace_ = std::make_shared<Workspace>();
-    std::vector<std::shared_ptr<VulkanMemory>> blocks_;  ///< of the workspace
 };
 
 class ExternalStream final : public HoldingStream {
 public:
     ExternalStream(std::shared_ptr<VulkanDevice> device, VkCommandBuffer commands);
-    ~ExternalStream() override;
     void finish();
+
+private:
+    void open() override;
 };
 
 }  // namespace glift::detail

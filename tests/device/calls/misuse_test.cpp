@@ -62,6 +62,7 @@ template <class S> void use_empty(S& s, const S& other, const glift::Commands& c
     fails([&] { s.map(Address(0), Address(1)); });
     fails([&] { s.element(commands, Address(0)); });
     fails([&] { s.element_in_place(commands, Address(0)); });
+    fails([&] { s.copy_from(other); });
     fails([&] { s.copy_from(glift::Range<S>(other)); });
     fails([&] { s.fill(Element(1)); });
     fails([&] { s.fill(Element(1), s); });
@@ -220,6 +221,12 @@ TEST_P(Misuse, RangesAndMappedBoxesKeepTheMemory) {
     mapped.unmap();
 }
 
+TEST_P(Misuse, BoxesLargerThanTheHostsMemoryAreErrors) {
+    misuse::Repeated all(device, {65535, 65535, 65535});
+    expect_error("the host has no memory left for the values of a box", [&] { all.map(); });
+    expect_error("{65535, 65535, 65535} elements", [&] { all.read(); });
+}
+
 TEST_P(Misuse, RecordingsHoldWhatTheirBodiesDo) {
     Line line(device, 4), other(device, 4);
     line.fill(7);
@@ -230,7 +237,7 @@ TEST_P(Misuse, RecordingsHoldWhatTheirBodiesDo) {
         Line made(device, 4);
         made.write(std::vector<float>(4, 0.5f));
         misuse::add_one(commands, made);
-        other.copy_from(glift::Range<Line>(made));
+        other.copy_from(made);
         line.write(3, 1, std::vector<float>(1, 9.0f));
     });
     EXPECT_EQ(line.read(), std::vector<float>(4, 7.0f)) << "nothing ran";

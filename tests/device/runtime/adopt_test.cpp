@@ -54,27 +54,6 @@ TEST(Adopt, WithoutPushDescriptors) {
     expect_no_messages(device);
 }
 
-TEST(Adopt, PassesGoIntoTheProgramsCommandBuffer) {
-    const PlainVulkan mine;
-    const auto device = glift::vulkan::adopt(mine.objects());
-    const auto g = buffer(device, "g.data", 256), copy = buffer(device, "copy.data", 256);
-    run_store(device, g, 64, 5);  // submitted before the program's own work
-    const VkCommandBuffer commands = mine.begin();
-    {
-        const auto into = glift::vulkan::record_into(device, commands);
-        run_add(into, g, 64, 1);
-        run_add(into, g, 64, 2);
-        glift::vulkan::finish(into);
-        // A command of the program's own that reads what Glift wrote.
-        const auto from = glift::vulkan::buffer(g), to = glift::vulkan::buffer(copy);
-        const VkBufferCopy region = {from.offset, to.offset, 256};
-        vkCmdCopyBuffer(commands, from.buffer, to.buffer, 1, &region);
-        mine.run(commands);
-    }
-    EXPECT_EQ(read<std::uint32_t>(device, copy, 64)[63], (5u * 2 + 1) * 2 + 2);
-    expect_no_messages(device);
-}
-
 TEST(Adopt, OldAndPoorDevicesAreRefused) {
     const PlainVulkan mine;
     auto objects = mine.objects();
@@ -84,10 +63,34 @@ TEST(Adopt, OldAndPoorDevicesAreRefused) {
     EXPECT_EQ(old.code(), glift::ErrorCode::unsupported_version);
     EXPECT_NE(old.why().find("1.2"), std::string::npos) << old.what();
     EXPECT_FALSE(old.remedy().empty());
-    pretence = {.no_timeline = true};
+    pretence = {.no_features = true};
     const auto poor = error_of([&] { glift::vulkan::adopt(objects); });
     EXPECT_EQ(poor.code(), glift::ErrorCode::missing_feature);
-    EXPECT_NE(poor.why().find("timelineSemaphore"), std::string::npos) << poor.what();
+    for (const char* needed : {"scalarBlockLayout", "timelineSemaphore", "bufferDeviceAddress", "hostQueryReset",
+                               "synchronization2", "maintenance4", "subgroupSizeControl", "computeFullSubgroups"})
+        EXPECT_NE(poor.why().find(needed), std::string::npos) << poor.what();
+}
+
+// Functions of Vulkan 1.3 are then missing; without the check, the first call of one would crash.
+TEST(Adopt, InstancesForOldVulkanAreRefused) {
+    {
+        const PlainVulkan mine(VK_API_VERSION_1_2);
+        const auto old = error_of([&] { glift::vulkan::adopt(mine.objects()); });
+        EXPECT_EQ(old.code(), glift::ErrorCode::unsupported_version) << old.what();
+        EXPECT_NE(old.remedy().find("apiVersion"), std::string::npos) << old.what();
+    }
+    const VkApplicationInfo application = {.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
+                                           .apiVersion = VK_API_VERSION_1_0};
+    const VkInstanceCreateInfo info = {.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
+                                       .pApplicationInfo = &application};
+    VkInstance instance = VK_NULL_HANDLE;
+    ASSERT_EQ(vkCreateInstance(&info, nullptr, &instance), VK_SUCCESS);
+    std::uint32_t count = 1;
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+    vkEnumeratePhysicalDevices(instance, &count, &physical);
+    const auto older = error_of([&] { glift::vulkan::DeviceFeatures(instance, physical); });
+    EXPECT_NE(older.remedy().find("apiVersion"), std::string::npos) << older.what();
+    vkDestroyInstance(instance, nullptr);
 }
 
 // Without the check, the first call that uses a missing object would crash.

@@ -3,6 +3,7 @@
 #include "add_in_place.h"
 #include "image_step.h"
 #include "mark_grid.h"
+#include "number_lanes.h"
 #include "report.h"
 #include "scale_direct.h"
 #include "scale_general.h"
@@ -114,6 +115,16 @@ const glift::Kernel store_value = {
     .bindings = out_only,
     .direct = {.spirv = ::store_value, .host = host_store, .parameter_bytes = 8, .push_constants = true}};
 
+const glift::Kernel number_lanes = {
+    .name = "number_lanes",
+    .file = "lanes.glift",
+    .line = 9,
+    .rank = 1,
+    .group = {64, 1, 1},
+    .loop_rounds = 0,
+    .bindings = out_only,
+    .direct = {.spirv = ::number_lanes, .host = host_store, .parameter_bytes = 8, .push_constants = true}};
+
 const glift::Kernel mark_grid = {
     .name = "mark_grid",
     .file = "mark.glift",
@@ -170,6 +181,13 @@ void run_add(const glift::Commands& commands, const glift::Memory& g, std::uint3
     const AddParameters block = {size, amount};
     commands.dispatch(
         add_in_place,
+        {.form = glift::FormName::direct, .memories = {&g, 1}, .parameters = bytes_of(block), .size = {size, 1, 1, 1}});
+}
+
+void run_lanes(const glift::Commands& commands, const glift::Memory& g, std::uint32_t size) {
+    const AddParameters block = {size, 0};
+    commands.dispatch(
+        number_lanes,
         {.form = glift::FormName::direct, .memories = {&g, 1}, .parameters = bytes_of(block), .size = {size, 1, 1, 1}});
 }
 

@@ -11,6 +11,7 @@ namespace kernels {
 extern const glift::Kernel scale;         ///< g = factor * f, in all three forms; {size, factor}
 extern const glift::Kernel add_in_place;  ///< g = 2 g + amount; {size, amount}
 extern const glift::Kernel store_value;   ///< g = value; {size, value}
+extern const glift::Kernel number_lanes;  ///< g = the number of the lane in its subgroup; {size, 0}
 extern const glift::Kernel mark_grid;   ///< adds 1 + y at (x, y, z) of a 3-D grid; on Vulkan in the general form only;
                                         ///< {size[3], base[3]}
 extern const glift::Kernel image_step;  ///< samples one image and stores to another; {size[2]}
@@ -45,6 +46,7 @@ glift::Memory buffer(const glift::Device& device, const char* name, std::uint64_
 void run_scale(const glift::Commands& commands, const glift::Memory& f, const glift::Memory& g, std::uint32_t size,
                float factor);
 void run_add(const glift::Commands& commands, const glift::Memory& g, std::uint32_t size, std::uint32_t amount);
+void run_lanes(const glift::Commands& commands, const glift::Memory& g, std::uint32_t size);
 void run_store(const glift::Commands& commands, const glift::Memory& g, std::uint32_t size, std::uint32_t value);
 
 template <class T> std::vector<T> read(const glift::Device& device, const glift::Memory& memory, std::size_t count) {

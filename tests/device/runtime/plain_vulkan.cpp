@@ -19,13 +19,23 @@ VKAPI_ATTR void VKAPI_CALL get_properties(VkPhysicalDevice physical, VkPhysicalD
 VKAPI_ATTR void VKAPI_CALL get_features(VkPhysicalDevice physical, VkPhysicalDeviceFeatures2* features) {
     vkGetPhysicalDeviceFeatures2(physical, features);
     for (auto* next = static_cast<VkBaseOutStructure*>(features->pNext); next; next = next->pNext) {
-        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES && pretence.no_timeline) {
-            reinterpret_cast<VkPhysicalDeviceVulkan12Features*>(next)->timelineSemaphore = VK_FALSE;
-        }
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES && pretence.no_features)
+            *reinterpret_cast<VkPhysicalDeviceVulkan12Features*>(next) = {.sType = next->sType, .pNext = next->pNext};
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES && pretence.no_features)
+            *reinterpret_cast<VkPhysicalDeviceVulkan13Features*>(next) = {.sType = next->sType, .pNext = next->pNext};
         if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES && pretence.no_shuffles) {
             reinterpret_cast<VkPhysicalDeviceVulkan12Features*>(next)->shaderSubgroupExtendedTypes = VK_FALSE;
         }
     }
+}
+
+void pretend_sizes(VkPhysicalDeviceVulkan13Properties& properties) {
+    if (pretence.sizes_vary) {
+        properties.minSubgroupSize /= 2;
+        properties.maxSubgroupSize *= 2;
+    }
+    if (pretence.no_required_size) properties.requiredSubgroupSizeStages = 0;
+    if (pretence.most_subgroups) properties.maxComputeWorkgroupSubgroups = pretence.most_subgroups;
 }
 
 VKAPI_ATTR void VKAPI_CALL get_more_properties(VkPhysicalDevice physical, VkPhysicalDeviceProperties2* properties) {
@@ -35,7 +45,22 @@ VKAPI_ATTR void VKAPI_CALL get_more_properties(VkPhysicalDevice physical, VkPhys
             reinterpret_cast<VkPhysicalDeviceVulkan11Properties*>(next)->subgroupSupportedOperations &=
                 ~VkSubgroupFeatureFlags(VK_SUBGROUP_FEATURE_SHUFFLE_BIT | VK_SUBGROUP_FEATURE_SHUFFLE_RELATIVE_BIT);
         }
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES)
+            pretend_sizes(*reinterpret_cast<VkPhysicalDeviceVulkan13Properties*>(next));
     }
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL create_compute_pipelines(VkDevice device, VkPipelineCache cache, std::uint32_t count,
+                                                        const VkComputePipelineCreateInfo* infos,
+                                                        const VkAllocationCallbacks* callbacks, VkPipeline* pipelines) {
+    pretence.stage_flags = infos[count - 1].stage.flags;
+    pretence.required_size = 0;
+    for (auto* next = static_cast<const VkBaseInStructure*>(infos[count - 1].stage.pNext); next; next = next->pNext) {
+        if (next->sType == VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_REQUIRED_SUBGROUP_SIZE_CREATE_INFO)
+            pretence.required_size = reinterpret_cast<const VkPipelineShaderStageRequiredSubgroupSizeCreateInfo*>(next)
+                                         ->requiredSubgroupSize;
+    }
+    return vkCreateComputePipelines(device, cache, count, infos, callbacks, pipelines);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL submit(VkQueue queue, std::uint32_t count, const VkSubmitInfo2* infos, VkFence fence) {
@@ -128,6 +153,7 @@ PFN_vkVoidFunction VKAPI_CALL device_function(VkDevice device, const char* name)
     if (!std::strcmp(name, "vkQueueSubmit")) return erased(submit_in_the_old_way);
     if (!std::strcmp(name, "vkWaitSemaphores")) return erased(wait);
     if (!std::strcmp(name, "vkAllocateMemory")) return erased(allocate);
+    if (!std::strcmp(name, "vkCreateComputePipelines")) return erased(create_compute_pipelines);
     if (pretence.no_push_descriptors && std::strstr(name, "PushDescriptorSet")) return nullptr;
     return vkGetDeviceProcAddr(device, name);
 }
@@ -142,10 +168,9 @@ PFN_vkVoidFunction VKAPI_CALL pretending_loader(VkInstance instance, const char*
     return vkGetInstanceProcAddr(instance, name);
 }
 
-PlainVulkan::PlainVulkan() {
+PlainVulkan::PlainVulkan(std::uint32_t api_version) {
     pretence = {};
-    const VkApplicationInfo application = {.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
-                                           .apiVersion = VK_API_VERSION_1_3};
+    const VkApplicationInfo application = {.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO, .apiVersion = api_version};
     const char* layer = "VK_LAYER_KHRONOS_validation";
     const char* debug = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
     const char* wanted = std::getenv("GLIFT_VALIDATE");

@@ -79,6 +79,23 @@ std::string refused(const std::string& name, const std::string& bytes) {
     }
 }
 
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
+// Assimp reads such faces, and other steps of it crash.
+TEST(Mesh, CornersThatAreNotInTheFileAreErrors) {
+    for (const char* corner : {"99", "-1"}) {
+        const std::string error = refused("bad.ply", replaced(square, "3 0 2 3", std::string("3 0 2 ") + corner));
+        EXPECT_THAT(error, testing::HasSubstr("bad.ply: cannot be read as a mesh")) << corner;
+    }
+    // In a binary file that ends too early, corners are what memory holds.
+    std::string binary = replaced(square.substr(0, square.find("0 0 1")), "ascii", "binary_little_endian");
+    const float points[] = {0, 0, 1, 2, 0, 1, 2, 4, 1, 0, 4, 1};
+    binary.append(reinterpret_cast<const char*>(points), sizeof points);
+    EXPECT_NE(refused("cut.ply", binary), "");
+}
+
 TEST(Mesh, IsRefusedWhereItIsTruncated) {
     const glift::test::TemporaryFolder folder;
     const std::string packed = folder.path() / "a.obj.gz";

@@ -2,7 +2,8 @@
 // atomics through `coherent` parameters.
 #pragma once
 
-#include <atomic>
+#include <glift/host/atomic_ref.h>
+
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -14,19 +15,17 @@ namespace glift::host {
 
 // Writes through `scatter` parameters. They are relaxed, since no other access of the pass is ordered by them.
 
-template <class T> void atomic_replace(T& target, T value) {
-    std::atomic_ref<T>(target).store(value, std::memory_order_relaxed);
-}
+template <class T> void atomic_replace(T& target, T value) { AtomicRef<T>(target).store(value, __ATOMIC_RELAXED); }
 
 template <class T> void atomic_min(T& target, T value) {
-    std::atomic_ref<T> shared(target);
-    T old = shared.load(std::memory_order_relaxed);
-    while (value < old && !shared.compare_exchange_weak(old, value, std::memory_order_relaxed)) {}
+    AtomicRef<T> shared(target);
+    T old = shared.load(__ATOMIC_RELAXED);
+    while (value < old && !shared.compare_exchange(old, value, __ATOMIC_RELAXED)) {}
 }
 template <class T> void atomic_max(T& target, T value) {
-    std::atomic_ref<T> shared(target);
-    T old = shared.load(std::memory_order_relaxed);
-    while (old < value && !shared.compare_exchange_weak(old, value, std::memory_order_relaxed)) {}
+    AtomicRef<T> shared(target);
+    T old = shared.load(__ATOMIC_RELAXED);
+    while (old < value && !shared.compare_exchange(old, value, __ATOMIC_RELAXED)) {}
 }
 
 /// The bits of a float, changed so that as integers they are in the order of the floats; -0 comes before 0.
@@ -38,26 +37,18 @@ inline std::int32_t ordered_bits(float value) {
 /// replaces a NaN that is there.
 template <class Before> void atomic_extremum(float& target, float value, const Before& before) {
     if (value != value) return;
-    std::atomic_ref<float> shared(target);
-    float old = shared.load(std::memory_order_relaxed);
+    AtomicRef<float> shared(target);
+    float old = shared.load(__ATOMIC_RELAXED);
     while ((old != old || before(ordered_bits(value), ordered_bits(old))) &&
-           !shared.compare_exchange_weak(old, value, std::memory_order_relaxed)) {}
+           !shared.compare_exchange(old, value, __ATOMIC_RELAXED)) {}
 }
 inline void atomic_min(float& target, float value) { atomic_extremum(target, value, std::less<>()); }
 inline void atomic_max(float& target, float value) { atomic_extremum(target, value, std::greater<>()); }
 
-template <class T> void atomic_add(T& target, T value) {
-    std::atomic_ref<T>(target).fetch_add(value, std::memory_order_relaxed);
-}
-template <class T> void atomic_bit_and(T& target, T value) {
-    std::atomic_ref<T>(target).fetch_and(value, std::memory_order_relaxed);
-}
-template <class T> void atomic_bit_or(T& target, T value) {
-    std::atomic_ref<T>(target).fetch_or(value, std::memory_order_relaxed);
-}
-template <class T> void atomic_bit_xor(T& target, T value) {
-    std::atomic_ref<T>(target).fetch_xor(value, std::memory_order_relaxed);
-}
+template <class T> void atomic_add(T& target, T value) { AtomicRef<T>(target).fetch_add(value, __ATOMIC_RELAXED); }
+template <class T> void atomic_bit_and(T& target, T value) { AtomicRef<T>(target).fetch_and(value, __ATOMIC_RELAXED); }
+template <class T> void atomic_bit_or(T& target, T value) { AtomicRef<T>(target).fetch_or(value, __ATOMIC_RELAXED); }
+template <class T> void atomic_bit_xor(T& target, T value) { AtomicRef<T>(target).fetch_xor(value, __ATOMIC_RELAXED); }
 
 // Accesses to elements that workgroups share within a pass (`coherent` parameters).
 namespace memory {
@@ -73,42 +64,39 @@ template <class T> T read(T& place) {
     using P = Piece<T>;
     alignas(T) P pieces[sizeof(T) / sizeof(P)];
     for (std::size_t i = 0; i < std::size(pieces); ++i)
-        pieces[i] = std::atomic_ref<P>(reinterpret_cast<P*>(&place)[i]).load(std::memory_order_relaxed);
+        pieces[i] = AtomicRef<P>(reinterpret_cast<P*>(&place)[i]).load(__ATOMIC_RELAXED);
     return std::bit_cast<T>(pieces);
 }
 
 template <class T> void write(T& place, const std::type_identity_t<T>& value) {
     using P = Piece<T>;
     for (std::size_t i = 0; i < sizeof(T) / sizeof(P); ++i)
-        std::atomic_ref<P>(reinterpret_cast<P*>(&place)[i])
-            .store(reinterpret_cast<const P*>(&value)[i], std::memory_order_relaxed);
+        AtomicRef<P>(reinterpret_cast<P*>(&place)[i]).store(reinterpret_cast<const P*>(&value)[i], __ATOMIC_RELAXED);
 }
 
 // Atomics that order the accesses around them: a load acquires, a store releases, the others are sequentially
 // consistent.
-template <class T> T atomicLoad(T& target) { return std::atomic_ref<T>(target).load(std::memory_order_acquire); }
-template <class T> void atomicStore(T& target, T value) {
-    std::atomic_ref<T>(target).store(value, std::memory_order_release);
-}
-template <class T> T atomicAdd(T& target, T value) { return std::atomic_ref<T>(target).fetch_add(value); }
-template <class T> T atomicAnd(T& target, T value) { return std::atomic_ref<T>(target).fetch_and(value); }
-template <class T> T atomicOr(T& target, T value) { return std::atomic_ref<T>(target).fetch_or(value); }
-template <class T> T atomicXor(T& target, T value) { return std::atomic_ref<T>(target).fetch_xor(value); }
-template <class T> T atomicExchange(T& target, T value) { return std::atomic_ref<T>(target).exchange(value); }
+template <class T> T atomicLoad(T& target) { return AtomicRef<T>(target).load(__ATOMIC_ACQUIRE); }
+template <class T> void atomicStore(T& target, T value) { AtomicRef<T>(target).store(value, __ATOMIC_RELEASE); }
+template <class T> T atomicAdd(T& target, T value) { return AtomicRef<T>(target).fetch_add(value); }
+template <class T> T atomicAnd(T& target, T value) { return AtomicRef<T>(target).fetch_and(value); }
+template <class T> T atomicOr(T& target, T value) { return AtomicRef<T>(target).fetch_or(value); }
+template <class T> T atomicXor(T& target, T value) { return AtomicRef<T>(target).fetch_xor(value); }
+template <class T> T atomicExchange(T& target, T value) { return AtomicRef<T>(target).exchange(value); }
 template <class T> T atomicCompareExchange(T& target, T expected, T value) {
-    std::atomic_ref<T>(target).compare_exchange_strong(expected, value);
+    AtomicRef<T>(target).compare_exchange(expected, value);
     return expected;
 }
 template <class T> T atomicMin(T& target, T value) {
-    std::atomic_ref<T> shared(target);
+    AtomicRef<T> shared(target);
     T before = shared.load();
-    while (value < before && !shared.compare_exchange_weak(before, value)) {}
+    while (value < before && !shared.compare_exchange(before, value)) {}
     return before;
 }
 template <class T> T atomicMax(T& target, T value) {
-    std::atomic_ref<T> shared(target);
+    AtomicRef<T> shared(target);
     T before = shared.load();
-    while (before < value && !shared.compare_exchange_weak(before, value)) {}
+    while (before < value && !shared.compare_exchange(before, value)) {}
     return before;
 }
 }  // namespace memory

@@ -172,6 +172,12 @@ inline std::uint32_t nearest_level(const HostMemory& memory, float level) {
     return convert<uint>(clamped);
 }
 
+/// The weight of the texel after `texel`. At infinity both are the edge's texel, whatever their weights are.
+inline float fraction(float texel) {
+    const float result = texel - floor(texel);
+    return result >= 0.0f ? result : 0.0f;
+}
+
 /// The texel at coordinates that are clamped to the edge.
 template <Format F, class T>
 T clamped_texel(const HostMemory& memory, std::array<std::int64_t, 3> at, std::uint32_t level) {
@@ -208,7 +214,7 @@ template <Format F, class T, class At> T sample_linear(const HostMemory& memory,
     for (unsigned axis = 0; axis < axes; ++axis) {
         const float texel = point[axis] * static_cast<float>(extent[axis]) - 0.5f;
         low[axis] = convert<std::int32_t>(floor(texel));
-        weight[axis] = texel - floor(texel);
+        weight[axis] = detail::fraction(texel);
     }
     if (axes < detail::components<At>) low[2] = convert<std::int32_t>(round(point[2]));
     std::array<T, 8> corners;
@@ -236,7 +242,7 @@ template <class At> Corner corner_of(const HostMemory& memory, const At& at) {
     for (unsigned axis = 0; axis < 2; ++axis) {
         const float texel = point[axis] * static_cast<float>(memory.extent[axis]) - 0.5f;
         corner.low[axis] = convert<std::int32_t>(floor(texel));
-        corner.weight[axis] = texel - floor(texel);
+        corner.weight[axis] = fraction(texel);
     }
     if (components<At> == 3) corner.low[2] = convert<std::int32_t>(round(point[2]));
     return corner;

@@ -1,10 +1,9 @@
 // What the host kernels of a checked build call (gliftc --checked).
 #pragma once
 
+#include <glift/host/atomic_ref.h>
 #include <glift/kernel.h>
 #include <glift/vector.h>
-
-#include <atomic>
 
 namespace glift::host {
 
@@ -12,7 +11,7 @@ namespace glift::host {
 /// are those of `record`. Only the pass's first report is kept.
 inline void report_outside(const HostCall& call, const StatusRecord& record, const uint* address, uint rank) {
     std::uint32_t fine = StatusRecord::fine;
-    if (!std::atomic_ref(call.status->code).compare_exchange_strong(fine, StatusRecord::out_of_range)) return;
+    if (!AtomicRef(call.status->code).compare_exchange(fine, StatusRecord::out_of_range)) return;
     call.status->line = record.line;
     call.status->file = record.file;
     call.status->binding = record.binding;

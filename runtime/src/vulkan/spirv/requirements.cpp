@@ -57,4 +57,13 @@ std::string lacking(std::span<const std::uint32_t> spirv, const DeviceProperties
     return text;
 }
 
+bool uses_subgroups(std::span<const std::uint32_t> spirv) {
+    bool uses = false;
+    for_each_instruction(spirv, [&](std::uint32_t op, SpirvWords words) {
+        uses |= op == spirv::capability && words[1] >= spirv::group_non_uniform &&
+                words[1] <= spirv::group_non_uniform_quad;
+    });
+    return uses;
+}
+
 }  // namespace glift::detail

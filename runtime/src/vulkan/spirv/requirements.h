@@ -14,4 +14,7 @@ namespace glift::detail {
 /// Found from the module's capabilities and the types of its subgroup operations. Empty if the device lacks none.
 std::string lacking(std::span<const std::uint32_t> spirv, const DeviceProperties& properties);
 
+/// Whether the shader's result may depend on the size of its subgroups.
+bool uses_subgroups(std::span<const std::uint32_t> spirv);
+
 }  // namespace glift::detail

@@ -90,6 +90,7 @@ enum Op : std::uint32_t {
     copy_logical = 400,
 };
 
+enum Capability : std::uint32_t { group_non_uniform = 61, group_non_uniform_quad = 68 };
 enum Decoration : std::uint32_t { built_in = 11, binding = 33, offset = 35 };
 enum BuiltIn : std::uint32_t { workgroup_id = 26, local_invocation_id = 27, global_invocation_id = 28 };
 enum StorageClass : std::uint32_t {
