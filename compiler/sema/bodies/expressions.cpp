@@ -1,4 +1,4 @@
-#include "sema/bodies/body.h"
+#include "sema/bodies/order.h"
 
 #include "sema/names/unknown_names.h"
 #include "sema/pipelines/predication.h"
@@ -81,7 +81,9 @@ Operand symbol_operand(Body& body, Symbol& symbol, const ast::Expr& name) {
             operand.type = symbol.type;
             return operand;
         }
-        return value_operand(body, make_local(program, symbol.local, name.span), name.span);
+        const ir::ExprId local = make_local(program, symbol.local, name.span);
+        if (is_changeable(body, local)) add_read(body, local);
+        return value_operand(body, local, name.span);
     }
     case SymbolKind::structure:
     case SymbolKind::memory:
@@ -102,6 +104,7 @@ Operand symbol_operand(Body& body, Symbol& symbol, const ast::Expr& name) {
         ir::ExprId id = add(program, op, symbol.type, name.span);
         program.exprs[id].slot = symbol.slot;
         program.exprs[id].place = symbol.place;
+        if (op == ir::Op::host_state) add_read(body, id);
         return value_operand(body, id, name.span);
     }
     case SymbolKind::iterator:
@@ -178,7 +181,9 @@ Operand check_await(Body& body, const ast::Expr& expr) {
         node.type = type;
         return value_operand(body, value, expr.span);
     }
-    return value_operand(body, add(body.program(), ir::Op::await_value, type, expr.span, {value}), expr.span);
+    const ir::ExprId awaited = add(body.program(), ir::Op::await_value, type, expr.span, {value});
+    add_read(body, awaited);
+    return value_operand(body, awaited, expr.span);
 }
 
 Operand check_kind(Body& body, ast::ExprId id, ir::TypeId wanted) {
