@@ -150,6 +150,7 @@ Operand index_part(Body& body, ir::ExprId value, const ast::Expr& expr) {
         c.error(Diag::not_indexable, expr.span, {c.text(body.program().exprs[value].type)});
         return error_operand(expr.span);
     }
+    if (is_changeable(body, value)) is_target(body, value);  // the element is read after the index
     ir::ExprId index = index_value(body, expr.operands[1]);
     if (is_error(body, index)) return error_operand(expr.span);
     if (auto known = ir::evaluate(body.program(), index)) {
