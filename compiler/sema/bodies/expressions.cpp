@@ -6,6 +6,8 @@
 #include "sema/types/instances.h"
 #include "sema/types/typing.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -42,6 +44,12 @@ bool fits(const ir::Types& types, ir::TypeId type, std::uint64_t value, bool neg
     }
 }
 
+std::string shortest(double number) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+    return {text.data(), end};
+}
+
 ir::ExprId number_literal(Body& body, const ast::Expr& literal, ir::TypeId wanted, bool negative) {
     ir::Types& types = body.types();
     ir::TypeId type = suffix_type(types, literal.suffix);
@@ -57,7 +65,12 @@ ir::ExprId number_literal(Body& body, const ast::Expr& literal, ir::TypeId wante
     } else {
         lane.bits = negative ? 0 - literal.value : literal.value;
     }
+    const double exact = lane.number;
     lane = ir::normalize(types, type, lane);
+    if (types.is_floating(type) && std::isfinite(exact) && !std::isfinite(lane.number))
+        body.context.error(
+            Diag::number_too_large, literal.span,
+            {is_integer ? std::to_string(literal.value) : shortest(literal.number), body.context.text(type)});
     ir::ExprId id = add(body.program(), ir::Op::constant, type, literal.span);
     body.program().exprs[id].bits = lane.bits;
     body.program().exprs[id].number = lane.number;
@@ -354,7 +367,8 @@ Operand check_unary(Body& body, ast::ExprId id, ir::TypeId wanted) {
         if (!body.types().is_floating(body.program().exprs[value].type) &&
             !body.types().is_signed(body.program().exprs[value].type) && inner.value != 0) {
             note(c.error(Diag::negative_unsigned, expr.span, {c.text(body.program().exprs[value].type)}), expr.span,
-                 "write int(…), or subtract");
+                 "it is a whole number from 0 on: subtract, or convert a negative number, as in " +
+                     c.text(body.program().exprs[value].type) + "(int(…))");
             return error_operand(expr.span);
         }
         return value_operand(body, value, expr.span);
