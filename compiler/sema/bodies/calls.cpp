@@ -404,6 +404,16 @@ static bool has_method(Context& c, std::uint32_t container, Name name, std::size
     });
 }
 
+/// Whether the name means a module, or kernels and pipelines that the body cannot run.
+static bool is_uncallable(const Body& body, const Meta& meta) {
+    if (meta.kind == MetaKind::module) return true;
+    if (meta.kind != MetaKind::declarations || body.kind == BodyKind::pipeline) return false;
+    return std::ranges::all_of(meta.declarations, [&](ast::DeclId id) {
+        const auto& declared = body.context[id].body;
+        return std::holds_alternative<ast::Kernel>(declared) || std::holds_alternative<ast::Pipeline>(declared);
+    });
+}
+
 /// A call by plain name.
 static Operand call_named(Body& body, ast::Identifier name, const std::vector<ast::ExprId>& generics,
                           const ast::Expr& call, ir::TypeId wanted) {
@@ -422,7 +432,8 @@ static Operand call_named(Body& body, ast::Identifier name, const std::vector<as
     Meta meta;
     if (!visible.found.empty()) meta.kind = MetaKind::declarations, meta.declarations = visible.found;
     else if (!is_hidden) meta = find_meta(c, body.env, name);
-    if (meta.kind == MetaKind::none) {
+    // A module cannot be called, nor can a pass outside of pipelines: they do not hide a built-in function.
+    if (meta.kind == MetaKind::none || (is_uncallable(body, meta) && find_intrinsic(c.text(name.name)))) {
         if (auto result = call_builtin(body, c.text(name.name), call, wanted)) return *result;
         if (auto result = call_by_name(body, name, {}, generics, call, wanted)) return *result;
         if (is_hidden) meta = find_meta(c, body.env, name);

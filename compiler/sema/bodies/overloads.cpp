@@ -92,7 +92,7 @@ std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner,
     }
     Arguments generics(c, decl, *env, call.span);
     if (!report && explicit_generics.size() > decl.generics.size()) return nullptr;
-    if (!explicit_generics.empty() && !generics.give(env_for(body, explicit_generics), explicit_generics))
+    if (!explicit_generics.empty() && !generics.give(env_for(body, explicit_generics), explicit_generics, 0, !report))
         return nullptr;
     for (std::size_t i = 0; i < function.params.size(); ++i) {
         if (arguments.waits[i]) continue;
