@@ -318,8 +318,15 @@ ExprId Expander::expand_member(const Expr& node) {
     if (!place.members.empty()) {
         Place owner{place.root, {place.members.begin(), place.members.end() - 1}};
         const MemberStructure& member = cx.structure_at(owner).members[place.members.back()];
-        if (!member.by_reference && node.slot < member.arguments.size())
-            if (auto value = evaluate(p, member.arguments[node.slot])) return materialize(p, *value, node.span);
+        if (!member.by_reference && node.slot < member.arguments.size()) {
+            if (auto value = evaluate(p, member.arguments[node.slot])) {
+                // It is computed in 64 bits (widen.h). What fits has the type that the source says.
+                const auto fits = [](const Lane& lane) { return lane.bits <= 0xffffffffu; };
+                if (p.types.scalar_of(node.type) == p.types.uint && std::ranges::all_of(value->lanes, fits))
+                    value->type = node.type;
+                return materialize(p, *value, node.span);
+            }
+        }
     }
     Expr leaf = node;
     leaf.place = place;
