@@ -30,6 +30,19 @@ struct NumberParts {
     int base = 10;
 };
 
+/// Whether a number beyond the range of double is too small for it, not too large. std::from_chars() does not say.
+bool is_tiny(std::string_view number) {
+    const std::size_t e = std::min(number.find_first_of("eE"), number.size());
+    std::string_view exponent = number.substr(std::min(e + 1, number.size())), digits = number.substr(0, e);
+    const std::size_t point = std::min(digits.find('.'), digits.size()), first = digits.find_first_of("123456789");
+    if (first == std::string_view::npos) return true;
+    if (exponent.starts_with('+')) exponent.remove_prefix(1);
+    std::int64_t power = 0;
+    const auto read = std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
+    if (read.ec == std::errc::result_out_of_range) return exponent.starts_with('-');
+    return power + static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first) < 0;
+}
+
 NumberParts split_integer(std::string_view text) {
     NumberParts parts{text, {}, 10};
     if (text.starts_with("0x") || text.starts_with("0X")) {
@@ -138,8 +151,9 @@ ast::ExprId Parser::parse_integer(Expr expr) {
     set_suffix(expr, parts.suffix);
     auto result =
         std::from_chars(parts.digits.data(), parts.digits.data() + parts.digits.size(), expr.value, parts.base);
+    constexpr std::uint64_t least = std::uint64_t{1} << 63;  // of int64, without its sign, which is checked in sema
     std::uint64_t most = parts.suffix == "u"   ? std::numeric_limits<std::uint32_t>::max()
-                         : parts.suffix == "l" ? std::numeric_limits<std::int64_t>::max()
+                         : parts.suffix == "l" ? least
                                                : std::numeric_limits<std::uint64_t>::max();
     if (result.ec != std::errc() || expr.value > most) {
         std::string_view type = parts.suffix == "u" ? "uint" : parts.suffix == "l" ? "int64" : "uint64";
@@ -159,8 +173,10 @@ ast::ExprId Parser::parse_float(Expr expr) {
     double most = suffix == "f"   ? double{std::numeric_limits<float>::max()}
                   : suffix == "h" ? 65504.0
                                   : std::numeric_limits<double>::max();
-    bool too_small = result.ec == std::errc::result_out_of_range && expr.number < 1.0;
-    if ((result.ec != std::errc() && !too_small) || expr.number > most) {
+    const bool is_outside = result.ec == std::errc::result_out_of_range;
+    const bool is_too_small = is_outside && is_tiny(text.substr(0, end));
+    if (is_outside) expr.number = 0;
+    if ((result.ec != std::errc() && !is_too_small) || expr.number > most) {
         std::string_view type = suffix == "f" ? "float" : suffix == "h" ? "half" : "double";
         diagnostics_.report(Diag::number_too_large, expr.span, {text, type});
         expr.number = 0;

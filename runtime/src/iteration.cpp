@@ -31,8 +31,17 @@ std::string place_of(const Kernel& kernel) {
 
 void Iteration::add_visited(const detail::Box& box, bool is_whole, const std::vector<detail::DeviceCount>& counts) {
     if (!box.is_inside()) detail::throw_outside(place_of(kernel_), box);
-    if (count_ == 0) first_ = box;
-    else if (box.size != first_.size) throw_sizes(kernel_, first_, box);
+    const bool has_count = !counts.empty();
+    if (count_ == 0) {
+        first_ = box;
+        are_counted_ = has_count;
+    } else if (box.size != first_.size) {
+        // The sizes of ranges with lengths on the device are upper bounds, of which the smallest counts.
+        if (!are_counted_ || !has_count) throw_sizes(kernel_, first_, box);
+        for (std::size_t axis = 0; axis < box.size.size(); ++axis)
+            first_.size[axis] = std::min(first_.size[axis], box.size[axis]);
+    }
+    are_counted_ = are_counted_ && has_count;
     ++count_;
     whole_ = whole_ && is_whole;
     for (const detail::DeviceCount& count : counts)

@@ -55,17 +55,17 @@ Text minimum(Printer& p, const char* name, const Expr& expr) {
     return call(p, name, expr);
 }
 
-/// `clamp` where the bounds are scalar constants in order; else min and max, since clamp is undefined in GLSL if they
-/// are not in order.
+/// `clamp` of integers where the bounds are scalar constants in order; else min and max. GLSL leaves clamp undefined if
+/// the bounds are not in order, and of clamp(x, 0.0, 1.0) NVIDIA's driver (580) makes an instruction that flushes
+/// subnormal numbers to zero.
 Text clamp(Printer& p, const Expr& expr) {
     const Expr& low = p.program.exprs[expr.operands[1]];
     const Expr& high = p.program.exprs[expr.operands[2]];
     bool both = low.op == ir::Op::constant && high.op == ir::Op::constant;
     bool is_signed = p.program.types.is_signed(low.type);
-    bool in_order = p.program.types.is_floating(low.type) ? low.number <= high.number
-                    : is_signed ? static_cast<std::int64_t>(low.bits) <= static_cast<std::int64_t>(high.bits)
-                                : low.bits <= high.bits;
-    if (both && in_order) return call(p, "clamp", expr);
+    bool in_order =
+        is_signed ? static_cast<std::int64_t>(low.bits) <= static_cast<std::int64_t>(high.bits) : low.bits <= high.bits;
+    if (both && in_order && !p.program.types.is_floating(low.type)) return call(p, "clamp", expr);
     return {"min(max(" + print_any(p, expr.operands[0]) + ", " + print_any(p, expr.operands[1]) + "), " +
             print_any(p, expr.operands[2]) + ")"};
 }

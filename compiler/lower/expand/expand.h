@@ -115,7 +115,6 @@ private:
     Pair expand_select(const ir::Expr& node);
     Pair expand_logical(const ir::Expr& node);
     Pair expand_again(ExprId id, const ir::Expr& node);
-    Pair operand(const ir::Expr& node, std::size_t i);
     Pair workgroup_atomic(ExprId id, const ir::Expr& node);
     Pair of_optional(ExprId whole);                ///< the pair for an optional that is stored as one value
     ExprId stored(const Pair& pair, TypeId type);  ///< one value of the type; an optional is made of the pair

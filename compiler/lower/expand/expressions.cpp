@@ -134,30 +134,6 @@ Pair Expander::workgroup_atomic(ExprId id, const Expr& node) {
     return {build.local(let(prefixed("before"), result.value, node.span)), {}};
 }
 
-/// The value of operand `i` of the node. Operands are evaluated from left to right: one that reads workgroup memory
-/// gets a local if a later one changes this memory by an atomic operation.
-Pair Expander::operand(const Expr& node, std::size_t i) {
-    Pair value = expand(node.operands[i]);
-    const auto changes_memory = [&](ExprId later) {
-        bool changes = false;
-        for_each_node(p, later, [&](ExprId part) { changes = changes || is_workgroup_atomic(p, p.exprs[part]); });
-        return changes;
-    };
-    if (cx.pass.shared.empty() || std::none_of(node.operands.begin() + i + 1, node.operands.end(), changes_memory))
-        return value;
-    const auto reads_memory = [&](ExprId id) {
-        bool reads = false;
-        for_each_node(p, id, [&](ExprId part) {
-            reads = reads || (p.exprs[part].op == Op::local &&
-                              std::ranges::find(cx.pass.shared, p.exprs[part].local) != cx.pass.shared.end());
-        });
-        return reads;
-    };
-    for (ExprId* part : {&value.value, &value.has})
-        if (*part && reads_memory(*part)) *part = build.local(let(prefixed("first"), *part, node.span));
-    return value;
-}
-
 void Expander::expand_effects(ExprId id) {
     if (!has_effect(p, id)) return;
     const Pair value = expand(id);
@@ -293,12 +269,9 @@ ExprId Expander::without_empty(ExprId whole) {
 Pair Expander::expand_again(ExprId id, const Expr& node) {
     Operands operands;
     bool same = true;
-    const bool is_atomic = is_workgroup_atomic(p, node);
-    for (std::size_t i = 0; i < node.operands.size(); ++i) {
-        // The first operand of an atomic operation is a place, which is not read.
-        const Pair made = is_atomic && i == 0 ? expand(node.operands[0]) : operand(node, i);
-        const ExprId value = stored(made, build.type(node.operands[i]));
-        same = same && value == node.operands[i];
+    for (ExprId operand : node.operands) {
+        const ExprId value = stored(expand(operand), build.type(operand));
+        same = same && value == operand;
         operands.push_back(value);
     }
     const bool divides =
@@ -345,8 +318,15 @@ ExprId Expander::expand_member(const Expr& node) {
     if (!place.members.empty()) {
         Place owner{place.root, {place.members.begin(), place.members.end() - 1}};
         const MemberStructure& member = cx.structure_at(owner).members[place.members.back()];
-        if (!member.by_reference && node.slot < member.arguments.size())
-            if (auto value = evaluate(p, member.arguments[node.slot])) return materialize(p, *value, node.span);
+        if (!member.by_reference && node.slot < member.arguments.size()) {
+            if (auto value = evaluate(p, member.arguments[node.slot])) {
+                // It is computed in 64 bits (widen.h). What fits has the type that the source says.
+                const auto fits = [](const Lane& lane) { return lane.bits <= 0xffffffffu; };
+                if (p.types.scalar_of(node.type) == p.types.uint && std::ranges::all_of(value->lanes, fits))
+                    value->type = node.type;
+                return materialize(p, *value, node.span);
+            }
+        }
     }
     Expr leaf = node;
     leaf.place = place;

@@ -80,7 +80,7 @@ Pair Expander::expand_call(const Expr& node) {
     arguments.reserve(node.operands.size());
     bool constant = function.structures.empty(), uniform = constant;
     for (std::size_t i = 0; i < node.operands.size(); ++i) {
-        Pair argument = operand(node, i);
+        Pair argument = expand(node.operands[i]);
         bool is_optional = static_cast<bool>(argument.has);
         constant = constant && build.is_constant(argument.value) && (!is_optional || build.is_constant(argument.has));
         uniform = uniform && !is_optional && is_uniform(cx, argument.value);

@@ -21,9 +21,9 @@ enum class BodyKind : std::uint8_t {
 
 /// What a name stands for. The container is the structure whose members are in scope (Body::container).
 enum class SymbolKind : std::uint8_t {
-    local,      // a variable, or a parameter that is an ir::Local
-    structure,  // a nested structure of the container, its base (sema/structures/memory_structure.h), a structure in a
-                // translator's state, or a structure parameter of a function or kernel that is no `iterator`
+    local,       // a variable, or a parameter that is an ir::Local
+    structure,   // a nested structure of the container, its base (sema/structures/memory_structure.h), a structure in a
+                 // translator's state, or a structure parameter of a function or kernel that is no `iterator`
     state,       // a scalar of a translator's state
     member,      // a constructor parameter of the container that is a value
     memory,      // a buffer or image of the container
@@ -87,6 +87,18 @@ struct Operand {
     Writing writing;           ///< structure: how it may be accessed
 };
 
+/// A node of the expression being checked for which it matters when it is evaluated (sema/bodies/order.h).
+struct Pending {
+    ir::ExprId node;
+    bool has_effect = false;
+};
+
+/// What the check of an operand adds to the body.
+struct Steps {
+    std::vector<ir::StmtId> statements;
+    std::vector<Pending> pending;
+};
+
 /// The state of the check of one body. Words before a colon in the comment of a field name the kinds of body that use
 /// it.
 struct Body {
@@ -125,8 +137,7 @@ struct Body {
     /// Pipelines: the expression being checked is part of a larger one that a pass may compute, so that values on the
     /// device may stand in it (sema/pipelines/values.h).
     bool is_open = false;
-    std::vector<ir::ExprId> leaves;  ///< pipelines: the values on the device (Op::device_value) in the expression being
-                                     ///< checked whose elements have not been copied yet (values.cpp, keep_leaves)
+    std::vector<Pending> pending;  ///< in the order of evaluation
     /// Pipelines: the name of the declaration (of a test, its title), with which the keys (ir::Kernel::key) of the
     /// kernels begin that compute values on the device for it. Each run of gliftc gives the same kernel the same key.
     std::string key;
@@ -165,7 +176,8 @@ void close_scope(Body&);                       ///< warns about unused variables
 void declare(Body&, ast::Identifier, Symbol);  ///< reports duplicates in the same scope
 Symbol* find_symbol(Body&, Name);
 ir::LocalId declare_local(Body&, ast::Identifier, ir::TypeId, bool is_mutable, bool warn_unused = true);
-/// Emits the declaration of a new local, one that the source does not name, with this value; returns the local.
+/// Emits the declaration of a new local, one that the source does not name, with this value; returns the local. Other
+/// pending nodes are settled (sema/bodies/order.h).
 ir::LocalId emit_temporary(Body&, std::string_view name, ir::ExprId value, Span);
 void emit(Body&, ir::StmtId);
 /// The value of an expression if it is known at compile time; locals in Body::lets have the values given there.
@@ -210,8 +222,8 @@ Operand check_conditional(Body&, const ast::Expr&, ir::TypeId wanted);
 Operand check_otherwise(Body&, const ast::Expr&, ir::TypeId wanted);  ///< `a ?? b`
 bool has_equality(const ir::Program&, ir::TypeId);                    ///< whether values of the type have `==`, `!=`
 ir::ExprId make_struct_equality(Body&, bool negated, ir::ExprId left, ir::ExprId right, Span);
-/// The value that `target op= value` assigns; `before` is the target's old value.
-ir::ExprId check_compound(Body&, const ast::Stmt&, ir::ExprId before);
+/// The value that `target op= value` assigns. The target is evaluated once.
+ir::ExprId check_compound(Body&, const ast::Stmt&, ir::ExprId target);
 /// A swizzle such as `.x` or `.yz` of a value, or an error.
 Operand make_swizzle_of(Body&, ir::ExprId, ast::Identifier);
 
@@ -246,6 +258,8 @@ ir::TypeId signed_address(ir::Types&, ir::TypeId domain);  ///< int, int2 … fo
 // statements
 void check_block(Body&, const std::vector<ast::StmtId>&);
 void check_statement(Body&, ast::StmtId);
+void check_for(Body&, const ast::Stmt&);
+void check_while(Body&, const ast::Stmt&);
 /// Checks `statements` in a new scope; returns the statements of the IR that they emit.
 std::vector<ir::StmtId> check_nested(Body&, const std::vector<ast::StmtId>&);
 /// Whether every path through the list ends in a return. Conditions and loops count as unknown: a return inside a loop,

@@ -1,6 +1,6 @@
 // Calls: of functions, types (construction), methods and built-ins.
 #include "ir/chain.h"
-#include "sema/bodies/body.h"
+#include "sema/bodies/order.h"
 #include "sema/kernels/raster.h"
 #include "sema/kernels/texture.h"
 #include "sema/names/lookup.h"
@@ -87,6 +87,29 @@ Operand call_declarations(Body& body, const Meta& meta, const std::vector<ast::E
 
 }  // namespace
 
+/// For each argument that constructs an array or a struct, the index of its element or field; reports a field that has
+/// none.
+static std::optional<std::vector<std::size_t>> written_order(Body& body, ir::TypeId id, const ast::Expr& call,
+                                                             std::size_t count) {
+    const ir::Type& type = body.types()[id];
+    std::vector<std::size_t> order(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::size_t at = i;
+        if (!call.labels.empty() && type.kind == ir::TypeKind::struct_) {
+            const ir::StructField& field = body.program().structs[type.index].fields[i];
+            at = static_cast<std::size_t>(std::ranges::find(call.labels, field.name, &ast::Identifier::name) -
+                                          call.labels.begin());
+            if (at == call.labels.size()) {
+                Context& c = body.context;
+                c.error(Diag::missing_field, call.span, {c.text(field.name), c.text(id)});
+                return std::nullopt;
+            }
+        }
+        order[at] = i;
+    }
+    return order;
+}
+
 // long: a case for each kind of type
 Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
     Context& c = body.context;
@@ -106,19 +129,15 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
                     {c.text(id), std::to_string(parts.size()), std::to_string(written.size())});
             return error_operand(call.span);
         }
+        const auto fields = written_order(body, id, call, parts.size());
+        if (!fields) return error_operand(call.span);
+        operands.assign(parts.size(), {});
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            std::size_t at = i;
-            if (!call.labels.empty() && type.kind == ir::TypeKind::struct_) {
-                const auto& fields = body.program().structs[type.index].fields;
-                for (at = 0; at < call.labels.size() && call.labels[at].name != fields[i].name; ++at) {}
-                if (at == call.labels.size()) {
-                    c.error(Diag::missing_field, call.span, {c.text(fields[i].name), c.text(id)});
-                    return error_operand(call.span);
-                }
-            }
-            operands.push_back(check_value(body, written[at], parts[i]));
-            if (is_error(body, operands.back())) return error_operand(call.span);
+            const std::size_t field = (*fields)[i];
+            operands[field] = check_value(body, written[i], parts[field]);
+            if (is_error(body, operands[field])) return error_operand(call.span);
         }
+        if (!std::ranges::is_sorted(*fields)) settle(body);
         return value_operand(body, add(body.program(), ir::Op::construct, id, call.span, std::move(operands)),
                              call.span);
     }
@@ -313,6 +332,7 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
     if ((name == "find" || name == "contains") && addressed && !translates) {
         const ir::ExprId at = address(domain);
         if (is_error(body, at)) return error_operand(call.span);
+        settle(body);
         const ir::ExprId has = is_in_view(body, self, at, call.span);
         return name == "find" ? found_where(body, self, has, at, call.span) : value_operand(body, has, call.span);
     }
@@ -324,6 +344,7 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         }
         ir::ExprId at = address(domain);
         if (is_error(body, at)) return error_operand(call.span);
+        if (name == "find") settle(body);
         const ir::TypeId physical = ir::physical_type(body.program(), body.program().structures[self.structure]);
         ir::ExprId translated =
             structure_operation(body, ir::Op::translate, body.types().optional(physical), self, call.span, {at});
@@ -383,6 +404,16 @@ static bool has_method(Context& c, std::uint32_t container, Name name, std::size
     });
 }
 
+/// Whether the name means a module, or kernels and pipelines that the body cannot run.
+static bool is_uncallable(const Body& body, const Meta& meta) {
+    if (meta.kind == MetaKind::module) return true;
+    if (meta.kind != MetaKind::declarations || body.kind == BodyKind::pipeline) return false;
+    return std::ranges::all_of(meta.declarations, [&](ast::DeclId id) {
+        const auto& declared = body.context[id].body;
+        return std::holds_alternative<ast::Kernel>(declared) || std::holds_alternative<ast::Pipeline>(declared);
+    });
+}
+
 /// A call by plain name.
 static Operand call_named(Body& body, ast::Identifier name, const std::vector<ast::ExprId>& generics,
                           const ast::Expr& call, ir::TypeId wanted) {
@@ -401,7 +432,8 @@ static Operand call_named(Body& body, ast::Identifier name, const std::vector<as
     Meta meta;
     if (!visible.found.empty()) meta.kind = MetaKind::declarations, meta.declarations = visible.found;
     else if (!is_hidden) meta = find_meta(c, body.env, name);
-    if (meta.kind == MetaKind::none) {
+    // A module cannot be called, nor can a pass outside of pipelines: they do not hide a built-in function.
+    if (meta.kind == MetaKind::none || (is_uncallable(body, meta) && find_intrinsic(c.text(name.name)))) {
         if (auto result = call_builtin(body, c.text(name.name), call, wanted)) return *result;
         if (auto result = call_by_name(body, name, {}, generics, call, wanted)) return *result;
         if (is_hidden) meta = find_meta(c, body.env, name);

@@ -1,5 +1,5 @@
 // Choices between two values: `c ? a : b`, `select(c, a, b)`, `a ?? b`.
-#include "sema/bodies/body.h"
+#include "sema/bodies/order.h"
 #include "sema/pipelines/values.h"
 #include "sema/types/typing.h"
 
@@ -21,21 +21,23 @@ ir::TypeId hint_for_second(Body& body, ast::ExprId second, ir::TypeId first, ir:
 /// Checks both operands and unifies their types: literals take the other operand's type, `none` takes the optional of
 /// that type, a value beside an optional is wrapped, and a value that the host knows is computed on the device if the
 /// other one lies there. `wanted` is the type hint for the operand that is checked first, and for a `none` beside it.
-std::pair<ir::ExprId, ir::ExprId> check_sides(Body& body, ast::ExprId yes, ast::ExprId no, ir::TypeId wanted) {
+std::pair<Alternative, Alternative> check_sides(Body& body, ast::ExprId yes, ast::ExprId no, ir::TypeId wanted) {
     const Context& c = body.context;
     const bool is_swapped = typing_of(c, no) < typing_of(c, yes);
     const ast::ExprId first = is_swapped ? no : yes, second = is_swapped ? yes : no;
-    ir::ExprId a = check_hinted(body, first, wanted);
-    const ir::TypeId hint = hint_for_second(body, second, body.program().exprs[a].type, wanted);
-    ir::ExprId b = check_hinted(body, second, hint);
-    if (is_on_device(body, a) != is_on_device(body, b)) {
-        ir::ExprId& known = is_on_device(body, a) ? b : a;
-        known = on_device(body, known);
+    Alternative a = recorded(body, [&] { return check_hinted(body, first, wanted); });
+    const ir::TypeId hint = hint_for_second(body, second, body.program().exprs[a.value].type, wanted);
+    Alternative b = recorded(body, [&] { return check_hinted(body, second, hint); });
+    if (is_on_device(body, a.value) != is_on_device(body, b.value)) {
+        Alternative& known = is_on_device(body, a.value) ? b : a;
+        const Recording recording(body, known.steps);
+        known.value = on_device(body, known.value);
     }
-    const ir::TypeId type_a = body.program().exprs[a].type, type_b = body.program().exprs[b].type;
-    if (becomes(body.types(), type_a, type_b)) a = coerce(body, a, type_b, c[first].span);
-    else b = coerce(body, b, type_a, c[second].span);
-    return is_swapped ? std::pair{b, a} : std::pair{a, b};
+    const ir::TypeId type_a = body.program().exprs[a.value].type, type_b = body.program().exprs[b.value].type;
+    if (becomes(body.types(), type_a, type_b)) a.value = coerce(body, a.value, type_b, c[first].span);
+    else b.value = coerce(body, b.value, type_a, c[second].span);
+    if (is_swapped) std::swap(a, b);
+    return {std::move(a), std::move(b)};
 }
 
 Operand check_choice(Body& body, const std::vector<ast::ExprId>& parts, ir::TypeId wanted, Span span) {
@@ -45,9 +47,8 @@ Operand check_choice(Body& body, const std::vector<ast::ExprId>& parts, ir::Type
     // of its own, which has its own passes.
     if (!is_open(body, condition)) operands.reset();
     auto [yes, no] = check_sides(body, parts[1], parts[2], wanted);
-    if (is_error(body, yes) || is_error(body, no)) return error_operand(span);
-    const ir::TypeId type = body.program().exprs[yes].type;
-    return value_operand(body, add(body.program(), ir::Op::select, type, span, {condition, yes, no}), span);
+    if (is_error(body, yes.value) || is_error(body, no.value)) return error_operand(span);
+    return value_operand(body, choose_value(body, condition, std::move(yes), std::move(no), span), span);
 }
 
 }  // namespace
@@ -75,17 +76,15 @@ Operand check_otherwise(Body& body, const ast::Expr& expr, ir::TypeId wanted) {
         body.context.error(Diag::not_optional, body.context[expr.operands[0]].span, {body.context.text(type)});
         return error_operand(expr.span);
     }
-    if (body.block && !is_open(body, optional)) {
-        const ir::LocalId local = emit_temporary(body, "found", optional, expr.span);
-        optional = make_local(body.program(), local, expr.span);
-    }
+    if (is_open(body, optional)) settle(body);
+    else if (body.block)
+        optional = make_local(body.program(), emit_temporary(body, "found", optional, expr.span), expr.span);
     const ir::TypeId element = types[type].element;
-    const ir::ExprId fallback = check_value(body, expr.operands[1], element);
-    if (is_error(body, fallback)) return error_operand(expr.span);
+    Alternative fallback = recorded(body, [&] { return check_value(body, expr.operands[1], element); });
+    if (is_error(body, fallback.value)) return error_operand(expr.span);
     const ir::ExprId has = add(body.program(), ir::Op::has_value, types.bool_, expr.span, {optional});
     const ir::ExprId value = add(body.program(), ir::Op::value, element, expr.span, {optional});
-    return value_operand(body, add(body.program(), ir::Op::select, element, expr.span, {has, value, fallback}),
-                         expr.span);
+    return value_operand(body, choose_value(body, has, {value, {}}, std::move(fallback), expr.span), expr.span);
 }
 
 }  // namespace gliftc::sema

@@ -1,5 +1,5 @@
 // `==` and `!=` of structs: expanded member by member to comparisons of scalars, enums and vectors.
-#include "sema/bodies/body.h"
+#include "sema/bodies/order.h"
 #include "sema/pipelines/values.h"
 
 namespace gliftc::sema {
@@ -82,6 +82,9 @@ bool has_equality(const ir::Program& program, ir::TypeId type) {
 }
 
 ir::ExprId make_struct_equality(Body& body, bool negated, ir::ExprId left, ir::ExprId right, Span span) {
+    const ir::ExprId sides[] = {left, right};
+    if (is_open(body, left) || is_open(body, right)) settle(body);
+    else settle(body, sides);
     left = named(body, left, span);
     right = named(body, right, span);
     ir::ExprId equal = make_equal(body.program(), left, right, span);

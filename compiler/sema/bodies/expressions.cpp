@@ -1,4 +1,4 @@
-#include "sema/bodies/body.h"
+#include "sema/bodies/order.h"
 
 #include "sema/names/unknown_names.h"
 #include "sema/pipelines/predication.h"
@@ -6,6 +6,8 @@
 #include "sema/types/instances.h"
 #include "sema/types/typing.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -42,6 +44,12 @@ bool fits(const ir::Types& types, ir::TypeId type, std::uint64_t value, bool neg
     }
 }
 
+std::string shortest(double number) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+    return {text.data(), end};
+}
+
 ir::ExprId number_literal(Body& body, const ast::Expr& literal, ir::TypeId wanted, bool negative) {
     ir::Types& types = body.types();
     ir::TypeId type = suffix_type(types, literal.suffix);
@@ -57,7 +65,12 @@ ir::ExprId number_literal(Body& body, const ast::Expr& literal, ir::TypeId wante
     } else {
         lane.bits = negative ? 0 - literal.value : literal.value;
     }
+    const double exact = lane.number;
     lane = ir::normalize(types, type, lane);
+    if (types.is_floating(type) && std::isfinite(exact) && !std::isfinite(lane.number))
+        body.context.error(
+            Diag::number_too_large, literal.span,
+            {is_integer ? std::to_string(literal.value) : shortest(literal.number), body.context.text(type)});
     ir::ExprId id = add(body.program(), ir::Op::constant, type, literal.span);
     body.program().exprs[id].bits = lane.bits;
     body.program().exprs[id].number = lane.number;
@@ -81,7 +94,9 @@ Operand symbol_operand(Body& body, Symbol& symbol, const ast::Expr& name) {
             operand.type = symbol.type;
             return operand;
         }
-        return value_operand(body, make_local(program, symbol.local, name.span), name.span);
+        const ir::ExprId local = make_local(program, symbol.local, name.span);
+        if (is_changeable(body, local)) add_read(body, local);
+        return value_operand(body, local, name.span);
     }
     case SymbolKind::structure:
     case SymbolKind::memory:
@@ -102,6 +117,7 @@ Operand symbol_operand(Body& body, Symbol& symbol, const ast::Expr& name) {
         ir::ExprId id = add(program, op, symbol.type, name.span);
         program.exprs[id].slot = symbol.slot;
         program.exprs[id].place = symbol.place;
+        if (op == ir::Op::host_state) add_read(body, id);
         return value_operand(body, id, name.span);
     }
     case SymbolKind::iterator:
@@ -178,7 +194,9 @@ Operand check_await(Body& body, const ast::Expr& expr) {
         node.type = type;
         return value_operand(body, value, expr.span);
     }
-    return value_operand(body, add(body.program(), ir::Op::await_value, type, expr.span, {value}), expr.span);
+    const ir::ExprId awaited = add(body.program(), ir::Op::await_value, type, expr.span, {value});
+    add_read(body, awaited);
+    return value_operand(body, awaited, expr.span);
 }
 
 Operand check_kind(Body& body, ast::ExprId id, ir::TypeId wanted) {
@@ -349,7 +367,8 @@ Operand check_unary(Body& body, ast::ExprId id, ir::TypeId wanted) {
         if (!body.types().is_floating(body.program().exprs[value].type) &&
             !body.types().is_signed(body.program().exprs[value].type) && inner.value != 0) {
             note(c.error(Diag::negative_unsigned, expr.span, {c.text(body.program().exprs[value].type)}), expr.span,
-                 "write int(…), or subtract");
+                 "it is a whole number from 0 on: subtract, or convert a negative number, as in " +
+                     c.text(body.program().exprs[value].type) + "(int(…))");
             return error_operand(expr.span);
         }
         return value_operand(body, value, expr.span);

@@ -1,7 +1,7 @@
 // Calls of intrinsics: matches arguments against the signature strings of ir/intrinsics.def.
 #include "ir/chain.h"
 #include "ir/walk.h"
-#include "sema/bodies/body.h"
+#include "sema/bodies/order.h"
 #include "sema/kernels/raster.h"
 #include "sema/pipelines/values.h"
 #include "sema/types/typing.h"
@@ -231,6 +231,7 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
     const Parts parts(body);
     ir::Operands operands;
     operands.assign(arguments.size(), {});
+    std::vector<Steps> steps(arguments.size());
     ir::TypeId common;
     for (int round = 0; round < 2; ++round) {
         for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -243,6 +244,7 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
             const ir::TypeId hint = flexible ? literal_hint(types, shape.letter, common, like_result)
                                     : common ? common
                                              : like_result;
+            const Recording recording(body, steps[i]);
             operands[i] = fixed ? check_value(body, arguments[i], fixed) : check_hinted(body, arguments[i], hint);
             if (is_error(body, operands[i])) return error_operand(call.span);
             ir::TypeId type = body.program().exprs[operands[i]].type;
@@ -251,6 +253,10 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
             if (is_generic_letter(shape.letter) && (!common || types.components(type) > types.components(common)))
                 common = type;
         }
+    }
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+        append(body, std::move(steps[i]));
+        if (signature.atomic && i == 0) is_target(body, operands[0]);
     }
     ir::TypeId first = operands.empty() ? types.bool_ : body.program().exprs[operands[0]].type;
     if (signature.params.size() && signature.params[0].or_scalar && common) first = common;
@@ -282,6 +288,7 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
                     common && !operands.empty() && is_generic_letter(signature.params[0].letter) ? common : first);
     ir::ExprId result = add(body.program(), ir::Op::intrinsic, type, call.span, std::move(operands));
     body.program().exprs[result].intrinsic = intrinsic;
+    if (signature.atomic) add_effect(body, result);
     return value_operand(body, result, call.span);
 }
 

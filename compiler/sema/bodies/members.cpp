@@ -1,5 +1,5 @@
 // `a.b` and `a[b]`: swizzles, fields, members of structures, elements.
-#include "sema/bodies/body.h"
+#include "sema/bodies/order.h"
 
 #include "sema/names/unknown_names.h"
 #include "sema/pipelines/values.h"
@@ -46,6 +46,7 @@ Operand struct_field(Body& body, ir::ExprId value, ast::Identifier member) {
         if (record.fields[i].name == member.name) {
             ir::ExprId field = add(body.program(), ir::Op::field, record.fields[i].type, member.span, {value});
             body.program().exprs[field].slot = i;
+            add_part(body, value, field);
             return value_operand(body, field, member.span);
         }
         known.push_back(c.text(record.fields[i].name));
@@ -149,6 +150,7 @@ Operand index_part(Body& body, ir::ExprId value, const ast::Expr& expr) {
         c.error(Diag::not_indexable, expr.span, {c.text(body.program().exprs[value].type)});
         return error_operand(expr.span);
     }
+    if (is_changeable(body, value)) is_target(body, value);  // the element is read after the index
     ir::ExprId index = index_value(body, expr.operands[1]);
     if (is_error(body, index)) return error_operand(expr.span);
     if (auto known = ir::evaluate(body.program(), index)) {
@@ -162,13 +164,20 @@ Operand index_part(Body& body, ir::ExprId value, const ast::Expr& expr) {
             return error_operand(expr.span);
         }
         if (count == 1 && type.kind != ir::TypeKind::array) return value_operand(body, value, expr.span);
-        if (type.kind == ir::TypeKind::vector)
-            return value_operand(
-                body, make_swizzle(body.program(), value, static_cast<std::uint8_t>(known->bits()), expr.span),
-                expr.span);
+        if (type.kind == ir::TypeKind::vector) {
+            const ir::ExprId component =
+                make_swizzle(body.program(), value, static_cast<std::uint8_t>(known->bits()), expr.span);
+            add_part(body, value, component);
+            return value_operand(body, component, expr.span);
+        }
     }
-    if (count == 1 && type.kind != ir::TypeKind::array) return value_operand(body, value, expr.span);
-    return value_operand(body, add(body.program(), ir::Op::index, part, expr.span, {value, index}), expr.span);
+    if (count == 1 && type.kind != ir::TypeKind::array) {
+        settle(body, {&value, 1});  // the index does not matter, its effects do
+        return value_operand(body, value, expr.span);
+    }
+    const ir::ExprId indexed = add(body.program(), ir::Op::index, part, expr.span, {value, index});
+    add_part(body, value, indexed);
+    return value_operand(body, indexed, expr.span);
 }
 
 /// `window[offset]`: the element at the current address plus a constant offset.
@@ -218,6 +227,8 @@ ir::ExprId structure_operation(Body& body, ir::Op op, ir::TypeId type, const Ope
     ir::ExprId id = add(body.program(), op, type, span, std::move(operands));
     body.program().exprs[id].place = structure.place;
     body.program().exprs[id].local = structure.local;
+    const bool is_range = op == ir::Op::slice || op == ir::Op::structure_value;
+    if (body.kind == BodyKind::pipeline ? !is_range : !structure.writing.is(ir::Pattern::any)) add_read(body, id);
     return id;
 }
 
@@ -249,6 +260,7 @@ Operand make_swizzle_of(Body& body, ir::ExprId value, ast::Identifier member) {
     ir::ExprId swizzle = add(body.program(), ir::Op::swizzle, body.types().vector(body.types().scalar_of(type), count),
                              member.span, {value});
     body.program().exprs[swizzle].lanes = lanes;
+    add_part(body, value, swizzle);
     return value_operand(body, swizzle, member.span);
 }
 

@@ -1,5 +1,5 @@
 // Binary operators: operand types, vector with scalar, matrices.
-#include "sema/bodies/body.h"
+#include "sema/bodies/order.h"
 #include "sema/pipelines/values.h"
 #include "sema/types/typing.h"
 
@@ -84,9 +84,11 @@ Pair check_sides(Body& body, const ast::Expr& expr, ir::TypeId wanted) {
     };
     Pair pair;
     if (left != Typing::own && right == Typing::own) {
-        pair.right = check_hinted(body, r, is_shift ? ir::TypeId{} : wanted);
+        Alternative first = recorded(body, [&] { return check_hinted(body, r, is_shift ? ir::TypeId{} : wanted); });
+        pair.right = first.value;
         const ir::TypeId type = is_shift && wanted ? wanted : hint(pair.right);
         pair.left = check_value(body, l, body.types().scalar_of(type));
+        append(body, std::move(first.steps));
     } else {
         pair.left = check_hinted(body, l, wanted);
         const ir::TypeId other = hint(pair.left);
@@ -187,10 +189,10 @@ Operand check_binary(Body& body, ast::ExprId id, ir::TypeId wanted) {
     Family family = family_of(expr.binary);
     const Parts parts(body);
     if (family == Family::logic) {
-        ir::ExprId left = check_value(body, expr.operands[0], types.bool_);
-        ir::ExprId right = check_value(body, expr.operands[1], types.bool_);
-        return value_operand(
-            body, make_binary(body.program(), lowered(expr.binary), types.bool_, left, right, expr.span), expr.span);
+        const ir::ExprId left = check_value(body, expr.operands[0], types.bool_);
+        Alternative right = recorded(body, [&] { return check_value(body, expr.operands[1], types.bool_); });
+        return value_operand(body, choose_logical(body, lowered(expr.binary), left, std::move(right), expr.span),
+                             expr.span);
     }
     Pair sides = check_sides(body, expr, wanted_of_sides(types, expr.binary, operand_hint(types, wanted)));
     if (is_error(body, sides.left) || is_error(body, sides.right)) return error_operand(expr.span);
@@ -217,10 +219,14 @@ Operand check_binary(Body& body, ast::ExprId id, ir::TypeId wanted) {
         body, make_binary(body.program(), lowered(expr.binary), result, sides.left, sides.right, expr.span), expr.span);
 }
 
-ir::ExprId check_compound(Body& body, const ast::Stmt& stmt, ir::ExprId before) {
+ir::ExprId check_compound(Body& body, const ast::Stmt& stmt, ir::ExprId target) {
     Context& c = body.context;
     ir::Types& types = body.types();
     const Parts parts(body);
+    is_target(body, target);
+    settle(body);
+    const ir::ExprId before = body.program().exprs.add(ir::Expr(body.program().exprs[target]));
+    if (is_changeable(body, before)) add_read(body, before);
     ir::TypeId left = body.program().exprs[before].type;
     ir::ExprId value = check_hinted(body, stmt.value, is_flexible(c, stmt.value) ? types.scalar_of(left) : left);
     if (is_error(body, value)) return value;

@@ -1,4 +1,5 @@
 // Which function a call means, and the call itself: overloads, their generic arguments, their arguments.
+#include "sema/bodies/order.h"
 #include "sema/kernels/writing.h"
 #include "sema/names/lookup.h"
 #include "sema/pipelines/values.h"
@@ -26,6 +27,7 @@ struct Candidate {
 struct CheckedArguments {
     std::vector<Operand> operands;  ///< of kind error, without a span, where `waits` is set
     std::vector<bool> waits;        ///< for each argument: it is checked only once its parameter's type is known
+    std::vector<Steps> steps;
     bool failed = false;
 };
 
@@ -40,6 +42,7 @@ CheckedArguments check_arguments(Body& body, const std::vector<ast::ExprId>& arg
     const Parts parts(body);
     for (ast::ExprId argument : arguments) {
         bool waits = waits_for_parameter(body.context, argument);
+        const Recording recording(body, result.steps.emplace_back());
         Operand operand;
         if (!waits) {
             operand = check(body, argument);
@@ -89,7 +92,7 @@ std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner,
     }
     Arguments generics(c, decl, *env, call.span);
     if (!report && explicit_generics.size() > decl.generics.size()) return nullptr;
-    if (!explicit_generics.empty() && !generics.give(env_for(body, explicit_generics), explicit_generics))
+    if (!explicit_generics.empty() && !generics.give(env_for(body, explicit_generics), explicit_generics, 0, !report))
         return nullptr;
     for (std::size_t i = 0; i < function.params.size(); ++i) {
         if (arguments.waits[i]) continue;
@@ -195,6 +198,7 @@ Operand call_as_pass(Body& body, ir::FunctionId function, const std::vector<Oper
     ir::ExprId result = add(body.program(), ir::Op::pipeline_call, body.program().pipelines[*pipeline].result, span,
                             std::move(arguments));
     body.program().exprs[result].slot = *pipeline;
+    add_read(body, result);
     return value_operand(body, result, span);
 }
 
@@ -207,6 +211,11 @@ Operand call_instance(Body& body, ir::FunctionId function, const std::vector<Ope
     body.program().exprs[result].function = function;
     for (const Operand& operand : structures) body.program().exprs[result].places.push_back(operand.place);
     if (!structures.empty()) body.program().exprs[result].local = structures[0].local;
+    const auto may_change = [&](const Operand& structure) {
+        return body.kind == BodyKind::pipeline || !structure.writing.is(ir::Pattern::any);
+    };
+    if (body.program().functions[function].is_statements()) add_effect(body, result);
+    else if (std::ranges::any_of(structures, may_change)) add_read(body, result);
     return value_operand(body, result, span);
 }
 
@@ -226,6 +235,7 @@ Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments
     }
     for (std::size_t i = 0; i < written.size(); ++i) {
         Operand& operand = arguments.operands[i];
+        append(body, std::move(arguments.steps[i]));
         if (operand.kind == OperandKind::structure) {
             if (!fits_window(body, env, function.params[i], operand)) return error_operand(call.span);
             if (!fits_writing(body, env, function.params[i], operand)) return error_operand(call.span);

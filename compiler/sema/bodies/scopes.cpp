@@ -1,4 +1,4 @@
-#include "sema/bodies/body.h"
+#include "sema/bodies/order.h"
 
 #include <algorithm>
 
@@ -94,6 +94,7 @@ void emit(Body& body, ir::StmtId stmt) {
 }
 
 ir::LocalId emit_temporary(Body& body, std::string_view name, ir::ExprId value, Span span) {
+    settle(body, {&value, 1});
     ir::LocalId local =
         add_local(body.program(), body.context.names.intern(name), body.program().exprs[value].type, span);
     ir::StmtId let = add(body.program(), ir::StmtOp::let, span);

@@ -52,7 +52,7 @@ bool is_viable(Body& body, ast::DeclId id, const std::vector<ast::ExprId>& gener
     env.module = c.module_of.at(id);
     if (owner) env.bindings = c.structure_env.at(owner->structure)->bindings;
     Arguments bound(c, c[id], env, call.span);
-    if (!bound.give(env_for(body, generics), generics)) return false;
+    if (!bound.give(env_for(body, generics), generics, 0, true)) return false;
     infer_arguments(body, bound, params, arguments);
     if (!bound.finish(true)) return false;
     for (std::size_t i = 0; i < params.size(); ++i)

@@ -3,6 +3,7 @@
 #include "sema/pipelines/predication.h"
 
 #include "ir/walk.h"
+#include "sema/bodies/order.h"
 #include "sema/pipelines/values.h"
 
 #include <algorithm>
@@ -185,14 +186,14 @@ void leave_unless(Body& body, ir::ExprId condition, Span span) {
 
 void check_rounds(Body& body, const ast::Stmt& stmt, std::vector<ir::StmtId>& before) {
     const Span span = body.context[stmt.condition].span;
-    std::vector<ir::StmtId> statements;
-    auto* const round = std::exchange(body.block, &statements);
+    Steps steps;
     ir::ExprId condition;
     {
         const Parts parts(body);
+        const Recording recording(body, steps);
         condition = check_value(body, stmt.condition, body.types().bool_);
     }
-    body.block = round;
+    std::vector<ir::StmtId>& statements = steps.statements;
     if (is_error(body, condition) || !is_open(body, condition)) {
         for (ir::StmtId id : statements) emit(body, id);
         if (!is_error(body, condition)) leave_unless(body, condition, span);
@@ -201,7 +202,7 @@ void check_rounds(Body& body, const ast::Stmt& stmt, std::vector<ir::StmtId>& be
         --body.loops;
         return;
     }
-    body.block = &before;
+    auto* const round = std::exchange(body.block, &before);
     const ir::ExprId yes = on_device(body, make_bool(body.program(), true, span));
     const ir::LocalId running = emit_temporary(body, "running", yes, span);
     body.program().locals[running].is_mutable = true;

@@ -1,7 +1,7 @@
 // long: the checks of statements and expressions of pipelines call each other
 // Checks the statements and expressions that only pipelines and tests have: temporaries, calls of kernels and
 // pipelines, slices, values on the device, and `expect` and the like.
-#include "sema/bodies/body.h"
+#include "sema/bodies/order.h"
 #include "sema/kernels/aliasing.h"
 #include "sema/pipelines/pass_overloads.h"
 #include "sema/pipelines/predication.h"
@@ -43,6 +43,7 @@ Operand operand_of_local(Body& body, ir::LocalId local, ir::TypeId type, Span sp
 }
 
 void emit_temp(Body& body, ir::LocalId local, ir::Operands arguments, Span span) {
+    settle(body, {arguments.begin(), arguments.end()});
     ir::StmtId id = add(body.program(), ir::StmtOp::temp, span);
     body.program().stmts[id].local = local;
     body.made.emplace(local, arguments);
@@ -67,6 +68,7 @@ namespace {
 
 struct Argument : PassArgument {
     Operand operand;
+    Steps steps;
 };
 
 std::vector<Argument> check_arguments(Body& body, const ast::Expr& call, bool& failed) {
@@ -76,6 +78,7 @@ std::vector<Argument> check_arguments(Body& body, const ast::Expr& call, bool& f
         argument.written = id;
         argument.waits = waits_for_parameter(body.context, id);
         if (!argument.waits) {
+            const Recording recording(body, argument.steps);
             argument.operand = declared(body, check(body, id));
             failed |= argument.operand.kind == OperandKind::error;
             argument.structure = structure_of(body, argument.operand);
@@ -108,6 +111,7 @@ std::optional<ir::Operands> kernel_arguments(Body& body, std::uint32_t kernel_in
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const ir::KernelParam param = body.program().kernels[kernel_index].params[i];
         Span span = c[arguments[i].written].span;
+        append(body, std::exchange(arguments[i].steps, {}));
         if (param.pattern == ir::Pattern::value) {
             values.push_back(value_argument(body, arguments[i], body.program().locals[param.local].type));
             // Values on the device that are not locals yet become locals here: elements are read and passes run in the
@@ -138,9 +142,10 @@ std::optional<ir::Operands> kernel_arguments(Body& body, std::uint32_t kernel_in
 /// Inserts the omitted argument of the `at` parameter: it is the argument of the parameter that gives the range.
 void insert_address(const std::vector<ir::KernelParam>& params, std::size_t at, std::vector<Argument>& arguments) {
     auto giver = ir::range_giver(params, at);
-    if (giver)
-        arguments.insert(arguments.begin() + static_cast<std::ptrdiff_t>(at),
-                         arguments[*giver < at ? *giver : *giver - 1]);
+    if (!giver) return;
+    Argument address = arguments[*giver < at ? *giver : *giver - 1];
+    address.steps = {};
+    arguments.insert(arguments.begin() + static_cast<std::ptrdiff_t>(at), std::move(address));
 }
 
 std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector<ast::ExprId>& explicit_generics,
@@ -201,8 +206,7 @@ std::optional<ir::ExprId> pipeline_argument(Body& body, const Argument& argument
 }
 
 std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vector<ast::ExprId>& explicit_generics,
-                                     const ast::Expr& call, const Operand* owner,
-                                     const std::vector<Argument>& arguments) {
+                                     const ast::Expr& call, const Operand* owner, std::vector<Argument> arguments) {
     Context& c = body.context;
     const auto& written = std::get<ast::Pipeline>(c[id].body);
     if (arguments.size() != written.params.size()) {
@@ -221,6 +225,7 @@ std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vect
     std::vector<std::uint32_t> passed;
     ir::Operands values;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
+        append(body, std::move(arguments[i].steps));
         auto value = pipeline_argument(body, arguments[i], written.params[i], env);
         if (!value) return std::nullopt;
         const bool is_range = written.params[i].pattern == ast::Pattern::range;
@@ -240,6 +245,7 @@ std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vect
                             call.span, std::move(values));
     body.program().exprs[result].slot = *pipeline;
     if (owner) body.program().exprs[result].place = owner->place, body.program().exprs[result].local = owner->local;
+    add_effect(body, result);
     return value_operand(body, result, call.span);
 }
 
@@ -290,10 +296,13 @@ Operand check_expect_true(Body& body, const std::vector<ast::ExprId>& arguments,
 }
 
 Operand check_expect_near(Body& body, const std::vector<ast::ExprId>& arguments, const ast::Expr& call) {
-    bool flexible = is_flexible(body.context, arguments[0]);
-    ir::ExprId a = check_value(body, arguments[flexible ? 1 : 0]);
+    const bool is_swapped = is_flexible(body.context, arguments[0]);
+    Alternative first = recorded(body, [&] { return check_value(body, arguments[is_swapped ? 1 : 0]); });
+    ir::ExprId a = first.value;
     ir::TypeId type = body.program().exprs[a].type;
-    ir::ExprId b = check_value(body, arguments[flexible ? 0 : 1], type);
+    if (!is_swapped) append(body, std::exchange(first.steps, {}));
+    ir::ExprId b = check_value(body, arguments[is_swapped ? 0 : 1], type);
+    append(body, std::move(first.steps));
     if (is_error(body, a) || is_error(body, b)) return error_operand(call.span);
     ir::ExprId tolerance = check_value(body, arguments[2], body.types().scalar_of(type));
     if (is_error(body, tolerance)) return error_operand(call.span);

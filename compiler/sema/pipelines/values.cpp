@@ -3,6 +3,7 @@
 #include "ir/effects.h"
 #include "ir/print.h"
 #include "ir/walk.h"
+#include "sema/bodies/order.h"
 #include "sema/structures/components.h"
 #include "sema/types/instances.h"
 #include "sema/types/typing.h"
@@ -162,19 +163,6 @@ ir::ExprId Maker::call(ir::ExprId expr, std::uint32_t box) {
     return call;
 }
 
-/// Copies the elements that are leaves so far into locals, since what is evaluated next may call a pipeline that writes
-/// them.
-void keep_leaves(Body& body) {
-    for (ir::ExprId leaf : std::exchange(body.leaves, {})) {
-        const ir::ExprId read = body.program().exprs[leaf].operands[0];
-        if (body.program().exprs[read].op != ir::Op::device_read) continue;
-        body.program().exprs[read].slot = 0;
-        const Span span = body.program().exprs[read].span;
-        const ir::ExprId local = make_local(body.program(), emit_temporary(body, "element", read, span), span);
-        body.program().exprs[leaf].operands[0] = local;
-    }
-}
-
 }  // namespace
 
 Operand check_part(Body& body, ast::ExprId id) {
@@ -197,15 +185,11 @@ bool is_open(const Body& body, ir::ExprId id) {
 ir::ExprId opened(Body& body, ir::ExprId id) {
     if (!is_on_device(body, id)) return id;
     const ir::Expr source = body.program().exprs[id];
-    if (source.op != ir::Op::local && source.op != ir::Op::device_read) {
-        keep_leaves(body);
+    if (source.op != ir::Op::local && source.op != ir::Op::device_read)
         id = make_local(body.program(), emit_temporary(body, "found", id, source.span), source.span);
-    }
     if (source.op == ir::Op::device_read) body.program().exprs[id].slot = 1;
     const ir::TypeId type = body.types()[source.type].element;
-    const ir::ExprId leaf = add(body.program(), ir::Op::device_value, type, source.span, {id});
-    body.leaves.push_back(leaf);
-    return leaf;
+    return add(body.program(), ir::Op::device_value, type, source.span, {id});
 }
 
 Operand opened(Body& body, Operand operand) {
@@ -216,7 +200,6 @@ Operand opened(Body& body, Operand operand) {
 ir::ExprId on_device(Body& body, ir::ExprId id) {
     const ir::TypeId type = body.program().exprs[id].type;
     const Span span = body.program().exprs[id].span;
-    body.leaves.clear();
     if (type == body.types().error || type == body.types().void_) return id;
     const ir::TypeKind kind = body.types().kind(type);
     if (kind == ir::TypeKind::slice || kind == ir::TypeKind::structure) {
@@ -232,7 +215,9 @@ ir::ExprId on_device(Body& body, ir::ExprId id) {
     const auto box = box_of(body.context, 1, type, span);
     if (!box) return error_value(body, span);
     require_transfers(body.context, *box, span);
-    return Maker(body, span).call(id, *box);
+    const ir::ExprId value = Maker(body, span).call(id, *box);
+    add_read(body, value);
+    return value;
 }
 
 ir::ExprId closed(Body& body, ir::ExprId id) {
@@ -241,7 +226,6 @@ ir::ExprId closed(Body& body, ir::ExprId id) {
     if (expr.op != ir::Op::device_value) return on_device(body, id);
     if (body.program().exprs[expr.operands[0]].op == ir::Op::device_read)
         body.program().exprs[expr.operands[0]].slot = 0;
-    body.leaves.clear();
     return expr.operands[0];
 }
 

@@ -45,6 +45,28 @@ std::string key_part(const Meta& meta) {
     return key;
 }
 
+bool declares_type(const ast::Decl& decl) {
+    return std::holds_alternative<ast::Struct>(decl.body) || std::holds_alternative<ast::Enum>(decl.body) ||
+           std::holds_alternative<ast::Alias>(decl.body) || std::holds_alternative<ast::Structure>(decl.body) ||
+           std::holds_alternative<ast::View>(decl.body) || std::holds_alternative<ast::Adaptor>(decl.body);
+}
+
+/// Whether the argument means a type: `float`, `Pair`, `Array<1, float>`, `uint?`, `uint[4]`.
+bool names_type(Context& c, const Env& user, ast::ExprId argument) {
+    const ast::Expr& expr = c[argument];
+    switch (expr.kind) {
+    case ast::ExprKind::generic:
+    case ast::ExprKind::optional: return true;
+    case ast::ExprKind::index: return names_type(c, user, expr.operands[0]);
+    case ast::ExprKind::name: {
+        const Meta meta = as_type(c, find_meta(c, user, {expr.name, expr.span}));
+        return meta.kind == MetaKind::type ||
+               (meta.kind == MetaKind::declarations && declares_type(c[meta.declarations[0]]));
+    }
+    default: return false;
+    }
+}
+
 bool is_texel(const ir::Types& types, ir::TypeId type) {
     ir::TypeId scalar = types.scalar_of(type);
     bool shaped = types.is_scalar(type) || (types.is_vector(type) && types.components(type) != 3);
@@ -134,7 +156,7 @@ Arguments::Arguments(Context& context, const ast::Decl& declaration, Env& enviro
     : context(context), decl(declaration), env(environment), use(at), found(declaration.generics.size()),
       spans(declaration.generics.size(), at) {}
 
-bool Arguments::give(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first) {
+bool Arguments::give(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first, bool quiet) {
     Context& c = context;
     if (written.size() - first > decl.generics.size()) {
         note(c.error(Diag::generic_count, use,
@@ -177,7 +199,8 @@ bool Arguments::give(const Env& user, const std::vector<ast::ExprId>& written, s
                 }
             if (found[i]) continue;
         }
-        if (expr.kind == ast::ExprKind::name && find_meta(c, user, {expr.name, expr.span}).kind == MetaKind::type) {
+        if (names_type(c, user, argument)) {
+            if (quiet) return false;
             note(c.error(Diag::type_mismatch, expr.span, {c.text(type), "a type"}), decl.name.span,
                  "'" + c.text(param.name.name) + "' stands at place " + std::to_string(i + 1));
             return false;

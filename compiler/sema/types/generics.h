@@ -18,8 +18,8 @@ struct Arguments {
     Arguments(Context&, const ast::Decl&, Env&, Span use);
 
     /// Takes explicit arguments in order, from written[first] on. `user` is the environment in which they are
-    /// evaluated. False after an error.
-    bool give(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first = 0);
+    /// evaluated. False after an error, and if a type is given for a value; that is reported unless `quiet`.
+    bool give(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first = 0, bool quiet = false);
     bool give(std::vector<Meta> metas);
 
     /// Unifies a parameter's declared type with a concrete type, binding generic parameters that it names. Never

@@ -100,6 +100,7 @@ private:
     const Kernel& kernel_;
     detail::Box first_{};
     unsigned count_ = 0;
+    bool are_counted_ = false;  ///< all ranges visited so far have a length on the device
     bool whole_ = true;
     Sharing sharing_ = Sharing::unknown;
     std::vector<detail::DeviceCount> counts_;  ///< device values that bound the size of the visited ranges

@@ -192,6 +192,17 @@ TEST(Parentheses, AreAsFewAsAReaderWants) {
                 HasSubstr("= address < 4u ? address : 0u;"));
 }
 
+TEST(Clamp, OfFloatsIsNoSaturation) {
+    const auto floats = [](Builder& b, ExprId a) {
+        return b.intrinsic(Intrinsic::clamp, b.types().float_, {as_float(b, a), b.f(0.0), b.f(1.0)});
+    };
+    EXPECT_THAT(stored(floats), HasSubstr("= min(max(float(address), 0.0), 1.0);"));
+    const auto uints = [](Builder& b, ExprId a) {
+        return b.intrinsic(Intrinsic::clamp, b.types().uint, {a, b.u(2), b.u(5)});
+    };
+    EXPECT_THAT(stored(uints), HasSubstr("= clamp(address, 2u, 5u);"));
+}
+
 TEST(Literals, KeepTheirValues) {
     EXPECT_THAT(stored([](Builder& b, ExprId) { return b.f(1e-30); }), HasSubstr("= 1e-30;"));
     EXPECT_THAT(stored([](Builder& b, ExprId) { return b.f(1.0 / 0.0); }),
