@@ -77,6 +77,9 @@ std::vector<Argument> check_arguments(Body& body, const ast::Expr& call, bool& f
         argument.waits = waits_for_parameter(body.context, id);
         if (!argument.waits) {
             argument.operand = declared(body, check(body, id));
+            // to_value() reports a memory, which no pass takes.
+            if (argument.operand.kind == OperandKind::memory)
+                argument.operand = value_operand(body, to_value(body, argument.operand), argument.operand.span);
             failed |= argument.operand.kind == OperandKind::error;
             argument.structure = structure_of(body, argument.operand);
             if (argument.operand.kind == OperandKind::value) {
