@@ -167,7 +167,7 @@ Trial try_translator(const ir::Program& program, const ir::Structure& structure,
     for (const Words& extent : extents_of(program.types.components(structure.domain_type))) {
         const Made made(program, structure,
                         std::vector<Value>(structure.constructor.size(), value_of(structure.domain_type, extent)));
-        const bool leads_to_memory = &stage == &structure.via.back() && ir::stays_inside(structure);
+        const bool leads_to_memory = &stage == &structure.via.back() && ir::stays_inside(program, structure);
         const Tried tried(program, made, stage,
                           leads_to_memory ? made.value_of(structure.memories[structure.via_memory].extent)
                                           : std::nullopt);

@@ -216,7 +216,10 @@ bool is_contained(const Program& program, const Structure& structure) {
     return type && structure.contained_axes == (1u << program.types.components(type)) - 1;
 }
 
-bool stays_inside(const Structure& structure) { return structure.base.empty() && !structure.otherwise; }
+bool stays_inside(const Program& program, const Structure& structure) {
+    return structure.base.empty() && !structure.otherwise && !structure.via.empty() &&
+           !program.translators[structure.via.back().translator].properties.partial;
+}
 
 bool makes_memory(const Program& program, const Structure& structure) {
     return structure.kind != StructureKind::view ||

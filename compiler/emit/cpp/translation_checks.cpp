@@ -169,7 +169,7 @@ private:
             print_method(unit_, out_, "invert", translator.invert, unit_.type(translator.virtual_type), names,
                          surroundings);
         const std::string memory =
-            i + 1 == structure_.via.size() && ir::stays_inside(structure_) ? "&memory" : "nullptr";
+            i + 1 == structure_.via.size() && ir::stays_inside(unit_.program, structure_) ? "&memory" : "nullptr";
         if (memory != "nullptr") out_.line("const glift::Extent memory = glift::detail::limit_of(" + extent() + ");");
         out_.line("return glift::check_translator(test, " + quoted(title + ": " + translator.display) + ", " +
                   (i == 0 ? std::string("glift::tried(structure.domain())") : "reached_" + std::to_string(i - 1)) +
