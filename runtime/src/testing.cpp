@@ -82,6 +82,12 @@ Places places_of(std::string_view scalars) {
     return places;
 }
 
+/// Adds those texts that are not there yet.
+void add_new(std::vector<std::string>& texts, const std::vector<std::string>& more) {
+    for (const std::string& text : more)
+        if (std::ranges::find(texts, text) == texts.end()) texts.push_back(text);
+}
+
 Test run_on(const Device& device, const TestCase& test) {
     Test run;
     try {
@@ -120,7 +126,7 @@ public:
             for (const auto& [title, found] : run.translations) {
                 auto& [all_failures, all_notes] = translations_[title];
                 for (const std::string& failure : found.failures)
-                    all_failures.push_back(failure + " [" + device.properties().name + "]");
+                    add_new(all_failures, {failure + " [" + device.properties().name + "]"});
                 add_new(all_notes, found.notes);
             }
         }
@@ -137,12 +143,13 @@ public:
     /// why it was not checked. Called after all these tests have run.
     void run_as_made(const TestCase& test) {
         const auto found = translations_.find(test.title);
+        const auto refused = unchecked_.find(test.title);
         if (found != translations_.end()) {
             ++ran_;
+            if (refused != unchecked_.end()) found->second.notes.push_back("not checked of some: " + refused->second);
             return report(test, ", as the tests made it", found->second);
         }
         ++number_unchecked_;
-        const auto refused = unchecked_.find(test.title);
         std::printf("not checked: %s (%s): %s\n", test.title, test.place,
                     refused == unchecked_.end() ? test.why_not_alone : refused->second.c_str());
     }
@@ -163,11 +170,6 @@ private:
             std::fprintf(file, "%s (%s)", test.title, test.place);
             std::fclose(file);
         }
-    }
-
-    static void add_new(std::vector<std::string>& notes, const std::vector<std::string>& more) {
-        for (const std::string& note : more)
-            if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
     }
 
     void report(const TestCase& test, const char* how, const Findings& findings) {
@@ -295,11 +297,12 @@ void Test::expect_numbers_near(double a, double b, double tolerance, const char*
 }
 
 void Test::check_as_made(const char* title, void (*check)(const void* body), const void* body) {
-    if (translations.contains(title)) return;
     Findings before{std::exchange(failures, {}), std::exchange(notes, {})};
     try {
         check(body);
-        translations.emplace(title, Findings{failures, notes});
+        Findings& found = translations[title];
+        add_new(found.failures, failures);
+        add_new(found.notes, notes);
     } catch (const Error& error) {
         unchecked.emplace(title, error.problem());
     }

@@ -165,8 +165,8 @@ public:
     /// Why no call of `make` has made anything; empty if one did, or if `make` was not called.
     std::string why_nothing_was_made() const { return made_ == 0 ? refused_ : std::string(); }
 
-    /// Runs `check`, which checks a translation with the state of a structure that this test made, unless a check of
-    /// this title has been completed. An Error that it throws goes into `unchecked`.
+    /// Runs `check`, which checks a translation with the state of a structure that this test made. An Error that it
+    /// throws goes into `unchecked`.
     template <class Check> void check_as_made(const char* title, const Check& check) {
         check_as_made(
             title, [](const void* body) { (*static_cast<const Check*>(body))(); }, &check);
