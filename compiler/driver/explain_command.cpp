@@ -23,7 +23,7 @@ namespace {
 /// The properties of a translator (ir::Properties) as text.
 struct Explained {
     std::string name, from, to, place;
-    std::string memory, access, consistency, location, totality, mapping, invertible;
+    std::string memory, access, consistency, location, totality, outside, mapping, invertible;
     bool is_affine = false;
 };
 
@@ -178,6 +178,7 @@ private:
         shown.consistency = p.uniform ? "uniform" : "not uniform";
         shown.location = p.location;
         shown.totality = p.partial ? "partial" : "total";
+        shown.outside = trial.outside;
         shown.mapping = mapping_of(p, trial);
         shown.invertible = inverse_of(p, trial);
         shown.is_affine = p.affine;
@@ -196,7 +197,8 @@ std::string line(const std::string& indent, const std::string& what, const std::
 std::string text_of(const Explained& t, const std::string& indent) {
     return indent + "translator " + t.name + " : " + t.from + " -> " + t.to + "  (" + t.place + ")\n" +
            line(indent, "memory", t.memory) + line(indent, "access", t.access + ", " + t.consistency) +
-           line(indent, "location", t.location) + line(indent, "mapping", t.totality + ", " + t.mapping) +
+           line(indent, "location", t.location) +
+           line(indent, "mapping", t.totality + (t.outside.empty() ? "" : " (" + t.outside + ")") + ", " + t.mapping) +
            line(indent, "invertible", t.invertible) + line(indent, "affine", t.is_affine ? "yes" : "no");
 }
 
@@ -243,6 +245,7 @@ void write(json::Text& out, const Explained& t) {
         out.field("access_consistency", t.consistency);
         out.field("location", t.location);
         out.field("totality", t.totality);
+        out.field("outside", t.outside);
         out.field("mapping", t.mapping);
         out.field("invertible", t.invertible);
         out.field("affine", t.is_affine);

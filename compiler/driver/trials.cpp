@@ -1,5 +1,6 @@
 #include "driver/trials.h"
 
+#include "ir/chain.h"
 #include "ir/evaluate.h"
 
 #include <algorithm>
@@ -78,8 +79,10 @@ private:
 /// One translator of a structure, with the state that the structure gives it.
 class Tried {
 public:
-    Tried(const ir::Program& program, const Made& made, const ir::Stage& stage)
-        : program_(program), made_(made), stage_(stage), translator_(program.translators[stage.translator]) {
+    /// `memory` is the extent of the memory that all physical addresses must lie in, if there is one.
+    Tried(const ir::Program& program, const Made& made, const ir::Stage& stage, std::optional<Value> memory)
+        : program_(program), made_(made), stage_(stage), translator_(program.translators[stage.translator]),
+          memory_(std::move(memory)) {
         for (ir::ExprId scalar : stage.scalars) state_.push_back(made.value_of(scalar));
     }
 
@@ -101,6 +104,8 @@ public:
                 if (physical[0] == 0) continue;
                 physical.erase(physical.begin());
             }
+            if (trial.outside.empty() && !is_inside_memory(physical))
+                trial.outside = text_of(address) + " maps to " + text_of(physical) + ", outside of the memory";
             auto [earlier, is_new] = seen.emplace(physical, address);
             if (!is_new && trial.collision.empty())
                 trial.collision =
@@ -123,6 +128,10 @@ public:
 private:
     static Value value_of(ir::TypeId type, const Words& words) { return gliftc::value_of(type, words); }
 
+    bool is_inside_memory(const Words& physical) const {
+        return !memory_ || std::ranges::equal(physical, words_of(*memory_), std::less());
+    }
+
     std::optional<Value> call(ir::FunctionId function, Value argument) const {
         return ir::call(program_, function, {std::move(argument)},
                         [this](const ir::Expr& asked) { return known(asked); });
@@ -141,6 +150,7 @@ private:
     const Made& made_;
     const ir::Stage& stage_;
     const ir::Translator& translator_;
+    std::optional<Value> memory_;
     std::vector<std::optional<Value>> state_;
 };
 
@@ -157,7 +167,10 @@ Trial try_translator(const ir::Program& program, const ir::Structure& structure,
     for (const Words& extent : extents_of(program.types.components(structure.domain_type))) {
         const Made made(program, structure,
                         std::vector<Value>(structure.constructor.size(), value_of(structure.domain_type, extent)));
-        const Tried tried(program, made, stage);
+        const bool leads_to_memory = &stage == &structure.via.back() && ir::stays_inside(program, structure);
+        const Tried tried(program, made, stage,
+                          leads_to_memory ? made.value_of(structure.memories[structure.via_memory].extent)
+                                          : std::nullopt);
         auto domain =
             &stage == structure.via.data() && structure.domain ? made.value_of(structure.domain) : tried.domain();
         if (!domain) return {};

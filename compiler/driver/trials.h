@@ -11,6 +11,7 @@ namespace gliftc {
 struct Trial {
     std::size_t addresses = 0;  ///< number of addresses of the largest domain tried; 0: none could be tried
     std::string collision;      ///< "{0} and {1} both map to {0}"; empty: none
+    std::string outside;        ///< "{0} maps to {4}, outside of the memory"; empty: none does
     std::string wrong_inverse;  ///< "invert(translate({1, 0})) is {0, 1}"; empty: none
 };
 

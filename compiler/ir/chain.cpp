@@ -216,6 +216,11 @@ bool is_contained(const Program& program, const Structure& structure) {
     return type && structure.contained_axes == (1u << program.types.components(type)) - 1;
 }
 
+bool stays_inside(const Program& program, const Structure& structure) {
+    return structure.base.empty() && !structure.otherwise && !structure.via.empty() &&
+           !program.translators[structure.via.back().translator].properties.partial;
+}
+
 bool makes_memory(const Program& program, const Structure& structure) {
     return structure.kind != StructureKind::view ||
            std::ranges::any_of(structure.members, [&](const MemberStructure& member) {

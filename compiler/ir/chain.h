@@ -70,6 +70,11 @@ RareVector<std::uint32_t> translated_by(const Program& program, const Structure&
 /// (Structure::contained_axes). False if there is no physical_type().
 bool is_contained(const Program& program, const Structure& structure);
 
+/// Whether a physical address outside of the memory is a mistake: the last translator is total. Not if the memory is a
+/// structure, in which such an address is unmapped, or if the structure says `otherwise`, by which elements are meant
+/// to be missing.
+bool stays_inside(const Program& program, const Structure& structure);
+
 /// Whether making the structure may allocate memory. False for views all of whose members are given to them, or are
 /// themselves views for which it is false.
 bool makes_memory(const Program& program, const Structure& structure);

@@ -40,6 +40,7 @@ Item Parser::parse_item() {
     Nesting nesting(*this);
     Item item = new_item(ItemKind::function);
     if (!nesting.ok) return item;
+    ignore_pub_of_member();
     if (at_word_before_name(Word::memory)) return parse_memory();
     if (at_word_before_name(Word::structure)) return parse_member_item();
     if (at_word_before_name(Word::host)) return parse_host();
@@ -56,6 +57,17 @@ Item Parser::parse_item() {
     fail_expected("an item",
                   "items are 'memory', 'structure', 'via', 'otherwise', 'host', 'if', functions and pipelines");
     return item;
+}
+
+/// Reports a `pub` before a member, and goes on as if it were not there.
+void Parser::ignore_pub_of_member() {
+    const Word word = peek(1).word;
+    const bool is_member = word == Word::memory || word == Word::structure || word == Word::host;
+    if (!at(TokenKind::kw_pub) || !is_member || peek(2).kind != TokenKind::identifier) return;
+    advance();
+    diagnostics_.report(Diag::expected, here(), {"'fn' or 'pipeline'", shown(peek())})
+        .notes.push_back(
+            {{}, "members take no 'pub': C++ reaches all of them, as in 'a." + std::string(text_of(peek(1))) + "()'"});
 }
 
 /// method | [ "pub" ] pipeline

@@ -189,6 +189,7 @@ private:
     ast::Item parse_host();
     ast::Item parse_value_item(ast::ItemKind kind);
     ast::Item parse_nested_declaration();
+    void ignore_pub_of_member();
     ast::Item new_item(ast::ItemKind kind) const;
 
     std::vector<Token>& tokens_;

@@ -14,28 +14,27 @@ folder = pathlib.Path(__file__).resolve().parent
 target = folder.parent.parent / "docs" / "taxonomy.md"
 BEGIN, END = "<!-- rows -->\n", "<!-- end of rows -->\n"
 
-# The properties that the thesis gives for each structure: sections 8.1 to 8.5, for trees and lists 3.2.3.
-ANALYTIC = "O(1); O(1), uniform; complete, one to one; invertible"
-PAGES = "O(n); O(1), uniform; {}; {}"
-TREE = "O(n); O(log n), not uniform; {}"
-LISTS = "O(n); O(list), not uniform; sparse"
+# The rows of table 8.1 (its text in the thesis is scrambled; these are from the journal version, ACM Transactions on Graphics 25(1), 2006):
+# domains; memory; access; mapping. What follows the mapping is from sections 8.1 and 8.2.
+TREE = "O(log n); O(log n), not uniform; {}"
+LISTS = "O(n); O(list), not uniform; {}"
 THESIS = {
-    "brook_streams": ANALYTIC,
-    "flat_3d_texture": ANALYTIC,
-    "cube_map": ANALYTIC,
-    "polycube_map": "O(n); O(1), uniform; complete",
-    "silhouette_map": "O(n); O(1), uniform; complete, not linear",
-    "sparse_page_table": PAGES.format("sparse, one to one", "invertible with an inverse table"),
-    "adaptive_texture_map": PAGES.format("complete, many to one", "not invertible"),
-    "vector_quantisation": PAGES.format("complete, many to one", "not invertible"),
-    "texture_atlas_quadtree": TREE.format("complete, many to one"),
-    "radiosity_quadtree": TREE.format("complete, many to one"),
-    "n_tree": TREE.format("sparse"),
-    "grid_of_lists": LISTS,
-    "photon_map": LISTS,
-    "irregular_z_buffer": LISTS,
-    "k_d_tree": TREE.format("complete"),
-    "bounding_volume_hierarchy": TREE.format("complete"),
+    "brook_streams": "1-D to 2-D; O(1); O(1), uniform; complete, one to one; invertible",
+    "flat_3d_texture": "3-D to 2-D; O(1); O(1), uniform; complete, one to one; invertible",
+    "cube_map": "not in the table",
+    "polycube_map": "3-D to 2-D; O(n); O(1), uniform; sparse",
+    "silhouette_map": "2-D to 2-D; O(n); O(1), uniform; complete, not linear",
+    "sparse_page_table": "3-D to 2-D; O(n); O(1), uniform; sparse, one to one; invertible with an inverse table",
+    "adaptive_texture_map": "2–4-D to 2–3-D; O(n); O(1), uniform; sparse",
+    "vector_quantisation": "3-D to 3-D; O(n); O(1), uniform; complete, many to one",
+    "texture_atlas_quadtree": "3-D to 2-D; " + TREE.format("sparse"),
+    "radiosity_quadtree": "3-D to 2-D; " + TREE.format("complete"),
+    "n_tree": "3-D to 3-D; " + TREE.format("sparse"),
+    "grid_of_lists": "3-D to 2-D; " + LISTS.format("complete"),
+    "photon_map": "3-D to 2-D; " + LISTS.format("complete"),
+    "irregular_z_buffer": "2-D to 2-D; " + LISTS.format("sparse"),
+    "k_d_tree": "3-D to 2-D; " + TREE.format("complete"),
+    "bounding_volume_hierarchy": "3-D to 2-D; " + TREE.format("complete"),
 }
 
 

@@ -56,14 +56,14 @@ void throw_replaced_in_recording() {
 void require_current(std::span<const Memory> memories) {
     for (const Memory& memory : memories) {
         if (!memory.object()->is_replaced()) continue;
-        throw Error(ErrorCode::wrong_argument, "a recording uses memory that its container has given up",
+        throw Error(ErrorCode::given_up, "a recording uses memory that its container has given up",
                     memory_text(memory.description()), "a pipeline gave the container's member other memory since then",
                     "record again");
     }
 }
 
 void throw_given_up(const MemoryObject& memory, std::string where) {
-    throw Error(ErrorCode::wrong_argument, "memory is used that its container has given up",
+    throw Error(ErrorCode::given_up, "memory is used that its container has given up",
                 std::move(where) + ", " + memory_text(memory.description()),
                 "a pipeline gave the container's member other memory after this structure was made over it",
                 "make the structure again, over the member as it is now");

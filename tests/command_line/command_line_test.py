@@ -152,6 +152,7 @@ ran = here.run("explain", "properties.glift")
 says(ran, 0,
      "total, one to one (checked to 4087 addresses)", "yes (checked to 4087 addresses)",
      "total, many to one: {0} and {1} both map to {0}",
+     "total ({0} maps to {1}, outside of the memory), one to one (checked to 4093 addresses)",
      "no: invert(translate({1, 0})) is {0, 1}",
      "total, one to one or many to one: not known",
      "not known: that of list", "not known, not uniform")

@@ -12,9 +12,19 @@ says(ran, 1,
      "FAIL  translation of Folded", "{0} and {1} both map to {0}",
      "FAIL  translation of Curve, as the tests made it", "invert(translate({1, 0})) is {0, 1}",
      "FAIL  translation of Places, as the tests made it", "{2} and {7} both map to {2}",
-     "not checked: translation of Unmade", "pass  a square", "4 failed, 1 not checked",
+     "FAIL  translation of Rows", "both map to {0} (domain {4, 4}); if it is meant to be so, declare the translator @many_to_one",
+     "FAIL  translation of Backwards", "{0} maps to {16}, outside of the memory, which is {16} (domain {16})",
+     "FAIL  translation of Listing, as the tests made it", "pass  translation of Anywhere, as the tests made it",
+     "{2} and {7} both map to {2} (domain {16}); whether it may is not checked: it reads tables",
+     "expect: 'await list[7] == 3u' is false: 2 == 3 [host]", "is false: {0.5, 1} != {0.5, 1} [",
+     "'await list[1] == 2u || await list[2] == 3u' is false [",
+     "not checked: translation of Unmade", "it is not public, and no test makes one",
+     "not checked: translation of MadeInside", "it takes other arguments than an extent, and no test that ran has one at its end",
+     "pass  a square", "8 failed, 2 not checked",
      "FAIL  memories are compared where the domain is too large", "big: its domain is {8192, 8200}, too large", "big.data",
      "pass  more elements than are compared", "not compared: rows, which has more than 4 GiB")
+
+expect("list[2] == 9u" not in ran.said, "a condition is evaluated only if those before it are true", ran.said)
 
 ran = here.run("test", "--list", wrong)
 says(ran, 0, "a square (wrong_translations.glift:", "translation of Folded (")

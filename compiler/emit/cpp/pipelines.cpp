@@ -4,6 +4,7 @@
 #include "emit/cpp/unit.h"
 #include "ir/chain.h"
 #include "ir/levels.h"
+#include "ir/spelling.h"
 #include "ir/walk.h"
 
 #include <utility>
@@ -55,6 +56,7 @@ struct PipelinePrinter {
     void arms(const Stmt& stmt);
     void arm(const std::string& condition, const std::vector<ir::StmtId>& body, const char* where);
     void dispatch(const Stmt& stmt);
+    void expect(const Stmt& stmt);
     void expect_same(const Stmt& stmt);
     void replace(const Stmt& stmt);
     void keep(const std::string& shown, const std::string& object, std::uint32_t structure);
@@ -200,6 +202,16 @@ void PipelinePrinter::dispatch(const Stmt& stmt) {
     p.out.line(visible(p, unit.globals.kernel_names.at(stmt.slot)) + "(" + commands + arguments + ");");
 }
 
+void PipelinePrinter::expect(const Stmt& stmt) {
+    std::string text = "test.expect(" + print_any(p, stmt.value) + ", \"" + place_text(unit.sources, stmt.span) +
+                       "\", " + quoted(source_text(unit.sources, stmt.span));
+    if (!stmt.arguments.empty())
+        text += ", " + print_any(p, stmt.arguments[0]) + ", \"" +
+                std::string(ir::spelling(unit.program.exprs[stmt.value].binary)) + "\", " +
+                print_any(p, stmt.arguments[1]);
+    p.out.line(text + ");");
+}
+
 void PipelinePrinter::expect_same(const Stmt& stmt) {
     const ir::Type& type = unit.program.types[unit.program.exprs[stmt.arguments[0]].type];
     const std::uint32_t structure = type.kind == TypeKind::slice ? unit.program.types[type.element].index : type.index;
@@ -262,7 +274,7 @@ void PipelinePrinter::keep(const std::string& shown, const std::string& object, 
 
 /// Prints, for the structures that the outermost statements of a test make, if they are stored and the host can read
 /// them, the statements that keep them to be compared between devices. Also prints the checks of translators that need
-/// the state of such structures.
+/// the state of such structures, adaptors' members included.
 void PipelinePrinter::keep_all() {
     std::vector<std::pair<std::string, std::uint32_t>> made;
     for (ir::StmtId id : pipeline.body) {
@@ -270,9 +282,9 @@ void PipelinePrinter::keep_all() {
         if (stmt.op != StmtOp::temp) continue;
         const std::uint32_t index = unit.program.types[unit.program.locals[stmt.local].type].index;
         const ir::Structure& structure = unit.program.structures[index];
-        if (structure.kind != ir::StructureKind::stored || !structure.copyable) continue;
         made.emplace_back(p.local_names.at(stmt.local), index);
-        keep(unit.name(unit.program.locals[stmt.local].name), made.back().first, index);
+        if (structure.kind == ir::StructureKind::stored && structure.copyable)
+            keep(unit.name(unit.program.locals[stmt.local].name), made.back().first, index);
     }
     // A check overwrites the structure that it looks at. So a structure is checked before its members, and a structure
     // that was given another one (which was made earlier) before that one.
@@ -311,7 +323,7 @@ void PipelinePrinter::statement(const Stmt& stmt) {
         return;
     case StmtOp::arms: return arms(stmt);
     case StmtOp::dispatch: return dispatch(stmt);
-    case StmtOp::expect: return p.out.line("test.expect(" + print_any(p, stmt.value) + ", " + place() + ");");
+    case StmtOp::expect: return expect(stmt);
     case StmtOp::expect_near:
         return p.out.line("test.expect_near(" + join_arguments(p, stmt.arguments) + ", " + place() + ");");
     case StmtOp::expect_same: return expect_same(stmt);

@@ -167,7 +167,8 @@ void print_statement(Printer& p, ir::StmtId stmt);
 std::string declare_local(Printer& p, ir::LocalId local);
 void mark_line(Printer& p, Span span);  ///< prints a comment with the source line, unless the latest one is the same
 std::string file_name(const Sources& sources, std::uint32_t file);
-std::string place_text(const Sources& sources, Span span);  ///< laplacian.glift:8
+std::string place_text(const Sources& sources, Span span);   ///< laplacian.glift:8
+std::string source_text(const Sources& sources, Span span);  ///< as it is written, in one line
 /// Prints the function to globals.functions if it is not there yet, and enters its name in globals.function_names. Of a
 /// function of the runtime (ir::Function::extern_name) only the name is entered.
 void require_function(Globals& globals, ir::FunctionId function);

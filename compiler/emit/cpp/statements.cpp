@@ -5,6 +5,7 @@
 #include "ir/effects.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace gliftc::cpp {
 
@@ -214,6 +215,13 @@ std::string file_name(const Sources& sources, std::uint32_t file) {
 
 std::string place_text(const Sources& sources, Span span) {
     return span ? concat(file_name(sources, span.file), ":", std::to_string(sources.line_of(span))) : "";
+}
+
+std::string source_text(const Sources& sources, Span span) {
+    std::istringstream words(std::string(sources[span.file].text.substr(span.begin, span.end - span.begin)));
+    std::string text;
+    for (std::string word; words >> word;) text += (text.empty() ? "" : " ") + word;
+    return text;
 }
 
 void mark_line(Printer& p, Span span) {

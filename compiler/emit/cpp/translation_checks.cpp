@@ -1,5 +1,6 @@
-// Generated checks of translators: `invert` undoes `translate`, a translator that is declared one-to-one maps no two
-// addresses to one, and boxes of elements have the values that were written when they are read back.
+// Generated checks of translators: `invert` undoes `translate`, a translator that is not declared many-to-one maps no
+// two addresses to one, none to an address outside of the memory, and boxes of elements have the values that were
+// written when they are read back.
 #include "emit/cpp/translators.h"
 #include "ir/chain.h"
 #include "ir/walk.h"
@@ -122,6 +123,15 @@ std::string why_not_printed(const ir::Program& program, ir::FunctionId id) {
     return why;
 }
 
+const char* mapping_text(ir::Mapping mapping, bool reads_tables) {
+    switch (mapping) {
+    case ir::Mapping::unknown: return reads_tables ? "glift::Mapping::by_tables" : "glift::Mapping::undeclared";
+    case ir::Mapping::claimed_one_to_one: return "glift::Mapping::one_to_one";
+    case ir::Mapping::many_to_one: return "glift::Mapping::many_to_one";
+    }
+    return "";
+}
+
 /// Prints the translators of one structure as lambdas, and the calls that check them.
 class CheckPrinter {
 public:
@@ -142,8 +152,8 @@ private:
         const ir::Translator& translator = unit_.program.translators[stage.translator];
         out_.open("const auto reached_" + std::to_string(i) + " = [&]");
         const Tables tables = tables_of(unit_.program, translator);
-        std::vector<std::string> names =
-            print_state(unit_, out_, index_, stage, "structure.", {"structure", "translate", "invert", "test"});
+        std::vector<std::string> names = print_state(unit_, out_, index_, stage, "structure.",
+                                                     {"structure", "translate", "invert", "test", "memory"});
         const std::vector<std::string> mirrors = print_mirrors(stage, tables, names);
         names.insert(names.end(), mirrors.begin(), mirrors.end());
         const auto surroundings = [&](Printer& p, const ir::Expr& expr) -> Text {
@@ -158,12 +168,13 @@ private:
         if (translator.invert)
             print_method(unit_, out_, "invert", translator.invert, unit_.type(translator.virtual_type), names,
                          surroundings);
-        const ir::Mapping mapping = translator.properties.mapping;
-        const bool is_claimed = mapping == ir::Mapping::claimed_one_to_one;
+        const std::string memory =
+            i + 1 == structure_.via.size() && ir::stays_inside(unit_.program, structure_) ? "&memory" : "nullptr";
+        if (memory != "nullptr") out_.line("const glift::Extent memory = glift::detail::limit_of(" + extent() + ");");
         out_.line("return glift::check_translator(test, " + quoted(title + ": " + translator.display) + ", " +
                   (i == 0 ? std::string("glift::tried(structure.domain())") : "reached_" + std::to_string(i - 1)) +
                   ", translate, " + (translator.invert ? "invert" : "nullptr") + ", " +
-                  (is_claimed ? "true" : "false") + ");");
+                  mapping_text(translator.properties.mapping, !tables.empty()) + ", " + memory + ");");
         out_.close("();");
     }
 
@@ -189,13 +200,24 @@ private:
         const bool is_moved = std::ranges::any_of(unit_.program.transfers, [&](const ir::Program::Transfer& transfer) {
             return transfer.structure == index_ && transfer.write_kernel < unit_.program.kernels.size();
         });
-        // If the memory (or that one's memory, and so on) is a structure with a partial translator, writes to addresses
-        // that it does not map are lost.
-        const bool keeps_all = structure_.copyable && !ir::leads_through_partial(unit_.program, structure_);
+        // If the memory (or that one's memory, and so on) is a structure that does not map all its addresses, writes to
+        // the others are lost.
+        const bool keeps_all = structure_.copyable && maps_all_of_memory();
         if (!is_moved || !keeps_all || value.empty()) return out_.line("(void)" + last + ";");
         out_.open("if (glift::fill_memory(" + last + ", " + extent() + "))");
         out_.line("glift::check_boxes(test, " + quoted(title) + ", structure, [](uint i) { return " + value + "; });");
         out_.close();
+    }
+
+    /// Whether every link after the first is proved to map all of its domain.
+    bool maps_all_of_memory() const {
+        if (ir::leads_through_partial(unit_.program, structure_)) return false;
+        const Structure* link = &structure_;
+        while (!link->base.empty()) {
+            link = &ir::structure_at(unit_.program, *link, link->base);
+            if (ir::physical_type(unit_.program, *link) && !ir::is_contained(unit_.program, *link)) return false;
+        }
+        return true;
     }
 
     /// The extent of the memory that the translators lead to.
@@ -273,9 +295,9 @@ std::vector<TranslationCheck> print_translation_checks(Unit& unit, Writer& out) 
         check.of_one = unit.globals.names.declare("check_" + unit.class_name(index));
         CheckPrinter(unit, out, index).print(check.of_one, check.title);
         if (reads_tables(unit.program, structure)) {
-            check.why_not_alone = "it reads tables, and no test that ran makes and fills one";
+            check.why_not_alone = "it reads tables, and no test that ran has one at its end";
         } else if (!is_made_of_extents(unit.program, structure)) {
-            check.why_not_alone = "it takes other arguments than an extent, and no test that ran makes one";
+            check.why_not_alone = "it takes other arguments than an extent, and no test that ran has one at its end";
         } else {
             check.of_extents = unit.globals.names.declare(check.of_one + "_of_extents");
             print_check_of_extents(unit, out, index, check.of_extents, check.of_one);

@@ -243,7 +243,6 @@ std::string describe(const Body& body, const Operand& operand) {
     const Context& c = body.context;
     switch (operand.kind) {
     case OperandKind::structure: return "the structure " + c.program.structures[operand.structure].display;
-    case OperandKind::memory: return "memory";
     case OperandKind::iterator: return "the iterator '" + c.text(body.kernel->params[operand.slot].name) + "'";
     case OperandKind::meta:
         if (operand.meta.kind == MetaKind::type) return "the type " + c.text(operand.meta.type);
@@ -252,6 +251,19 @@ std::string describe(const Body& body, const Operand& operand) {
         return "this";
     default: return "this";
     }
+}
+
+/// Reports the use of a buffer or an image, which only its structure's translator addresses, as a value.
+void report_memory(Body& body, const Operand& operand) {
+    Context& c = body.context;
+    const ir::Memory& memory = c.program.structures[operand.structure].memories[operand.slot];
+    const std::string name = c.text(memory.name);
+    const bool is_buffer = memory.shape == ir::MemoryShape::buffer;
+    note(c.error(Diag::not_a_value, operand.span, {(is_buffer ? "the buffer '" : "the image '") + name + "'"}),
+         operand.span,
+         "elements are accessed by addresses of the structure that has it, 's[a]'; to pass it by itself, make it a "
+         "structure, as in 'memory " +
+             name + " = " + (is_buffer ? "Array<1, " + c.text(memory.element) + ">(n)'" : "Image<r32f>(extent)'"));
 }
 
 }  // namespace
@@ -314,8 +326,9 @@ ir::ExprId to_value(Body& body, const Operand& operand) {
             ir::TypeId type = body.types().of_structure(operand.structure);
             return structure_operation(body, ir::Op::structure_value, type, operand, operand.span);
         }
-        [[fallthrough]];
-    case OperandKind::memory:
+        body.context.error(Diag::not_a_value, operand.span, {describe(body, operand)});
+        break;
+    case OperandKind::memory: report_memory(body, operand); break;
     case OperandKind::meta: body.context.error(Diag::not_a_value, operand.span, {describe(body, operand)}); break;
     }
     return error_value(body, operand.span);

@@ -106,6 +106,42 @@ ir::TypeId wanted_of_sides(const ir::Types& types, ast::BinaryOp op, ir::TypeId 
     return wanted;
 }
 
+/// Scalars by how many values they have; 0: not a number. Of two with the same rank neither has all values of the
+/// other.
+int rank_of(ir::TypeKind scalar) {
+    switch (scalar) {
+    case ir::TypeKind::int_:
+    case ir::TypeKind::uint: return 1;
+    case ir::TypeKind::int64:
+    case ir::TypeKind::uint64: return 2;
+    case ir::TypeKind::half: return 3;
+    case ir::TypeKind::float_: return 4;
+    case ir::TypeKind::double_: return 5;
+    default: return 0;
+    }
+}
+
+/// The note for operands whose scalars differ: which of them to convert, and to what. It keeps its number of
+/// components.
+std::string conversion_hint(Body& body, ir::TypeId left, ir::TypeId right) {
+    ir::Types& types = body.types();
+    const ir::TypeId scalars[] = {types.scalar_of(left), types.scalar_of(right)};
+    const int ranks[] = {rank_of(types.kind(scalars[0])), rank_of(types.kind(scalars[1]))};
+    const std::string no = "there are no implicit conversions";
+    if (ranks[0] == 0 || ranks[1] == 0) return no;
+    const auto to = [&](ir::TypeId converted, ir::TypeId scalar) {
+        const ir::Type type = types[converted];
+        return body.context.text(type.kind == ir::TypeKind::matrix
+                                     ? types.matrix(scalar, type.count, type.rows)
+                                     : types.vector(scalar, types.components(converted))) +
+               "(…)";
+    };
+    const std::string on_left = "the left side, as in " + to(left, scalars[1]);
+    const std::string on_right = "the right side, as in " + to(right, scalars[0]);
+    if (ranks[0] == ranks[1]) return no + ": convert " + on_left + ", or " + on_right;
+    return no + ": convert " + (ranks[0] < ranks[1] ? on_left : on_right);
+}
+
 Operand mismatch(Body& body, const ast::Expr& expr, Pair sides) {
     Context& c = body.context;
     ir::TypeId left = body.program().exprs[sides.left].type, right = body.program().exprs[sides.right].type;
@@ -121,9 +157,7 @@ Operand mismatch(Body& body, const ast::Expr& expr, Pair sides) {
     else if (expr.binary == ast::BinaryOp::remainder && body.types().is_floating(body.types().scalar_of(left)))
         note(diagnostic, expr.span, "of floats 'mod(x, y)' is x - y * floor(x / y)");
     else if (body.types().scalar_of(left) != body.types().scalar_of(right))
-        note(diagnostic, expr.span,
-             "there are no implicit conversions: convert one side, as in " + c.text(body.types().scalar_of(left)) +
-                 "(…)");
+        note(diagnostic, expr.span, conversion_hint(body, left, right));
     else if (family_of(expr.binary) == Family::equality && left == right &&
              body.types().kind(left) == ir::TypeKind::struct_)
         note(diagnostic, expr.span, "structs of more than 64 members, those of arrays counted, are not compared whole");
@@ -236,7 +270,8 @@ ir::ExprId check_compound(Body& body, const ast::Stmt& stmt, ir::ExprId target) 
                                          {std::string(text_of(*stmt.op)) + "=", c.text(left), c.text(right)});
         if (types.scalar_of(left) != types.scalar_of(right))
             note(diagnostic, c[stmt.value].span,
-                 "there are no implicit conversions: write " + c.text(types.scalar_of(left)) + "(…)");
+                 "there are no implicit conversions: write " +
+                     c.text(types.vector(types.scalar_of(left), types.components(right))) + "(…)");
         return error_value(body, stmt.span);
     }
     bool divides = *stmt.op == ast::BinaryOp::divide || *stmt.op == ast::BinaryOp::remainder;

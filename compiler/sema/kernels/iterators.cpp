@@ -66,6 +66,20 @@ void assign_part(Body& body, const ast::Stmt& stmt, Symbol& symbol, ast::ExprId 
     emit_set_element(body, symbol.slot, make_local(body.program(), copy, stmt.span), stmt.span);
 }
 
+/// What to write in place of `name[address] op= value`.
+std::string instead_of_compound(ast::BinaryOp op, ir::Combine declared) {
+    if (declared != ir::Combine::replace) return "the parameter's own operation combines: write '='";
+    const auto declare = [&](const char* word) {
+        return std::string("declare it 'scatter<…, ") + word + ">', which combines, and write '='";
+    };
+    if (op == ast::BinaryOp::add) return declare("add");
+    if (op == ast::BinaryOp::subtract) return declare("add") + " and the negative value";
+    if (op == ast::BinaryOp::bit_and) return declare("and");
+    if (op == ast::BinaryOp::bit_or) return declare("or");
+    if (op == ast::BinaryOp::bit_xor) return declare("xor");
+    return "scatter only writes; 'scatter<…, add>' combines, also by 'min', 'max', 'and', 'or', 'xor'";
+}
+
 void write_scatter(Body& body, const ast::Stmt& stmt, const Symbol& symbol) {
     Context& c = body.context;
     const ir::Structure structure = body.program().structures[symbol.structure];
@@ -81,7 +95,7 @@ void write_scatter(Body& body, const ast::Stmt& stmt, const Symbol& symbol) {
     }
     if (stmt.op) {
         note(c.error(Diag::scatter_read, stmt.span, {c.text(c[target.operands[0]].name)}), symbol.writing.span,
-             "the parameter's own operation combines: write '='");
+             instead_of_compound(*stmt.op, symbol.writing.combine));
         return;
     }
     ir::ExprId address = check_value(body, target.operands[1], structure.domain_type);

@@ -119,7 +119,9 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
         if (is_structure)
             note(c.error(Diag::structure_needs_pattern, c[param.type].span, {c.text(param.name.name)}),
                  c[param.type].span,
-                 "say how the kernel accesses it: each<…>, near<…, r>, any<…>, at<…> or scatter<…>");
+                 c.program.structures[c.types()[type].index].kind == ir::StructureKind::adaptor
+                     ? "say how the kernel calls its functions: calls<…>, or any<…> if they only read"
+                     : "say how the kernel accesses it: each<…>, near<…, r>, any<…>, at<…>, scatter<…> or coherent<…>");
         if (type && !is_structure && holds_optional(c.program, type)) {
             note(c.error(Diag::optional_parameter, c[param.type].span, {c.text(param.name.name), c.text(type)}),
                  c[param.type].span, "pass the value and a bool that says whether there is one");

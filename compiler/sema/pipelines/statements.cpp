@@ -13,6 +13,7 @@
 #include "sema/types/typing.h"
 
 #include <algorithm>
+#include <span>
 
 namespace gliftc::sema {
 
@@ -80,6 +81,9 @@ std::vector<Argument> check_arguments(Body& body, const ast::Expr& call, bool& f
         if (!argument.waits) {
             const Recording recording(body, argument.steps);
             argument.operand = declared(body, check(body, id));
+            // to_value() reports a memory, which no pass takes.
+            if (argument.operand.kind == OperandKind::memory)
+                argument.operand = value_operand(body, to_value(body, argument.operand), argument.operand.span);
             failed |= argument.operand.kind == OperandKind::error;
             argument.structure = structure_of(body, argument.operand);
             if (argument.operand.kind == OperandKind::value) {
@@ -281,18 +285,71 @@ ir::ExprId make_count(Body& body, const Operand& structure, Span span) {
     return structure_operation(body, ir::Op::element_count, body.types().uint, structure, span);
 }
 
-void emit_expect(Body& body, ir::StmtOp op, ir::Operands arguments, Span span) {
+ir::StmtId emit_expect(Body& body, ir::StmtOp op, ir::Operands arguments, Span span) {
     ir::StmtId stmt = add(body.program(), op, span);
-    if (op == ir::StmtOp::expect) body.program().stmts[stmt].value = arguments[0];
-    else body.program().stmts[stmt].arguments = std::move(arguments);
+    body.program().stmts[stmt].arguments = std::move(arguments);
     emit(body, stmt);
+    return stmt;
+}
+
+/// The conditions that `condition` joins by `&&`, in order.
+void add_joined(const Context& c, ast::ExprId condition, std::vector<ast::ExprId>& joined) {
+    const ast::Expr& expr = c[condition];
+    if (expr.kind != ast::ExprKind::binary || expr.binary != ast::BinaryOp::logical_and)
+        return joined.push_back(condition);
+    for (ast::ExprId side : expr.operands) add_joined(c, side, joined);
+}
+
+/// Whether a test can print values of the type.
+bool is_shown(const ir::Types& types, ir::TypeId type) {
+    return types.is_scalar(type) || types.is_vector(type) || types.kind(type) == ir::TypeKind::enum_;
+}
+
+/// If the condition compares two values that can be printed, puts these into locals, and returns them; `condition` then
+/// compares the locals.
+ir::Operands name_sides(Body& body, ir::ExprId& condition) {
+    const ir::Expr compared = body.program().exprs[condition];
+    const bool compares = compared.op == ir::Op::binary && compared.binary >= ir::BinaryOp::less &&
+                          compared.binary <= ir::BinaryOp::not_equal;
+    if (!compares || !is_shown(body.types(), body.program().exprs[compared.operands[0]].type)) return {};
+    ir::Operands sides;
+    for (ir::ExprId side : compared.operands) {
+        const Span span = body.program().exprs[side].span;
+        sides.push_back(make_local(body.program(), emit_temporary(body, "side", side, span), span));
+    }
+    condition = make_binary(body.program(), compared.binary, compared.type, sides[0], sides[1], compared.span);
+    return sides;
+}
+
+/// Expects the conditions one by one, so that the message says which one is false. Each is evaluated only if those
+/// before it are true. False: one has an error.
+bool expect_each(Body& body, std::span<const ast::ExprId> conditions) {
+    const Span span = body.context[conditions[0]].span;
+    ir::ExprId condition = check_value(body, conditions[0], body.types().bool_);
+    if (is_error(body, condition)) return false;
+    ir::Operands sides = name_sides(body, condition);
+    if (conditions.size() == 1) {
+        body.program().stmts[emit_expect(body, ir::StmtOp::expect, std::move(sides), span)].value = condition;
+        return true;
+    }
+    const ir::LocalId holds = emit_temporary(body, "holds", condition, span);
+    const ir::StmtId expected = emit_expect(body, ir::StmtOp::expect, std::move(sides), span);
+    body.program().stmts[expected].value = condition;
+    std::vector<ir::StmtId> rest;
+    auto* outer = std::exchange(body.block, &rest);
+    const bool fine = expect_each(body, conditions.subspan(1));
+    body.block = outer;
+    const ir::StmtId branch = add(body.program(), ir::StmtOp::if_, span);
+    body.program().stmts[branch].value = make_local(body.program(), holds, span);
+    body.program().stmts[branch].body = std::move(rest);
+    emit(body, branch);
+    return fine;
 }
 
 Operand check_expect_true(Body& body, const std::vector<ast::ExprId>& arguments, const ast::Expr& call) {
-    ir::ExprId value = check_value(body, arguments[0], body.types().bool_);
-    if (is_error(body, value)) return error_operand(call.span);
-    emit_expect(body, ir::StmtOp::expect, {value}, call.span);
-    return no_value(body, call.span);
+    std::vector<ast::ExprId> conditions;
+    add_joined(body.context, arguments[0], conditions);
+    return expect_each(body, conditions) ? no_value(body, call.span) : error_operand(call.span);
 }
 
 Operand check_expect_near(Body& body, const std::vector<ast::ExprId>& arguments, const ast::Expr& call) {

@@ -23,6 +23,7 @@ enum class ErrorCode : std::uint8_t {
     /// example a number of elements past 2^32 - 1, a domain too large to search, a viewport).
     too_large,
     aliased_memory,  ///< memory passed twice in one call, where one use may write what another one accesses
+    given_up,        ///< memory in place of which the container's member now has other memory
     wrong_argument,  ///< any other mistake: in a call, a handle, a recording, a file name, an environment variable
     loop_limit,      ///< a kernel's loops run, or may run, for more rounds than the device allows
     out_of_range,    ///< an access outside a structure, in a kernel compiled with `gliftc --checked`; else not reported

@@ -39,6 +39,26 @@ namespace detail {
 template <class T> inline constexpr unsigned value_components = 1;
 template <class T, unsigned N> inline constexpr unsigned value_components<vec<T, N>> = N;
 
+GLIFT_API std::string number_text(bool value);
+GLIFT_API std::string number_text(float value);
+GLIFT_API std::string number_text(double value);
+GLIFT_API std::string number_text(std::int64_t value);
+GLIFT_API std::string number_text(std::uint64_t value);
+
+/// A scalar, a vector or an enumerator's number as text: `2`, `{2, 3}`.
+template <class T> std::string value_text(const T& value) {
+    if constexpr (std::is_enum_v<T>) return value_text(static_cast<std::underlying_type_t<T>>(value));
+    else if constexpr (std::is_same_v<T, half>) return number_text(static_cast<float>(value));
+    else if constexpr (std::is_same_v<T, bool> || std::is_floating_point_v<T>) return number_text(value);
+    else if constexpr (std::is_unsigned_v<T>) return number_text(std::uint64_t{value});
+    else if constexpr (std::is_signed_v<T>) return number_text(std::int64_t{value});
+    else {
+        std::string text = "{" + value_text(value[0]);
+        for (unsigned i = 1; i < value_components<T>; ++i) text += ", " + value_text(value[i]);
+        return text + "}";
+    }
+}
+
 GLIFT_API Extent address_of(std::size_t index, const Extent& extent);
 
 /// Adds the differences between two structures to `failures`: the first few in words, then that there are more.
@@ -56,17 +76,30 @@ template <class A> A address_from(const Extent& extent) {
 
 }  // namespace detail
 
+struct Findings {
+    std::vector<std::string> failures;
+    std::vector<std::string> notes;  ///< what was not compared or checked
+};
+
 /// One run of one test on one device.
 class Test {
 public:
     std::vector<std::string> failures;
     std::vector<std::string> notes;  ///< what was not compared or checked
     std::vector<KeptStructure> kept;
-    /// For each check of a translator with the state of a structure that this test made: the failures found, by the
-    /// title of the check.
-    std::map<std::string, std::vector<std::string>> translations;
+    /// What each check of a translator with the state of a structure that this test made has found, by its title.
+    std::map<std::string, Findings> translations;
+    std::map<std::string, std::string> unchecked;  ///< why such a check was not completed, by its title
 
-    GLIFT_API void expect(bool condition, const char* place);
+    /// `text` is the condition as it is written.
+    GLIFT_API void expect(bool condition, const char* place, const char* text);
+    /// The same for a condition that compares a and b: if it is false, their values are in the message.
+    template <class A, class B>
+    void expect(bool condition, const char* place, const char* text, const A& a, const char* sign, const B& b) {
+        if (condition) return;
+        expect(false, place, text);
+        failures.back() += ": " + detail::value_text(a) + " " + sign + " " + detail::value_text(b);
+    }
 
     template <class T> void expect_near(const T& a, const T& b, double tolerance, const char* place) {
         if constexpr (detail::is_scalar<T>) {
@@ -87,7 +120,7 @@ public:
     /// nothing, where the structure does not lie in rows of a buffer and its domain is too large to read address by
     /// address (largest_kept): then the caller keeps the structure's memories and nested structures instead. Returns
     /// true, though nothing is kept, for a default-constructed structure, and, with a note, for one in rows of a buffer
-    /// that is larger than largest_compared.
+    /// that is larger than largest_compared, and for one over memory that a container has given up.
     template <class S> bool keep(const char* name, const S& structure, std::string_view scalars) {
         if (!structure) return true;
         const Extent domain = detail::extent_of(structure.domain());
@@ -104,12 +137,16 @@ public:
                 return false;
             }
         }
-        kept.push_back(record(name, structure, scalars));
+        try {
+            kept.push_back(record(name, structure, scalars));
+        } catch (const Error& error) {
+            note_given_up(name, error);
+        }
         return true;
     }
 
-    /// Keeps the elements of a buffer in the order in which they lie there. Notes that an image, or a buffer that is
-    /// larger than largest_compared, was not compared.
+    /// Keeps the elements of a buffer in the order in which they lie there. Notes that an image, a buffer that is
+    /// larger than largest_compared, or memory that a container has given up, was not compared.
     GLIFT_API void keep_memory(const Commands& commands, const char* name, const Memory& memory,
                                std::string_view scalars);
 
@@ -129,19 +166,22 @@ public:
     /// Why no call of `make` has made anything; empty if one did, or if `make` was not called.
     std::string why_nothing_was_made() const { return made_ == 0 ? refused_ : std::string(); }
 
-    /// Runs `check`, which checks a translation with the state of a structure that this test made, unless a check of
-    /// this title has been completed. An Error that it throws becomes a note.
+    /// Runs `check`, which checks a translation with the state of a structure that this test made. An Error that it
+    /// throws goes into `unchecked`.
     template <class Check> void check_as_made(const char* title, const Check& check) {
         check_as_made(
             title, [](const void* body) { (*static_cast<const Check*>(body))(); }, &check);
     }
 
 private:
+    /// Notes that the structure or memory was not compared if that is the error; else throws it.
+    GLIFT_API void note_given_up(const char* name, const Error& error);
+
     static constexpr std::uint64_t largest_kept = 1u << 28;                    ///< bytes, read address by address
     static constexpr std::uint64_t largest_compared = std::uint64_t{4} << 30;  ///< bytes of one buffer
 
     GLIFT_API void expect_numbers_near(double a, double b, double tolerance, const char* place);
-    /// What the template above calls. The check's failures go into `translations`, not into `failures`.
+    /// What the template above calls. The check's findings go into `translations`.
     GLIFT_API void check_as_made(const char* title, void (*check)(const void* body), const void* body);
 
     template <class S> static KeptStructure record(const char* name, const S& structure, std::string_view scalars) {

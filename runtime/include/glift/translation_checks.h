@@ -70,6 +70,14 @@ private:
     std::vector<Element> values_;
 };
 
+/// What is known about a translator's mapping.
+enum class Mapping {
+    one_to_one,   ///< declared by @one_to_one or `invert`
+    many_to_one,  ///< declared by @many_to_one
+    undeclared,
+    by_tables,  ///< undeclared; the tables that the translator reads decide
+};
+
 namespace detail {
 
 /// A virtual address and the physical one that it maps to.
@@ -77,23 +85,40 @@ struct Translated {
     Extent physical, address;
 };
 
-/// Whether no two addresses map to the same physical one. Reports the first few that do to `test`, if it is not null.
-/// Sorts `all` by physical address.
-GLIFT_API bool is_one_to_one(Test* test, const std::string& name, std::vector<Translated>& all, unsigned rank,
-                             unsigned physical_rank, const std::string& domain);
-GLIFT_API void fail_inverse(Test& test, const std::string& name, unsigned rank, const Extent& address,
-                            const Extent& back, const std::string& domain);
+struct TranslatorText {
+    const std::string& name;
+    const std::string& domain;
+    unsigned rank, physical_rank;
+};
+
+/// Whether no two addresses map to the same physical one. Reports the first few that do to `test`, unless the
+/// translator is declared many-to-one; notes one pair if tables decide. Sorts `all` by physical address.
+GLIFT_API bool is_one_to_one(Test& test, const TranslatorText& text, Mapping mapping, std::vector<Translated>& all);
+/// Whether all physical addresses lie inside the memory. Reports the first few that do not to `test`.
+GLIFT_API bool is_inside(Test& test, const TranslatorText& text, const Extent& memory,
+                         const std::vector<Translated>& all);
+/// Whether an address lies inside a memory of this extent.
+GLIFT_API bool is_within(const Extent& limit, const Extent& address);
+GLIFT_API void fail_inverse(Test& test, const TranslatorText& text, const Extent& address, const Extent& back);
+
+/// A memory's extent. Addresses have 32 bits, so a larger buffer's extent is clamped.
+template <class E> Extent limit_of(const E& extent) {
+    if constexpr (std::is_same_v<E, std::uint64_t>)
+        return extent_of(static_cast<uint>(std::min<std::uint64_t>(extent, 0xffffffffu)));
+    else return extent_of(extent);
+}
 
 }  // namespace detail
 
-/// Checks one translator with the state that a structure gives it: `invert`, if it is not null, undoes `translate`,
-/// and, if the translator has `invert` or @one_to_one, no two addresses map to the same one. Returns the physical
-/// addresses, each once.
+/// Checks one translator with the state that a structure gives it: `invert`, if it is not null, undoes `translate`; no
+/// two addresses map to the same one, unless @many_to_one says so; and all lie inside the memory that the physical
+/// addresses are of, if there is one (not null). A mapping by tables may map several to one: then this is noted.
+/// Returns the physical addresses, each once.
 template <class A, class Translate, class Invert>
 auto check_translator(Test& test, const std::string& name, const Tried<A>& from, const Translate& translate,
-                      const Invert& invert, bool is_claimed_one_to_one) {
+                      const Invert& invert, Mapping mapping, const Extent* memory) {
     using Physical = std::remove_cvref_t<decltype(*translate(A{}))>;
-    constexpr unsigned rank = detail::Axes<A>::count, physical_rank = detail::Axes<Physical>::count;
+    const detail::TranslatorText text{name, from.domain, detail::Axes<A>::count, detail::Axes<Physical>::count};
     Tried<Physical> result{{}, from.domain, from.complete};
     std::vector<detail::Translated> all;
     for (const A& address : from.addresses) {
@@ -110,13 +135,13 @@ auto check_translator(Test& test, const std::string& name, const Tried<A>& from,
             try {
                 const Extent back = detail::extent_of(A(invert(*physical)), 0);
                 if (back != all.back().address && test.failures.size() <= 3)
-                    detail::fail_inverse(test, name, rank, all.back().address, back, from.domain);
+                    detail::fail_inverse(test, text, all.back().address, back);
             } catch (const OutsideTable&) {}
         }
     }
-    const bool one_to_one =
-        detail::is_one_to_one(is_claimed_one_to_one ? &test : nullptr, name, all, rank, physical_rank, from.domain);
-    result.complete = result.complete && one_to_one;
+    const bool one_to_one = detail::is_one_to_one(test, text, mapping, all);
+    const bool inside = memory == nullptr || detail::is_inside(test, text, *memory, all);
+    result.complete = result.complete && one_to_one && inside;
     for (const detail::Translated& one : all) {
         if (result.addresses.empty() || detail::extent_of(result.addresses.back(), 0) != one.physical)
             result.addresses.push_back(detail::address_from<Physical>(one.physical));
@@ -125,17 +150,11 @@ auto check_translator(Test& test, const std::string& name, const Tried<A>& from,
 }
 
 /// True if the whole domain was tested and mapped one-to-one, and all physical addresses lie inside the memory, whose
-/// extent is `extent`. Addresses have 32 bits, so a larger buffer's extent is clamped.
+/// extent is `extent`.
 template <class P, class E> bool fill_memory(const Tried<P>& reached, const E& extent) {
-    Extent limit{};
-    if constexpr (std::is_same_v<E, std::uint64_t>)
-        limit = detail::extent_of(static_cast<uint>(std::min<std::uint64_t>(extent, 0xffffffffu)));
-    else limit = detail::extent_of(extent);
+    const Extent limit = detail::limit_of(extent);
     return reached.complete && std::ranges::all_of(reached.addresses, [&](const P& address) {
-               const Extent at = detail::extent_of(address, 0);
-               for (unsigned axis = 0; axis < 4; ++axis)
-                   if (at[axis] >= limit[axis]) return false;
-               return true;
+               return detail::is_within(limit, detail::extent_of(address, 0));
            });
 }
 
