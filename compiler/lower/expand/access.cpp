@@ -291,8 +291,9 @@ ExprId Expander::near(const Expr& node) {
     if (Halo* halo = halo_of(place.root)) return in_halo(*halo, *offset);
     const bool is_centre = std::ranges::all_of(*offset, [](std::int64_t part) { return part == 0; });
     const ExprId value = is_centre ? element(place.root, node.span) : neighbour(place, *offset);
-    const bool may_copy = cx.kernel.space && (is_centre || !may_map_outside(place.root));
-    if (near_offsets && may_copy) (*near_offsets)[place.root].insert(*offset);
+    const bool may_copy =
+        near_offsets && cx.kernel.space && (is_centre || (is_at_multiples() && !may_map_outside(place.root)));
+    if (may_copy) (*near_offsets)[place.root].insert(*offset);
     if (out_ == top_) near_values.push_back({place.root, std::move(*offset), value});
     return value;
 }

@@ -103,10 +103,12 @@ Pair Expander::of_owner(FunctionId function, std::vector<Pair> arguments) {
     });
 }
 
-/// x, where the value is written as x * divisor (divisor 1: the value itself); absent otherwise. A block that begins at
-/// such a product begins at a multiple of its size, and x is its number along the axis.
+/// x, where the value is written as x * divisor (divisor 1: the value itself) or is a constant multiple of the divisor;
+/// absent otherwise. A block that begins at such a value begins at a multiple of its size, and x is its number along
+/// the axis.
 ExprId Expander::quotient_of(ExprId value, std::uint64_t divisor) {
     const Expr* node = &p.exprs[value];
+    if (const auto bits = build.bits_of(value); bits && *bits % divisor == 0) return build.uint(*bits / divisor);
     if (node->op == Op::local)
         if (const ExprId* definition = cx.definitions.find(node->local)) node = &p.exprs[*definition];
     if (divisor == 1) return value;
@@ -171,6 +173,13 @@ void Expander::enter_block() {
     };
     block_.address = whole(parts);
     block_.last = whole(last);
+}
+
+/// Whether the visited block is known to begin at a multiple of its size along each axis. Then so do the blocks around
+/// it, and the domain begins at a border between blocks.
+bool Expander::is_at_multiples() {
+    visited_address();
+    return std::ranges::all_of(block_.axes, [](const OwnBlock::Axis& axis) { return bool(axis.number); });
 }
 
 /// The address of the element in the structure whose blocks are visited.

@@ -92,7 +92,8 @@ public:
     };
     std::vector<NearValue> near_values;
     /// For kernels over blocks, the offsets at which each near parameter is read; only offset zero for a structure that
-    /// may map addresses outside its domain. Absent if a function that is not inlined reads neighbours.
+    /// may map addresses outside its domain, and where blocks may begin anywhere. Absent if a function that is not
+    /// inlined reads neighbours.
     std::optional<NearOffsets> near_offsets = NearOffsets();
     std::vector<Halo> halos;  ///< with Guards::block: the local copies from which neighbours are read
     /// The test along y of a neighbour read whose offset is positive along y: at + distance < extent.
@@ -279,6 +280,7 @@ private:
     OwnBlock::Axis block_along(std::uint32_t axis, ExprId first, ExprId size);
     void enter_block();
     ExprId visited_address();
+    bool is_at_multiples();
     ExprId origin_of(std::uint32_t root);
     ExprId relative_address();
     ExprId address_in_block(std::uint32_t root);

@@ -2,7 +2,8 @@
 // block and around it are copied to a local array once per block, and the code for an element reads this copy, at
 // constant distances from the element's own index in it. Each adjacent block that the offsets reach is looked up once,
 // if translating its addresses only takes loads that depend on the block alone (where they are at an address divided by
-// the block size, quotients.cpp folds that to the block's number).
+// the block size, quotients.cpp folds that to the block's number). Blocks must be known to begin at multiples of their
+// size: of others, adjacent ones may be cut off by the domain's begin.
 // This is known as ghost cells in block-structured grids, and as block-local storage in Taichi.
 #include "lower/expand/halos.h"
 
@@ -164,7 +165,7 @@ ExprId Expander::in_halo(Halo& halo, const std::vector<std::int64_t>& offset) {
 }
 
 /// The adjacent block along one axis; for step 0 the own one, with `begin` alone. If the adjacent block does not exist,
-/// `begin` is that of the own block, so that looking it up is harmless.
+/// `begin` is that of the own block, so that looking it up is harmless. Blocks must begin at multiples of their size.
 Expander::NextBlock Expander::next_block(std::uint32_t root, std::uint32_t width, std::uint32_t axis, int step) {
     const OwnBlock::Axis& own = block_.axes[axis];
     if (step == 0) return {own.begin, {}, {}};
@@ -174,19 +175,16 @@ Expander::NextBlock Expander::next_block(std::uint32_t root, std::uint32_t width
     if (step > 0) {
         const ExprId domain = build.component(domain_of({root, {}}), axis);
         next.room = named(name + "_room", build.binary(BinaryOp::subtract, domain, build.add(own.last, one)));
-        next.exists = build.binary(BinaryOp::greater, next.room, build.uint(0));
-        if (own.number)
-            next.exists = build.both(next.exists, build.binary(BinaryOp::less, own.number, build.uint(own.most)));
+        next.exists = build.both(build.binary(BinaryOp::greater, next.room, build.uint(0)),
+                                 build.binary(BinaryOp::less, own.number, build.uint(own.most)));
     } else {
-        next.exists = own.number ? build.binary(BinaryOp::greater_equal, own.number, one)
-                                 : build.binary(BinaryOp::greater_equal, own.begin, size);
+        next.exists = build.binary(BinaryOp::greater_equal, own.number, one);
     }
     next.exists = named(name + "_exists", next.exists);
-    const ExprId from = own.number ? own.number : own.begin, by = own.number ? one : size;
-    const ExprId moved = build.binary(step < 0 ? BinaryOp::subtract : BinaryOp::add, from, by);
-    const LocalId number = let(name, build.select(next.exists, moved, from), span_);
-    if (own.number) build.limits[number] = own.most;
-    next.begin = own.number ? build.multiply(build.local(number), size) : build.local(number);
+    const ExprId moved = build.binary(step < 0 ? BinaryOp::subtract : BinaryOp::add, own.number, one);
+    const LocalId number = let(name, build.select(next.exists, moved, own.number), span_);
+    build.limits[number] = own.most;
+    next.begin = build.multiply(build.local(number), size);
     return next;
 }
 

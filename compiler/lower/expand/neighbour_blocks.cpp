@@ -2,9 +2,10 @@
 // that is along no axis longer than a block lies in the invocation's own block or in an adjacent one. The neighbour's
 // physical address is computed for each of these blocks, and the access selects one of the addresses. This is done only
 // if all loads that compute the addresses, such as look-ups in a page table, depend on the block alone (where they are
-// at an address divided by the block size, quotients.cpp folds that to the block's number), and if the structure is
-// known to map no address outside of its domain. Unlike a halo (halos.cpp) this makes no copy, for which shaders would
-// need a barrier, and also works for memory that the pass writes.
+// at an address divided by the block size, quotients.cpp folds that to the block's number), if blocks are known to
+// begin at multiples of their size, and if the structure is known to map no address outside of its domain. Unlike a
+// halo (halos.cpp) this makes no copy, for which shaders would need a barrier, and also works for memory that the pass
+// writes.
 #include "ir/effects.h"
 #include "lower/expand/blocks.h"
 #include "lower/expand/expand.h"
@@ -158,7 +159,7 @@ std::optional<Pair> Expander::beside(const Place& place, const std::vector<std::
     if (axes > 1 && elements_in_block(*block_volume(cx)) == 1) return std::nullopt;
     centre(place.root);  // so that its statements come before those of this neighbour, which may use them
     // Called after `centre`, so that bindings are added in the same order whatever may_map_outside returns.
-    if (may_map_outside(place.root)) return std::nullopt;
+    if (!is_at_multiples() || may_map_outside(place.root)) return std::nullopt;
     Ways ways;
     for (std::uint32_t axis = 0; axis < offset.size(); ++axis)
         ways.push_back(offset[axis] == 0 ? nullptr : &way_along(place.root, axis, offset[axis]));
