@@ -334,7 +334,7 @@ bool expect_each(Body& body, std::span<const ast::ExprId> conditions) {
     }
     const ir::LocalId holds = emit_temporary(body, "holds", condition, span);
     const ir::StmtId expected = emit_expect(body, ir::StmtOp::expect, std::move(sides), span);
-    body.program().stmts[expected].value = condition;
+    body.program().stmts[expected].value = make_local(body.program(), holds, span);
     std::vector<ir::StmtId> rest;
     auto* outer = std::exchange(body.block, &rest);
     const bool fine = expect_each(body, conditions.subspan(1));

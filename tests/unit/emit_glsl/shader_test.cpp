@@ -75,9 +75,9 @@ TEST(Shader, HasParametersInABufferWhereTheyAreNotPushed) {
     EXPECT_THAT(text, HasSubstr("if (parameter(flag))"));
 }
 
-TEST(Shader, ReachesBuffersByAddressInTheWideForm) {
+TEST(Shader, ReachesBuffersByAddressInTheGeneralForm) {
     Builder b;
-    b.pass.form = Form::wide;
+    b.pass.form = Form::general;
     b.pass.push_constants = false;
     ExprId address = b.one_axis();
     auto in = b.buffer("f_data", b.types().vector(b.types().float_, 3), Access::read);
@@ -93,8 +93,8 @@ TEST(Shader, ReachesBuffersByAddressInTheWideForm) {
         text,
         HasSubstr("layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer F_data { vec3 at; };"));
     EXPECT_THAT(text, HasSubstr("    uint64_t g_data;\n"));
-    EXPECT_THAT(text, HasSubstr("G_data(parameters.g_data + address * 12ul).at = "
-                                "F_data(parameters.f_data + address * 12ul).at;"));
+    EXPECT_THAT(text, HasSubstr("G_data(parameters.g_data + uint64_t(address) * 12ul).at = "
+                                "F_data(parameters.f_data + uint64_t(address) * 12ul).at;"));
 }
 
 TEST(Shader, ReadsAndWritesImages) {

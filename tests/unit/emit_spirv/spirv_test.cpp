@@ -47,7 +47,7 @@ TEST(Spirv, DefinesMinAndMaxForNotANumber) {
 
 TEST(Spirv, KeepsExactnessThroughTheOptimiser) {
     Spirv made = spirv_of(head + "void main() { uint i = gl_GlobalInvocationID.x; f[i] = f[i] * f[i] + f[i]; }\n",
-                          Optimise::performance);
+                          Optimise::size);
     ASSERT_EQ(made.error, "");
     EXPECT_EQ(count(disassembled(made.words), " NoContraction"), 2u);
 }

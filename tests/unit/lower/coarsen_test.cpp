@@ -12,12 +12,10 @@ using testing::Not;
 
 const ir::Variant& shader_variant(const ir::Pass& pass) { return variant_for(pass, ir::Devices::shaders); }
 
-/// The number of elements that an invocation takes along each axis; all forms must have the same.
+/// The number of elements that an invocation takes along each axis; both forms must have the same.
 std::array<std::uint32_t, 3> taken(const Lowering& lowering) {
     const ir::Lowered::Forms& forms = lowering.forms("k");
-    for (const ir::Pass* pass : {&forms.general, &forms.wide}) {
-        EXPECT_EQ(shader_variant(*pass).assumes.elements, shader_variant(forms.direct).assumes.elements);
-    }
+    EXPECT_EQ(shader_variant(forms.general).assumes.elements, shader_variant(forms.direct).assumes.elements);
     return shader_variant(forms.direct).assumes.elements;
 }
 

@@ -13,7 +13,7 @@ std::size_t reachable(const Lowering& lowering, ir::Op op) {
         if (lowering.program.exprs[id].op == op) found.insert(id);
     };
     for (const ir::Lowered::Forms& forms : lowering.lowered.passes)
-        for (const ir::Pass* pass : {&forms.direct, &forms.general, &forms.wide}) {
+        for (const ir::Pass* pass : forms.all()) {
             for (const auto* body : bodies_of(*pass)) ir::for_each_expression(lowering.program, *body, note);
             for (ir::FunctionId function : pass->functions)
                 ir::for_each_expression(lowering.program, lowering.program.functions[function].body, note);
