@@ -308,8 +308,25 @@ expect(ran.returncode == 4 and "cannot write 'long.glift'" in ran.stderr, "fmt s
 expect((link.path / "long.glift").read_text() == long, "the file is as it was")
 expect(link.names() == ["files", "long.glift", "real.glift"], "nothing is left beside it", link.names())
 
+# A carriage return alone ends no line, in a comment neither.
+with open(link.path / "old.glift", "w", newline="") as old:
+    old.write("module old;\n/// one,\rtwo\r\nfn f() {}\n")
+says(link.run("--check", "old.glift"), 1, "old.glift:2:9: error: unexpected character U+000D, a carriage return without a line feed")
+with open(link.path / "windows.glift", "w", newline="") as windows:
+    windows.write("module windows;\r\n/// one\r\npub fn f() {}\r\n")
+says(link.run("--check", "windows.glift"), 0)
+
+# `use` finds my-file.glift as my_file, by name, by path and from the command line, and suggests only what parses.
+link.write("my-file.glift", "module my_file;\npub const n = 3u;\n")
+for use in "my_file", "./my_file":
+    link.write("user.glift", f"module user;\nuse {use};\npub fn f() -> uint {{ return n; }}\n")
+    says(link.run("--check", "user.glift"), 0)
+    says(link.run("--check", "user.glift", "my-file.glift"), 0)
+link.write("typo.glift", "module typo;\nuse my_fil;\n")
+says(link.run("--check", "typo.glift"), 1, "did you mean 'my_file'?")
+
 # Errors of standard output.
-for words in ("fmt", "-"), ("--list-outputs", "good.glift"), ("explain", "properties.glift"), ("--version",), \
+for words in ("fmt", "-"), ("--list-outputs", "good.glift"), ("explain", "unknown-name"), ("--version",), \
         ("--dump", "syntax", "--stop-after", "syntax", "good.glift"):
     with open("/dev/full", "w") as full:
         ran = subprocess.run([compiler, *words], cwd=here.path, text=True, input="module a;\n", stdout=full, stderr=subprocess.PIPE)
