@@ -30,6 +30,9 @@
 # In builds of type Debug and RelWithDebInfo (gliftc -g) debuggers show kernels on the host device at the lines of the
 # .glift files.
 #
+# Call it in the folder that makes the target. The files of a target must differ in name. Kernels are compiled with -O3
+# in builds of every type, and without a type, Debug aside.
+#
 # gliftc rewrites an output only if its bytes change. So the build rule's output is a stamp file, and gliftc's outputs
 # are byproducts: where an import was touched but not changed, no C++ is compiled again, and a second build does
 # nothing.
@@ -54,6 +57,21 @@ function(glift_check_spirv_files)
         int main() { return words[0] == 0; }" GLIFT_SPIRV_FILES)
 endfunction()
 
+# Ends with an error if two files of the target, of this call or of earlier ones, have one name: their outputs would, too.
+function(glift_check_names target)
+    foreach(source IN LISTS ARGN)
+        cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
+        cmake_path(GET source STEM LAST_ONLY name)
+        string(MAKE_C_IDENTIFIER "GLIFT_FILE_${name}" property)
+        get_target_property(earlier ${target} ${property})
+        if(earlier)
+            message(FATAL_ERROR "glift_compile: target '${target}' has two files whose outputs would have one name: "
+                    "${earlier} and ${source}. Rename one of them, or compile it for another target")
+        endif()
+        set_target_properties(${target} PROPERTIES ${property} ${source})
+    endforeach()
+endfunction()
+
 function(glift_compile)
     cmake_parse_arguments(PARSE_ARGV 0 arg "CHECKED" "TARGET;SHARDS;ADDRESS_BITS" "SOURCES;IMPORT_DIRS;DEFINES;OPTIONS")
     if(arg_UNPARSED_ARGUMENTS)
@@ -65,6 +83,13 @@ function(glift_compile)
     if(NOT arg_SOURCES)
         message(FATAL_ERROR "glift_compile: SOURCES is empty")
     endif()
+
+    # CMake attaches custom commands and properties of sources only to targets of the same folder.
+    get_target_property(target_folder ${arg_TARGET} SOURCE_DIR)
+    if(NOT target_folder STREQUAL CMAKE_CURRENT_SOURCE_DIR)
+        message(FATAL_ERROR "glift_compile: call it in the folder that makes the target '${arg_TARGET}': ${target_folder}")
+    endif()
+    glift_check_names(${arg_TARGET} ${arg_SOURCES})
 
     if(NOT arg_SHARDS)
         set(arg_SHARDS 4)
@@ -155,12 +180,16 @@ function(glift_compile)
         COMMENT "Compiling ${arg_SOURCES}"
         VERBATIM COMMAND_EXPAND_LISTS)
     target_sources(${arg_TARGET} PRIVATE ${stamp} ${headers} ${codes})
-    # No contraction of sums and products, so that the host device and the GPU agree bit for bit; signed integers wrap
-    # around, as in the language. -fno-math-errno and -fno-trapping-math change no value: they let the compiler
-    # vectorise. Bindings only call the runtime: -O1 compiles them in half the time of -O2.
-    set(flags -ffp-contract=off -fwrapv -fno-math-errno -fno-trapping-math)
-    set_source_files_properties(${bindings} PROPERTIES COMPILE_OPTIONS "${flags};$<$<CONFIG:Release>:-O1>")
-    set_source_files_properties(${kernels} PROPERTIES COMPILE_OPTIONS "${flags};$<$<CONFIG:Release>:-O3>")
+    # No contraction of sums and products and no fast math, whatever the program's flags, so that the host device and the
+    # GPU agree bit for bit; signed integers wrap around, as in the language. -fno-math-errno and -fno-trapping-math
+    # change no value: they let the compiler vectorise, which GCC 12 does at -O3 only. Bindings only call the runtime: -O1
+    # compiles them in half the time of -O2.
+    set(flags -fno-fast-math -fno-finite-math-only -ffp-contract=off -fwrapv -fno-math-errno -fno-trapping-math)
+    set(optimised "$<NOT:$<CONFIG:Debug>>")  # without a build type, too
+    set_source_files_properties(${bindings} PROPERTIES COMPILE_OPTIONS "${flags};$<${optimised}:-O1>")
+    set_source_files_properties(${kernels} PROPERTIES COMPILE_OPTIONS "${flags};$<${optimised}:-O3>")
+    # A precompiled header of the target was compiled with other flags.
+    set_source_files_properties(${codes} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
     # Sources of one module define the same internal names (the structs of kernels' parameters), so that they cannot be
     # compiled as one.
     set_source_files_properties(${codes} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
@@ -170,6 +199,10 @@ function(glift_compile)
     if(CMAKE_GENERATOR MATCHES Ninja)
         cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${CMAKE_BINARY_DIR})
     endif()
+    foreach(reader compiler assembler)  # both read escapes
+        string(REPLACE "\\" "\\\\" folder "${folder}")
+        string(REPLACE "\"" "\\\"" folder "${folder}")
+    endforeach()
     set_source_files_properties(${codes} PROPERTIES COMPILE_DEFINITIONS "GLIFT_SPIRV_FOLDER=\"${folder}\"")
 
     set_property(TARGET ${arg_TARGET} APPEND PROPERTY INCLUDE_DIRECTORIES ${include_dirs})

@@ -25,6 +25,11 @@ if(TARGET gliftc AND TARGET glift_runtime)
     install(FILES ${PROJECT_BINARY_DIR}/gliftConfig.cmake ${PROJECT_BINARY_DIR}/gliftConfigVersion.cmake
                   ${PROJECT_SOURCE_DIR}/cmake/GliftCompile.cmake ${PROJECT_SOURCE_DIR}/cmake/GliftDepfile.cmake
             DESTINATION ${config_dir})
+    # find_package(glift) finds the build tree, too.
+    export(EXPORT gliftTargets NAMESPACE glift:: FILE ${PROJECT_BINARY_DIR}/gliftTargets.cmake)
+    foreach(file GliftCompile.cmake GliftDepfile.cmake)
+        configure_file(${PROJECT_SOURCE_DIR}/cmake/${file} ${PROJECT_BINARY_DIR}/${file} COPYONLY)
+    endforeach()
     # The prefix in glift.pc is relative to that file, since `cmake --install --prefix` may put it anywhere.
     cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX BASE_DIRECTORY ${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/pkgconfig
                OUTPUT_VARIABLE GLIFT_PREFIX_FROM_PKGCONFIG)

@@ -4,9 +4,13 @@
 #include "driver/commands.h"
 #include "driver/environment.h"
 
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
+#include <filesystem>
+#include <new>
 
 namespace {
 
@@ -29,6 +33,16 @@ int internal_error(const char* what) {
     return static_cast<int>(gliftc::ExitCode::internal_error);
 }
 
+/// Flushes standard output. Returns `code`, or ExitCode::environment if any of the output was not written.
+int finish_output(int code) {
+    const bool lost = std::ferror(stdout) != 0;
+    errno = 0;
+    if (std::fflush(stdout) == 0 && !lost) return code;
+    std::fprintf(stderr, "gliftc: cannot write standard output: %s\n",
+                 errno != 0 ? std::strerror(errno) : "some of it was not written");
+    return static_cast<int>(gliftc::ExitCode::environment);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -41,12 +55,19 @@ int main(int argc, char** argv) {
     } catch (const gliftc::EnvironmentError& error) {
         std::fprintf(stderr, "gliftc: %s\n", error.what());
         code = static_cast<int>(gliftc::ExitCode::environment);
+    } catch (const std::filesystem::filesystem_error& error) {
+        std::fprintf(stderr, "gliftc: %s\n", error.what());
+        code = static_cast<int>(gliftc::ExitCode::environment);
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "gliftc: out of memory\n");
+        code = static_cast<int>(gliftc::ExitCode::environment);
     } catch (const std::exception& error) {
         code = internal_error(error.what());
     } catch (...) {
         code = internal_error("an exception of unknown type");
     }
     // Exit without destroying static objects, which takes time.
+    code = finish_output(code);
     std::fflush(nullptr);
     std::_Exit(code);
 }

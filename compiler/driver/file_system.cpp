@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <string_view>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -107,6 +109,42 @@ std::optional<std::string> write_if_changed(const std::string& path, const std::
     written = std::fclose(file) == 0 && written;
     if (!written) return std::strerror(errno);
     return std::nullopt;
+}
+
+namespace {
+
+/// Writes all bytes and waits until they are on the disk. Sets errno if it fails.
+bool write_through(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return fsync(file) == 0;
+}
+
+}  // namespace
+
+std::optional<std::string> replace_file(const std::string& path, const std::string& bytes) {
+    std::error_code error;
+    const std::string target = fs::canonical(path, error).string();  // a symbolic link stays one
+    if (error) return error.message();
+    struct stat info {};
+    if (stat(target.c_str(), &info) != 0) return std::strerror(errno);
+    if (!S_ISREG(info.st_mode)) return "it is not a regular file";
+    if (access(target.c_str(), W_OK) != 0) return std::strerror(errno);
+    std::string beside = target + ".XXXXXX";
+    Descriptor file{mkostemp(beside.data(), O_CLOEXEC)};
+    if (file.number < 0) return std::strerror(errno);
+    const bool owned = fchown(file.number, info.st_uid, info.st_gid) == 0;
+    // Without the owner's rights the file keeps its permissions, but neither set-user-ID nor set-group-ID.
+    const bool done = fchmod(file.number, info.st_mode & (owned ? 07777 : 0777)) == 0 &&
+                      write_through(file.number, bytes) && std::rename(beside.c_str(), target.c_str()) == 0;
+    if (done) return std::nullopt;
+    const int cause = errno;
+    unlink(beside.c_str());
+    return std::strerror(cause);
 }
 
 namespace {

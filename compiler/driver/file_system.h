@@ -31,6 +31,11 @@ FileSystem only_text(std::string text);
 /// Returns the text of an error, such as "No space left on device"; absent if there is none.
 std::optional<std::string> write_if_changed(const std::string& path, const std::string& bytes);
 
+/// Replaces the contents of a file of the user's. The bytes go into a new file beside it, with the same mode, which is
+/// then renamed: after an error, or if the process is killed, the file is as it was. Follows symbolic links. Returns
+/// the text of an error; absent if there is none.
+std::optional<std::string> replace_file(const std::string& path, const std::string& bytes);
+
 /// The folder of the standard library: ../share/glift/stdlib, seen from the folder of this executable.
 std::string library_beside_executable();
 /// The folder of programs that cause diagnostics, one for each, which `gliftc explain ID` prints:

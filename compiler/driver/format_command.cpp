@@ -20,7 +20,7 @@ bool put(const Options& options, const std::string& path, const std::string& bef
     if (options.check_only) {
         std::printf("%s\n", path.c_str());
     } else if (path != "-") {
-        if (auto error = write_if_changed(path, after)) {
+        if (auto error = replace_file(path, after)) {
             std::fprintf(stderr, "error: cannot write '%s': %s\n", path.c_str(), error->c_str());
             code = static_cast<int>(ExitCode::environment);
         }

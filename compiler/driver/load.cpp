@@ -39,6 +39,10 @@ std::string module_of_stem(std::string stem) {
     return stem;
 }
 
+std::string module_of_file(const std::string& name) {
+    return module_of_stem(name.substr(0, name.size() - extension.size()));
+}
+
 class Loader {
 public:
     Loader(const Options& options, const FileSystem& files, Sources& sources, Names& names, ast::Tree& tree,
@@ -107,7 +111,15 @@ private:
         return file == "-" ? fs::path() : fs::path(file).parent_path();
     }
 
-    std::string if_there(const fs::path& path) const { return gliftc::if_there(files_, path); }
+    /// The file at `path`, or else a file of its folder whose module has that name: my-file.glift for my_file.glift.
+    std::string if_there(const fs::path& path) const {
+        if (std::string found = gliftc::if_there(files_, path); !found.empty()) return found;
+        const fs::path folder = path.parent_path();
+        for (const std::string& name : files_.list(folder.empty() ? "." : folder.lexically_normal().string()))
+            if (name.ends_with(extension) && module_of_file(name) == path.stem().string())
+                return gliftc::if_there(files_, folder / name);
+        return {};
+    }
     std::string find_in_library(std::string_view name) const { return gliftc::find_in_library(files_, library_, name); }
 
     std::string find_beside(const std::string& path, const std::string& from) const {
@@ -185,7 +197,7 @@ private:
         std::vector<std::string> names;
         auto add_folder = [&](const fs::path& folder, const std::string& prefix) {
             for (const std::string& name : files_.list(folder.empty() ? "." : folder.string()))
-                if (name.ends_with(extension)) names.push_back(prefix + name.substr(0, name.size() - extension.size()));
+                if (name.ends_with(extension)) names.push_back(prefix + module_of_file(name));
         };
         for (std::string_view folder : library_folders)
             add_folder(fs::path(library_) / folder, std::string(library_prefix));

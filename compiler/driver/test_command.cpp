@@ -31,7 +31,8 @@ std::string text_of(const fs::path& file) {
 
 /// Runs a test program. True if it exits with code 0. If a signal ends it, prints the test that was running as failed.
 bool run_program(const Options& options, const std::string& program) {
-    const fs::path now = fs::temp_directory_path() / ("gliftc-test-now." + std::to_string(getpid()));
+    // Beside the program: the cache can be written, and TMPDIR may name no folder.
+    const fs::path now = program + ".now." + std::to_string(getpid());
     setenv("GLIFT_TEST_NOW", now.c_str(), 1);
     std::vector<std::string> words{program};
     if (!options.test_filter.empty()) words.insert(words.end(), {"--filter", options.test_filter});

@@ -1,18 +1,16 @@
 #include "driver/test_program.h"
 
+#include "driver/cxx_compiler.h"
 #include "driver/digest.h"
 #include "driver/environment.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <set>
 #include <sstream>
 #include <stdexcept>
-#include <sys/wait.h>
 #include <unistd.h>
 
 namespace gliftc {
@@ -22,7 +20,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t entries_kept = 512;  ///< in the cache: programs, objects, records of runs, precompiled headers
-constexpr int cannot_run = 127;
 
 /// The headers that all sources of test programs except those of kernels include.
 constexpr const char* common_headers = "#include <glift/host/math.h>\n#include <glift/structure.h>\n"
@@ -54,62 +51,12 @@ fs::path find_program(const std::string& name) {
     return name;
 }
 
-std::vector<std::string> compiler_words() {
-    const char* chosen = std::getenv("CXX");
-    std::istringstream text(chosen && *chosen ? chosen : "c++");  // CXX may hold a launcher: "ccache g++"
-    std::vector<std::string> words;
-    for (std::string word; text >> word;) words.push_back(word);
-    return words;
-}
-
 fs::path cache_folder() {
     if (const char* named = std::getenv("GLIFT_CACHE_DIR")) return named;
     if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg && *xdg) return fs::path(xdg) / "glift";
     if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache" / "glift";
     return {};
 }
-
-pid_t start(const std::vector<std::string>& words) {
-    std::vector<char*> arguments;
-    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    std::fflush(nullptr);
-    const pid_t child = fork();
-    if (child < 0) throw EnvironmentError("cannot start " + words[0]);
-    if (child != 0) return child;
-    execvp(arguments[0], arguments.data());
-    _exit(cannot_run);
-}
-
-Ended wait_for(pid_t child) {
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0)
-        if (errno != EINTR) return {1, 0};
-    if (WIFEXITED(status)) return {WEXITSTATUS(status), 0};
-    return {1, WTERMSIG(status)};
-}
-
-std::vector<pid_t> start_all(const std::vector<std::vector<std::string>>& commands) {
-    std::vector<pid_t> children;
-    for (const std::vector<std::string>& words : commands) children.push_back(start(words));
-    return children;
-}
-
-/// Waits for processes of the C++ compiler; true if all succeeded. Throws EnvironmentError if there is no such program.
-bool wait_for_all(const std::vector<pid_t>& children) {
-    bool well = true, found = true;
-    for (pid_t child : children) {
-        const Ended ended = wait_for(child);
-        well &= ended.code == 0;
-        found &= ended.code != cannot_run;
-    }
-    if (!found)
-        throw EnvironmentError("'gliftc test' builds tests with a C++ compiler, and there is no '" +
-                               compiler_words()[0] + "' here: install one (Debian: g++), or name one in CXX");
-    return well;
-}
-
-bool run_and_wait_for(const std::vector<std::string>& command) { return wait_for_all(start_all({command})); }
 
 /// The folder of the runtime's library below `root`, a build tree or an installation. Throws EnvironmentError if there
 /// is none.
@@ -137,6 +84,20 @@ void publish(const fs::path& made, const fs::path& name) {
 void touch(const fs::path& path) {
     std::error_code ignored;
     fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
+}
+
+/// A path as it stands between quotes in text that the compiler and then the assembler read: escaped for each.
+std::string quoted_for_assembler(const fs::path& path) {
+    std::string text = path.string();
+    for (int reader = 0; reader < 2; ++reader) {
+        std::string escaped;
+        for (char c : text) {
+            if (c == '"' || c == '\\') escaped += '\\';
+            escaped += c;
+        }
+        text = std::move(escaped);
+    }
+    return text;
 }
 
 /// The file of SPIR-V that a source of kernels includes; null if it has none.
@@ -167,8 +128,6 @@ struct Object {
 
 }  // namespace
 
-Ended run_and_wait(const std::vector<std::string>& words) { return wait_for(start(words)); }
-
 TestPrograms::TestPrograms() {
     const fs::path root = fs::canonical("/proc/self/exe").parent_path().parent_path();
     include_ = root / "include";
@@ -193,7 +152,9 @@ TestPrograms::TestPrograms() {
         fs::create_directories(folder_, error);
         if (!error && access(folder_.c_str(), W_OK) == 0) return;
     }
-    folder_ = new_folder(fs::temp_directory_path() / "gliftc-test");
+    const fs::path temporary = fs::temp_directory_path(error);
+    if (error) throw EnvironmentError("there is no folder for test programs: set GLIFT_CACHE_DIR, or TMPDIR");
+    folder_ = new_folder(temporary / "gliftc-test");
     is_temporary_ = true;
 }
 
@@ -228,7 +189,7 @@ fs::path TestPrograms::compiled_headers() {
                  {"-x", "c++-header", (made / "common.hpp").string(), "-o", (made / "common.hpp.gch").string()});
     std::error_code ignored;
     try {
-        if (run_and_wait_for(words)) {
+        if (CompilerRun(words).wait() && fs::exists(made / "common.hpp.gch")) {
             publish(made, folder);
             return header;
         }
@@ -268,7 +229,7 @@ void TestPrograms::compile(const fs::path& folder, const TestSources& sources) {
     const auto command_of = [&](const Object& object) {
         std::vector<std::string> words = compile_command();
         for (const std::string& include : sources.include_folders) words.push_back("-I" + include);
-        words.push_back("-DGLIFT_SPIRV_FOLDER=\"" + folder.string() + "\"");
+        words.push_back("-DGLIFT_SPIRV_FOLDER=\"" + quoted_for_assembler(folder) + "\"");
         words.insert(words.end(), {"-c", object.source.string(), "-o", object.object.string()});
         return words;
     };
@@ -288,17 +249,45 @@ void TestPrograms::compile(const fs::path& folder, const TestSources& sources) {
         compiled.push_back(object);
     }
     // Sources of kernels include only one of the common headers: they do not wait until these are precompiled.
-    std::vector<pid_t> children = start_all(of_kernels);
+    std::vector<CompilerRun> runs(of_kernels.begin(), of_kernels.end());
     if (const fs::path headers = others.empty() ? fs::path() : compiled_headers(); !headers.empty())
         for (std::vector<std::string>& words : others) words.insert(words.end(), {"-include", headers.string()});
-    std::ranges::copy(start_all(others), std::back_inserter(children));
-    const std::string library = library_.string();
-    link.insert(link.end(),
-                {"-L" + library, "-Wl,-rpath," + library, "-lglift", "-ltbb", "-o", (folder / "program").string()});
-    const bool well = wait_for_all(children);
-    if (well) std::ranges::for_each(compiled, &Object::keep);
-    if (!well || !run_and_wait_for(link))
+    for (const std::vector<std::string>& words : others) runs.emplace_back(words);
+    for (CompilerRun& run : runs) run.wait();
+    for (const CompilerRun& run : runs)
+        if (run.ended.code != 0) refuse(run, "compile", stem, folder);
+    std::ranges::for_each(compiled, &Object::keep);
+    link.insert(link.end(), {"-L" + library_.string(), "-Wl,-rpath," + library_.string(), "-lglift", "-ltbb", "-o",
+                             (folder / "program").string()});
+    CompilerRun linked(link);
+    if (!linked.wait()) refuse(linked, "link", stem, folder);
+    if (!fs::exists(folder / "program"))
+        throw EnvironmentError("the C++ compiler '" + compiler_words()[0] +
+                               "' reported no error, but made no program: CXX must name a compiler that links");
+}
+
+/// Throws an error for a run that failed: the blame is gliftc's only if the compiler, which compiles the runtime's
+/// headers alone, reports an error about a generated file.
+void TestPrograms::refuse(const CompilerRun& run, const std::string& step, const std::string& stem,
+                          const fs::path& folder) {
+    std::string cause = lack_of_resources(run, folder_);
+    const bool compiles = step == "compile";
+    if (cause.empty() && compiles && !can_compile_headers(folder))
+        cause = "it compiles Glift's headers neither: see that CXX names a C++20 compiler (g++ 12, clang 14)";
+    if (cause.empty() && compiles && has_error_in(folder, run.messages))
         throw std::runtime_error("the C++ compiler refused what gliftc wrote for " + stem);
+    if (cause.empty() && !compiles)
+        cause = "the program needs libglift in " + library_.string() + ", and libtbb (Debian: libtbb-dev)";
+    throw EnvironmentError("the C++ compiler could not " + step + " the tests of " + stem + " (" +
+                           how_it_ended(run.ended) + ")" + (cause.empty() ? "" : ": " + cause));
+}
+
+bool TestPrograms::can_compile_headers(const fs::path& folder) const {
+    const std::string source = (folder / "headers.cpp").string();
+    if (write_if_changed(source, common_headers)) return true;  // the failed run's messages say why
+    std::vector<std::string> words = compile_command();
+    words.insert(words.end(), {"-fsyntax-only", source});
+    return CompilerRun(words).wait();
 }
 
 std::string TestPrograms::name_of(const TestSources& sources) const {

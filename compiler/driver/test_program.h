@@ -2,6 +2,7 @@
 #pragma once
 
 #include "driver/compile.h"
+#include "driver/cxx_compiler.h"
 #include "driver/digest.h"
 
 #include <filesystem>
@@ -9,15 +10,6 @@
 #include <vector>
 
 namespace gliftc {
-
-/// How a program ended.
-struct Ended {
-    int code = 0;
-    int signal = 0;  ///< the signal that ended the program; 0: it exited
-};
-
-/// Runs a program with the standard input and outputs of this one, and waits for it.
-Ended run_and_wait(const std::vector<std::string>& words);
 
 /// What a test program is built of.
 struct TestSources {
@@ -41,8 +33,8 @@ public:
     std::string name_of(const TestSources& sources) const;
     /// Whether the cache has the program, which may be from an earlier run.
     bool has(const std::string& name) const;
-    /// Builds the program; sources that an earlier build had, too, are not compiled again. Throws std::runtime_error if
-    /// the C++ compiler fails.
+    /// Builds the program; sources that an earlier build had, too, are not compiled again. Throws EnvironmentError if
+    /// the C++ compiler fails, but std::runtime_error if it refuses what gliftc wrote.
     void build(const std::string& name, const TestSources& sources);
     /// The path of a program that the cache has. Makes its entry the newest one, the last to be removed.
     std::string use(const std::string& name) const;
@@ -52,6 +44,9 @@ public:
 
 private:
     void compile(const std::filesystem::path& folder, const TestSources& sources);
+    [[noreturn]] void refuse(const CompilerRun& run, const std::string& step, const std::string& stem,
+                             const std::filesystem::path& folder);
+    bool can_compile_headers(const std::filesystem::path& folder) const;
     Digest digest_of_surroundings(const TestSources& sources) const;
     std::filesystem::path object_of(const Output& source, const TestSources& sources) const;
     std::vector<std::string> compile_command() const;

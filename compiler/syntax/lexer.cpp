@@ -68,12 +68,24 @@ public:
         valid_ = bad == text_.size();
         if (!valid_) diagnostics_.report(Diag::not_utf8, {file_, offset(bad), offset(bad + 1)});
         if (text_.starts_with("\xef\xbb\xbf")) at_ = 3;
+        check_line_ends();
         while (at_ < text_.size()) next();
         push(TokenKind::end, at_);
         return std::move(list_);
     }
 
 private:
+    /// Reports the first carriage return without a line feed. C++ ends a line there, a comment included.
+    void check_line_ends() {
+        std::size_t at = text_.find('\r');
+        while (at != std::string_view::npos && at + 1 < text_.size() && text_[at + 1] == '\n')
+            at = text_.find('\r', at + 1);
+        if (at == std::string_view::npos) return;
+        auto& error = diagnostics_.report(Diag::bad_character, {file_, offset(at), offset(at + 1)},
+                                          {"U+000D, a carriage return without a line feed"});
+        error.notes.push_back({{}, "end lines with a line feed, or with a carriage return and a line feed"});
+    }
+
     static std::uint32_t offset(std::size_t at) { return static_cast<std::uint32_t>(at); }
     char look(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
 

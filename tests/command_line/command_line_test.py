@@ -287,6 +287,51 @@ if os.geteuid():  # root writes everything
     many.write("kept.glift", "module   kept;\n")
     (many.path / "kept.glift").chmod(0o444)
     says(many.run("fmt", "kept.glift"), 4, "cannot write 'kept.glift'")
+# fmt replaces a file as a whole: the mode and a symbolic link stay, and nothing is left beside it.
+link = Folder()
+link.write("files/real.glift", "module   real;\n")
+(link.path / "files/real.glift").chmod(0o640)
+(link.path / "real.glift").symlink_to("files/real.glift")
+before = (link.path / "files/real.glift").stat()
+says(link.run("fmt", "real.glift"), 0)
+after = (link.path / "files/real.glift").stat()
+expect((link.path / "real.glift").is_symlink() and (link.path / "files/real.glift").read_text() == "module real;\n",
+       "fmt writes through a symbolic link")
+expect(after.st_mode == before.st_mode and after.st_ino != before.st_ino, "a new file with the same mode")
+expect(link.names("files") == ["real.glift"], "nothing is left beside the file", link.names("files"))
+# A limit on the size of files stands for a full disk.
+long = "module long;\n" + "".join(f"fn f{i}()->int{{return {i};}}\n" for i in range(200))
+link.write("long.glift", long)
+ran = subprocess.run(["bash", "-c", f"trap '' XFSZ; ulimit -f 1; exec '{compiler}' fmt long.glift"], cwd=link.path, text=True,
+                     capture_output=True)
+expect(ran.returncode == 4 and "cannot write 'long.glift'" in ran.stderr, "fmt says that it cannot write", ran.stderr)
+expect((link.path / "long.glift").read_text() == long, "the file is as it was")
+expect(link.names() == ["files", "long.glift", "real.glift"], "nothing is left beside it", link.names())
+
+# A carriage return alone ends no line, in a comment neither.
+with open(link.path / "old.glift", "w", newline="") as old:
+    old.write("module old;\n/// one,\rtwo\r\nfn f() {}\n")
+says(link.run("--check", "old.glift"), 1, "old.glift:2:9: error: unexpected character U+000D, a carriage return without a line feed")
+with open(link.path / "windows.glift", "w", newline="") as windows:
+    windows.write("module windows;\r\n/// one\r\npub fn f() {}\r\n")
+says(link.run("--check", "windows.glift"), 0)
+
+# `use` finds my-file.glift as my_file, by name, by path and from the command line, and suggests only what parses.
+link.write("my-file.glift", "module my_file;\npub const n = 3u;\n")
+for use in "my_file", "./my_file":
+    link.write("user.glift", f"module user;\nuse {use};\npub fn f() -> uint {{ return n; }}\n")
+    says(link.run("--check", "user.glift"), 0)
+    says(link.run("--check", "user.glift", "my-file.glift"), 0)
+link.write("typo.glift", "module typo;\nuse my_fil;\n")
+says(link.run("--check", "typo.glift"), 1, "did you mean 'my_file'?")
+
+# Errors of standard output.
+for words in ("fmt", "-"), ("--list-outputs", "good.glift"), ("explain", "unknown-name"), ("--version",), \
+        ("--dump", "syntax", "--stop-after", "syntax", "good.glift"):
+    with open("/dev/full", "w") as full:
+        ran = subprocess.run([compiler, *words], cwd=here.path, text=True, input="module a;\n", stdout=full, stderr=subprocess.PIPE)
+    expect(ran.returncode == 4 and "cannot write standard output" in ran.stderr, f"{words} on a full disk", ran.stderr)
+
 says(many.run("fmt", "--help"), 0, "Exit status", "The other files are done")
 
 # Two files of one name in one run: their outputs would have one name, too.

@@ -106,4 +106,37 @@ here.write("crash.h", "#pragma once\n#include <csignal>\n#include <cstdlib>\n"
 (here.path / "killer").chmod(0o755)
 ran = here.run("test", "--device", "host", "--filter", "halves", wrong, CXX=str(here.path / "killer"))
 says(ran, 1, "FAIL  halves (wrong_translations.glift:", "ended by signal 9 (Killed)")
+
+# What the surroundings cause is no bug in gliftc, whatever the compiler says.
+here.write("env.glift", "module env;\nuse std.array;\nkernel f(x: out each<Array<1, uint>>) { x = 1u; }\n"
+           "test \"one\" { temp x = Array<1, uint>(4u); f(x); expect(await x[3] == 1u); }\n")
+here.write("no_tbb", f"""#!/bin/sh
+case " $* " in *" -ltbb "*) echo "ld: cannot find -ltbb" >&2; exit 1 ;; esac
+exec {cxx} "$@"
+""")
+here.write("cxx17", f"#!/bin/sh\nexec {cxx} \"$@\" -std=c++17\n")
+here.write("starved", "#!/bin/sh\nkill -9 $$\n")
+here.write("full", "#!/bin/sh\necho 'Fatal error: No space left on device' >&2; exit 1\n")
+# A compiler that compiles Glift's headers and refuses the generated code: that one is gliftc's.
+here.write("refuses", f"""#!/bin/sh
+for word; do
+    case "$word" in */env.glift.cpp) echo "$word:3:1: error: refused" >&2; exit 1 ;; esac
+done
+exec {cxx} "$@"
+""")
+for name in "no_tbb", "cxx17", "starved", "full", "refuses":
+    (here.path / name).chmod(0o755)
+for chosen, code, words in (("./no_tbb", 4, "could not link the tests of env"), ("./cxx17", 4, "C++20"),
+                            ("./starved", 4, "signal 9 (Killed) ended it"), ("./full", 4, "there is no space"),
+                            ("true", 4, "made no program"), (f"{cxx} -nonsense", 4, "could not compile the tests of env"),
+                            ("./refuses", 3, "This is a bug in gliftc")):
+    ran = here.run("test", "--device", "host", "env.glift", CXX=chosen, GLIFT_CACHE_DIR=str(here.path / "of" / chosen.strip("./")))
+    says(ran, code, words)
+    expect(("internal error" in ran.said) == (code == 3), f"CXX={chosen}", ran.said)
+
+# Paths that are quoted for the compiler and the assembler; no folder for temporary files. Both devices: SPIR-V is embedded.
+says(here.run("test", "env.glift", GLIFT_CACHE_DIR=str(here.path / 'a "quoted" \\ folder'), TMPDIR="/nonexistent"), 0, "pass  one")
+# A blank CXX means c++.
+ran = here.run("test", "--device", "host", "env.glift", CXX="  ", PATH="", GLIFT_CACHE_DIR=str(here.path / "blank"))
+says(ran, 4, "there is no 'c++' here")
 finish()
