@@ -23,7 +23,8 @@ constexpr TokenSet close_brackets{close_brace, close_paren, close_bracket};
 
 Parser::Nesting::Nesting(Parser& outer) : parser(outer), ok(++outer.depth_ <= deepest) {
     if (ok) return;
-    parser.fail(Diag::too_deep, parser.here());
+    parser.fail(Diag::too_deep, parser.here(), {},
+                "each link of a chain of '?:' or 'else if' counts: look the value up in an array, or use a loop");
     // Skip the rest of the file: unclosed brackets at this depth would only give errors that follow from this one.
     parser.cursor_ = static_cast<std::uint32_t>(parser.tokens_.size() - 1);
     parser.unclosed_at_ = parser.cursor_;

@@ -404,13 +404,14 @@ static bool has_method(Context& c, std::uint32_t container, Name name, std::size
     });
 }
 
-/// Whether the name means a module, or kernels and pipelines that the body cannot run.
+/// Whether the name means a module, or kernels and pipelines of another module that the body cannot run.
 static bool is_uncallable(const Body& body, const Meta& meta) {
     if (meta.kind == MetaKind::module) return true;
     if (meta.kind != MetaKind::declarations || body.kind == BodyKind::pipeline) return false;
     return std::ranges::all_of(meta.declarations, [&](ast::DeclId id) {
         const auto& declared = body.context[id].body;
-        return std::holds_alternative<ast::Kernel>(declared) || std::holds_alternative<ast::Pipeline>(declared);
+        return body.context.module_of.at(id) != body.env.module &&
+               (std::holds_alternative<ast::Kernel>(declared) || std::holds_alternative<ast::Pipeline>(declared));
     });
 }
 
