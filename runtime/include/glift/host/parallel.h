@@ -13,6 +13,10 @@
 #include <type_traits>
 #include <utility>
 
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "kernels have the same results on every device: compile this file with -fno-fast-math -fno-finite-math-only"
+#endif
+
 // Function multiversioning: GCC compiles the function once for each of these instruction sets, and the dynamic linker
 // picks the version with the widest vectors that the CPU has. Where the condition below does not hold, the function is
 // compiled once.
