@@ -24,7 +24,7 @@ TEST(HostKernel, RunsInsideThroughPointersToTheRow) {
     EXPECT_THAT(text, HasSubstr("static void heat_direct(const glift::HostCall& call)"));
     EXPECT_THAT(text, Not(HasSubstr("not lowered")));
     EXPECT_THAT(cpp::parameters_of(globals, pass, "heat_direct"),
-                HasSubstr("static_assert(offsetof(heat_direct_parameters, k) == 12);"));
+                HasSubstr("static_assert(sizeof(heat_direct_parameters) == 16);"));
 }
 
 TEST(Names, StayOutOfTheWayOfCpp) {

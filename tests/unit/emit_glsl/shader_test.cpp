@@ -94,7 +94,7 @@ TEST(Shader, ReachesBuffersByAddressInTheGeneralForm) {
         HasSubstr("layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer F_data { vec3 at; };"));
     EXPECT_THAT(text, HasSubstr("    uint64_t g_data;\n"));
     EXPECT_THAT(text, HasSubstr("G_data(parameters.g_data + uint64_t(address) * 12ul).at = "
-                                "F_data(parameters.f_data + uint64_t(address) * 12ul).at;"));
+                                "F_data(parameters.f_data + uint64_t(address)\n        * 12ul).at;"));
 }
 
 TEST(Shader, ReadsAndWritesImages) {

@@ -25,7 +25,7 @@ TEST(Iterators, NeighboursAreTheCentrePlusAStride) {
     EXPECT_THAT(text, HasSubstr("f_data[f_at + (f_xp1_inside ? 1u : 0u)]"));
     EXPECT_THAT(text, HasSubstr("let f_zm1_inside: bool = address.z >= 1u;"));
     EXPECT_EQ(count(text, "address.x + 1u"), 1u) << text;
-    const ir::Pass& pass = lowering.forms("k").direct;
+    const ir::Pass& pass = lowering.forms("k").general;
     const ir::Variant* variant = interior_variant_for(pass, ir::Devices::host);
     ASSERT_NE(variant, nullptr);
     EXPECT_EQ(interior_variant_for(pass, ir::Devices::shaders), nullptr);
