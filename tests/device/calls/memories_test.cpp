@@ -125,7 +125,7 @@ template <class Call> void expect_error(const char* text, Call&& call) {
         call();
         ADD_FAILURE() << "did not throw: " << text;
     } catch (const glift::Error& error) {
-        EXPECT_EQ(error.code(), glift::ErrorCode::wrong_argument);
+        EXPECT_EQ(error.code(), glift::ErrorCode::given_up);
         EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
     }
 }
