@@ -6,7 +6,8 @@ from model import (BOOL, DOUBLE, FLOAT, FLOATS, HALF, INT, INT64, INTEGERS, NUMB
 SUFFIXES = {UINT: "u", INT64: "l", UINT64: "ul", HALF: "h", DOUBLE: "d"}
 WHOLE = [0, 1, 1, 2, 3, 5, 7, 8, 31, 32, 33, 63, 64, 255, 1000, 65535, 65536, 16777217, 2147483647]
 FRACTIONS = ["0.0", "1.0", "0.5", "2.0", "3.0", "0.1", "0.75", "7.0", "1e-3", "100.0", "1000.5"]
-WIDE_FRACTIONS = ["16777216.0", "1e20", "1e-30", "3e38", "1e-40"]
+# Too large or small for halves: the conversion says that they are floats.
+WIDE_FRACTIONS = ["float(16777216.0)", "float(1e20)", "float(1e-30)", "float(3e38)", "float(1e-40)"]
 INTRINSICS = read_table()
 
 

@@ -332,9 +332,11 @@ bool expect_each(Body& body, std::span<const ast::ExprId> conditions) {
         body.program().stmts[emit_expect(body, ir::StmtOp::expect, std::move(sides), span)].value = condition;
         return true;
     }
+    const bool compares_locals = !sides.empty();
     const ir::LocalId holds = emit_temporary(body, "holds", condition, span);
+    if (!compares_locals) condition = make_local(body.program(), holds, span);
     const ir::StmtId expected = emit_expect(body, ir::StmtOp::expect, std::move(sides), span);
-    body.program().stmts[expected].value = make_local(body.program(), holds, span);
+    body.program().stmts[expected].value = condition;
     std::vector<ir::StmtId> rest;
     auto* outer = std::exchange(body.block, &rest);
     const bool fine = expect_each(body, conditions.subspan(1));
