@@ -36,7 +36,8 @@ lines = {words[1] for words in map(str.split, table.splitlines()) if len(words) 
 expect({"5", "6"} <= lines, "the line table has the lines of the kernel's body", str(sorted(lines)))
 
 if shutil.which("gdb"):
-    said = subprocess.run(["gdb", "-batch", "-ex", "break lines.glift:6", "-ex", "run", "-ex", "continue", "-ex", "info locals",
+    said = subprocess.run(["gdb", "-batch", "-ex", "break lines.glift:6", "-ex", "run", "-ex", "continue", "-ex", "continue",
+                           "-ex", "info locals",
                            here.path / "program"], cwd=here.path, capture_output=True, text=True).stdout
     expect("lines.glift:6" in said and "scaled = 0" in said, "gdb stops at the line and shows the local", said)
 finish()

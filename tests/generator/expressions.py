@@ -6,8 +6,7 @@ from model import (BOOL, DOUBLE, FLOAT, FLOATS, HALF, INT, INT64, INTEGERS, NUMB
 SUFFIXES = {UINT: "u", INT64: "l", UINT64: "ul", HALF: "h", DOUBLE: "d"}
 WHOLE = [0, 1, 1, 2, 3, 5, 7, 8, 31, 32, 33, 63, 64, 255, 1000, 65535, 65536, 16777217, 2147483647]
 FRACTIONS = ["0.0", "1.0", "0.5", "2.0", "3.0", "0.1", "0.75", "7.0", "1e-3", "100.0", "1000.5"]
-# Too large or small for halves: the conversion says that they are floats.
-WIDE_FRACTIONS = ["float(16777216.0)", "float(1e20)", "float(1e-30)", "float(3e38)", "float(1e-40)"]
+WIDE_FRACTIONS = ["16777216.0", "1e20", "1e-30", "3e38", "1e-40"]
 INTRINSICS = read_table()
 
 
@@ -128,6 +127,8 @@ class Expressions:
         else:
             choices = FRACTIONS if t == HALF or self.random.chance(90) else WIDE_FRACTIONS
             text = self.random.choice(choices) + suffix
+            if choices is WIDE_FRACTIONS and not suffix:
+                text = f"float({text})"  # a literal without a suffix could take the type half, for which it is too large
         if t not in SIGNED or not self.random.chance(25):
             return text
         # A literal without a suffix takes the expected type, which could be unsigned: negative ones are converted to

@@ -106,35 +106,27 @@ void print_let(Printer& p, const Stmt& stmt) {
                       value, ";"));
 }
 
-/// Whether computing the value changes nothing and does not wait for the device. False for all that is not obvious.
-bool is_plain(const Printer& p, ExprId id) {
-    bool plain = true;
-    ir::for_each_node(p.program, id, [&](ExprId node) {
-        switch (p.program.exprs[node].op) {
-        case Op::constant:
-        case Op::local:
-        case Op::construct:
-        case Op::convert:
-        case Op::binary:
-        case Op::unary:
-        case Op::swizzle:
-        case Op::member:
-        case Op::memory_extent:
-        case Op::host_state:
-        case Op::domain: return;
-        default: plain = false;
-        }
-    });
-    return plain;
+bool is_constant(const Printer& p, ExprId id) {
+    const Expr& expr = p.program.exprs[id];
+    return expr.op == Op::constant ||
+           (expr.op == Op::construct &&
+            std::ranges::all_of(expr.operands, [&](ExprId operand) { return is_constant(p, operand); }));
 }
 
-/// Whether a `let` is a plain value that no later statement mentions: it was used at compile time only (in a type, a
-/// generic argument, another constant), in the excluded branch of an `if`, or not at all.
+/// Whether the value is a property of a structure, as only pipelines have them.
+bool is_property(const Printer& p, ExprId id) {
+    const Op op = p.program.exprs[id].op;
+    return op == Op::member || op == Op::memory_extent || op == Op::host_state || op == Op::domain;
+}
+
+/// Whether a `let` is a constant or a property that no later statement mentions: it was used at compile time only (in a
+/// type, a generic argument, another constant), in the branch that a constant condition excludes, or not at all.
 bool is_used_up(const Printer& p, const std::vector<ir::StmtId>& body, std::size_t at) {
     const Stmt& stmt = p.program.stmts[body[at]];
     if (stmt.op != StmtOp::let || !stmt.value || p.program.locals[stmt.local].is_mutable || is_outer(p, stmt.local))
         return false;
-    return is_plain(p, stmt.value) && !mentions(p.program, {body.begin() + at + 1, body.end()}, stmt.local);
+    const bool is_free = is_constant(p, stmt.value) || is_property(p, stmt.value);
+    return is_free && !mentions(p.program, {body.begin() + at + 1, body.end()}, stmt.local);
 }
 
 bool is_array(const Printer& p, ir::TypeId type) { return p.program.types.kind(type) == ir::TypeKind::array; }

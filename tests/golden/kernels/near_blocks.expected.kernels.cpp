@@ -68,6 +68,7 @@ static void right_general_rows(const glift::HostCall& call, const glift::host::R
             const bool g_table_value_inside = g_table_address < g_table_extent;
             const uint g_table_value = g_table_data[g_table_value_inside ? g_table_address : 0u];
             const uint g_entry = g_table_value_inside ? g_table_value : 0u;
+            const uint g_frames_index = g_entry - 1u;
             const uint value = block_x * 8u + 7u;
             const uint2 value_2 = uint2(value, block_y * 8u + 7u) - g_origin;
             is_whole = block_x <= 536870911u && block_y <= 536870911u
