@@ -327,7 +327,7 @@ struct Memory {
     Format format = Format::none;
     ExprId extent;  ///< uint, uint2 or uint3, over the structure (root 0); lower/transform/widen.h makes it 64 bits
                     ///< wide for buffers, and for images if its arithmetic may exceed 32 bits
-    ExprId mips;                    ///< of an image: the number of its mip levels; absent: one
+    ExprId mips;    ///< of an image: the number of its mip levels; absent: one
     std::optional<ImagePart> part;  ///< the image is this part of another one; none: it is made with the structure
     bool linear = false;            ///< of an image: declared with `filter linear`
     Compare compare = Compare::less_equal;

@@ -1,3 +1,4 @@
+// long: the texts of all helpers stand together
 // Helpers: operations that GLSL lacks or does not define for all operands, or that drivers get wrong, as functions
 // printed before those of the source, if they are used. Arithmetic helpers give the same bits as the host device and
 // the constant evaluator if division is correctly rounded (Rounding::correct), except `angle` (atan2) away from (0, 0).

@@ -1,3 +1,4 @@
+// long: what a name called means decides between cases that call each other
 // Calls: of functions, types (construction), methods and built-ins.
 #include "ir/chain.h"
 #include "sema/bodies/order.h"

@@ -124,14 +124,14 @@ public:
 /// Device::record `write`, `copy_from` and `fill` (a member of `Self`) are recorded, and `read`, `read_resident` and
 /// `map` throw, since they wait.
 ///
-/// A generated structure itself has
-///   domain()                   the extent of the virtual domain;
-///   same_state(other)          whether constructor values and the state of the parts are equal, so that kernels may use
-///                              the sizes of one for both;
-///   fill(value[, range])       gives every element, or those of a box, the same value;
-///   copy_out, copy_in          copy elements to a linear buffer, the first axis fastest, and back;
-///   place(address)             the index of an element in row_memory(), where that is an affine function of the address;
-///   describe(see)              calls see.value, see.memory, see.member or see.given for each part (glift/inspect.h).
+/// A generated structure itself has these members:
+/// - domain(): the extent of the virtual domain;
+/// - same_state(other): whether constructor values and the state of the parts are equal, so that kernels may use the
+///   sizes of one for both;
+/// - fill(value[, range]): gives every element, or those of a box, the same value;
+/// - copy_out, copy_in: copy elements to a linear buffer, the first axis fastest, and back;
+/// - place(address): the index of an element in row_memory(), where that is an affine function of the address;
+/// - describe(see): calls see.value, see.memory, see.member or see.given for each part (glift/inspect.h).
 template <class Self, class A, class T> class Structure {
 public:
     using Address = A;

@@ -71,7 +71,11 @@ template <glift::Blend blend, glift::Cull cull> void host_draw(const glift::Host
 }
 
 const glift::Binding bindings[] = {
-    {.name = "corners.data", .kind = glift::MemoryKind::buffer, .access = Access::read, .address_offset = 16, .element_bytes = 32},
+    {.name = "corners.data",
+     .kind = glift::MemoryKind::buffer,
+     .access = Access::read,
+     .address_offset = 16,
+     .element_bytes = 32},
     {.name = "counts.data", .kind = glift::MemoryKind::buffer, .access = Access::read_write, .address_offset = 24}};
 const glift::ColourTarget replaced[] = {{"image", glift::Format::rgba32f}};
 const glift::ColourTarget blended[] = {{"image", glift::Format::rgba32f, glift::Blend::over}};
