@@ -402,6 +402,7 @@ void print_pipeline(Unit& unit, Writer& out, std::uint32_t index) {
     PipelinePrinter printer(unit, pipeline);
     printer.tracks = is_test(unit, index);
     printer.p.out.indent();
+    printer.p.marks_unused = true;
     if (pipeline.is_value && !calls_functions(unit, pipeline)) printer.commands = "commands.always()";
     print_statements(printer.p, pipeline.body);
     if (printer.tracks) printer.keep_all();

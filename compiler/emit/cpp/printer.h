@@ -116,6 +116,7 @@ struct Printer {
     Writer out;
     Scopes names;
     const NameSet* class_names = nullptr;  ///< within a class: names that hide those of the namespace
+    bool marks_unused = false;  ///< in pipelines: only the excluded branch of a constant `if` may use a local
     std::unordered_map<ir::LocalId, std::string> local_names;
     std::unordered_map<ir::FunctionId, std::string> local_functions;  ///< names of lambdas in the printed body
     /// Spells the operations that depend on what surrounds the body, such as parameters, loads, members, derivatives

@@ -84,7 +84,8 @@ void print_assign(Printer& p, const Stmt& stmt) {
 /// a workgroup, or for each pixel of a block.
 bool is_outer(const Printer& p, ir::LocalId local) { return p.outer_local && !p.outer_local(local).empty(); }
 
-void print_let(Printer& p, const Stmt& stmt) {
+/// `mark` stands before the declaration.
+void print_let(Printer& p, const Stmt& stmt, const char* mark) {
     const ir::Local& local = p.program.locals[stmt.local];
     const bool outer = is_outer(p, stmt.local);
     // In C++ the name is in scope in its own initialiser, where it hides others. So it is entered into p.names before
@@ -99,7 +100,7 @@ void print_let(Printer& p, const Stmt& stmt) {
         else p.out.line(p.outer_local(stmt.local) + " = " + (stmt.value ? value : "{}") + ";");
         return;
     }
-    p.out.line(concat(local.is_mutable ? "" : "const ", type_text(p.globals, local.type), " ", name,
+    p.out.line(concat(mark, local.is_mutable ? "" : "const ", type_text(p.globals, local.type), " ", name,
                       stmt.value           ? " = "
                       : stmt.uninitialized ? ""
                                            : "{}",
@@ -243,8 +244,15 @@ void mark_line(Printer& p, Span span) {
 void print_statements(Printer& p, const std::vector<ir::StmtId>& body) {
     for (std::size_t i = 0; i < body.size(); ++i) {
         if (is_used_up(p, body, i)) continue;
-        if (is_name(p, body, i)) print_name(p, p.program.stmts[body[i]]);
-        else print_statement(p, body[i]);
+        const Stmt& stmt = p.program.stmts[body[i]];
+        if (is_name(p, body, i)) {
+            print_name(p, stmt);
+        } else if (stmt.op == StmtOp::let && p.marks_unused) {
+            mark_line(p, stmt.span);
+            print_let(p, stmt, unused_mark(p.program, {body.begin() + i + 1, body.end()}, stmt.local));
+        } else {
+            print_statement(p, body[i]);
+        }
     }
 }
 
@@ -253,7 +261,7 @@ void print_statement(Printer& p, ir::StmtId id) {
     if (stmt.op != StmtOp::block && stmt.op != StmtOp::release && stmt.op != StmtOp::subgroup_barrier)
         mark_line(p, stmt.span);
     switch (stmt.op) {
-    case StmtOp::let: return print_let(p, stmt);
+    case StmtOp::let: return print_let(p, stmt, "");
     case StmtOp::assign: return print_assign(p, stmt);
     case StmtOp::if_: return print_if(p, stmt);
     case StmtOp::for_: return print_for(p, stmt);
