@@ -165,7 +165,7 @@ void add_output_options(CLI::App& app, Options& options, Typed& typed) {
         ->group("Output");
     app.add_flag("-g", options.source_lines, "Generated C++ names the lines of its source, for debuggers")
         ->group("Output");
-    app.add_flag("-O,--optimize", options.optimize, "Make SPIR-V smaller: a fifth, for half as much more time")
+    app.add_flag("-O,--optimize", options.optimize, "Make SPIR-V smaller: a fifth, for up to half as much more time")
         ->group("Output");
 }
 

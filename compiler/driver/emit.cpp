@@ -106,7 +106,7 @@ void emit_shaders(const Options& options, const Compilation& c, std::uint32_t mo
     }
 }
 
-/// The shaders as programs embed them: names and line numbers would be a fifth of their bytes.
+/// The shaders as programs embed them: names and line numbers would be a quarter of their bytes.
 std::vector<cpp::KernelCode> stripped(std::vector<cpp::KernelCode> shaders) {
     for (cpp::KernelCode& code : shaders)
         for (cpp::FormCode* form : {&code.direct, &code.general})

@@ -172,22 +172,31 @@ std::vector<std::string> TestPrograms::compile_command() const {
     return words;
 }
 
-/// Precompiles the common headers, whose parsing takes most of a small program's build, unless the cache has them.
-/// Returns the header to be included first; empty if the C++ compiler cannot precompile it, or the cache is temporary.
-fs::path TestPrograms::compiled_headers() {
-    if (is_temporary_) return {};
+/// The common headers, precompiled, for a run that compiles `sources` sources with them: parsing them takes most of a
+/// small program's build, but precompiling takes as long as parsing them twice. So the cache precompiles them for the
+/// first run with which more than four sources in all need them. Returns the header to be included first; empty if it
+/// is not precompiled yet, the C++ compiler cannot do it, or the cache is temporary.
+fs::path TestPrograms::compiled_headers(std::size_t sources) {
+    constexpr std::size_t parsed_at_most = 4;
+    if (is_temporary_ || sources == 0) return {};
     const fs::path folder = folder_ / ("headers-" + tools_);
     const fs::path header = folder / "common.hpp";
     if (fs::exists(header)) {
         touch(folder);
         return header;
     }
+    const fs::path count = folder_ / ("parsed-" + tools_);
+    std::error_code ignored;
+    const std::size_t in_all = sources + (fs::exists(count) ? fs::file_size(count, ignored) : 0);
+    if (in_all <= parsed_at_most) {
+        write_if_changed(count.string(), std::string(in_all, '.'));
+        return {};
+    }
     const fs::path made = new_folder(folder);
     write_if_changed((made / "common.hpp").string(), common_headers);
     std::vector<std::string> words = compile_command();
     words.insert(words.end(),
                  {"-x", "c++-header", (made / "common.hpp").string(), "-o", (made / "common.hpp.gch").string()});
-    std::error_code ignored;
     try {
         if (CompilerRun(words).wait() && fs::exists(made / "common.hpp.gch")) {
             publish(made, folder);
@@ -250,7 +259,7 @@ void TestPrograms::compile(const fs::path& folder, const TestSources& sources) {
     }
     // Sources of kernels include only one of the common headers: they do not wait until these are precompiled.
     std::vector<CompilerRun> runs(of_kernels.begin(), of_kernels.end());
-    if (const fs::path headers = others.empty() ? fs::path() : compiled_headers(); !headers.empty())
+    if (const fs::path headers = compiled_headers(others.size()); !headers.empty())
         for (std::vector<std::string>& words : others) words.insert(words.end(), {"-include", headers.string()});
     for (const std::vector<std::string>& words : others) runs.emplace_back(words);
     for (CompilerRun& run : runs) run.wait();

@@ -50,7 +50,7 @@ private:
     Digest digest_of_surroundings(const TestSources& sources) const;
     std::filesystem::path object_of(const Output& source, const TestSources& sources) const;
     std::vector<std::string> compile_command() const;
-    std::filesystem::path compiled_headers();
+    std::filesystem::path compiled_headers(std::size_t sources);
     void remove_oldest() const;
 
     std::filesystem::path include_, library_;  ///< the runtime's headers and library, found by this executable's path

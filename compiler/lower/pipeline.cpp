@@ -125,8 +125,8 @@ void add_whole_block(Context& cx, const Expander& checked, const std::vector<Exp
 }
 
 /// Adds the host device's variant for elements whose neighbours are all in the domain, if neighbour reads have guards,
-/// all of one domain; not in kernels over blocks. Keeps the expression of the domain in `holders`
-/// until move_uniforms has made a parameter of it.
+/// all of one domain; not in kernels over blocks. Keeps the expression of the domain in `holders` until move_uniforms
+/// has made a parameter of it.
 void add_interior(Context& cx, Expander& checked, const std::vector<ExprId>& facts, std::vector<StmtId>& holders) {
     if (cx.is_direct() || cx.kernel.space || !checked.has_near_guards || !checked.near_domains_agree) return;
     Expander expander(cx, Guards::interior);
@@ -143,7 +143,7 @@ void add_interior(Context& cx, Expander& checked, const std::vector<ExprId>& fac
 
 /// Fills in the parameters that hold the domain and origin of the interior variant, or drops the variant if the domain
 /// is no parameter.
-void renumber_interior(Context& cx, const Expander& checked, const std::vector<StmtId>& holders) {
+void fill_interior(Context& cx, const Expander& checked, const std::vector<StmtId>& holders) {
     if (holders.empty()) return;
     Interior& interior = *cx.pass.variants.back().assumes.interior;
     interior.domain = parameter_of(cx, cx.p.stmts[holders[0]].value);
@@ -281,7 +281,7 @@ void lower_computation(Context& cx, Elements elements) {
     if (cx.is_stopped) return;
     bodies.push_back(&holders);
     move_uniforms(cx, bodies);
-    renumber_interior(cx, expander, holders);
+    fill_interior(cx, expander, holders);
     finished(cx, "move_uniforms", pass.variants, {}, "body");
     if (!cx.is_stopped) complete(cx);
 }

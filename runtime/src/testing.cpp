@@ -54,12 +54,6 @@ struct ScalarReader {
     }
 };
 
-std::string floating_text(double value, int digits) {
-    char buffer[40];
-    std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
-    return buffer;
-}
-
 /// Where an element's scalars lie, and how many bytes it is from one element to the next.
 struct Places {
     struct Part {
@@ -189,8 +183,8 @@ private:
 namespace detail {
 
 std::string number_text(bool value) { return value ? "true" : "false"; }
-std::string number_text(float value) { return floating_text(value, 9); }
-std::string number_text(double value) { return floating_text(value, 17); }
+std::string number_text(float value) { return number_text(double{value}, 9); }
+std::string number_text(double value) { return number_text(value, 17); }
 std::string number_text(std::int64_t value) { return std::to_string(value); }
 std::string number_text(std::uint64_t value) { return std::to_string(value); }
 

@@ -14,6 +14,9 @@ import tempfile
 import time
 
 
+numbers_printed = "0 2 4 6 8 10 12 14 1 1 1 1 0 0 0 0".split()
+
+
 def run(*command, **options):
     result = subprocess.run([str(c) for c in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                             **options)
@@ -32,6 +35,7 @@ class Consumer:
     def __init__(self, folder, settings):
         self.source = folder / "a consumer"  # paths with spaces
         self.build_dir = folder / "its build"
+        folder.mkdir(exist_ok=True)
         shutil.copytree(pathlib.Path(__file__).parent / "consumer", self.source)
         run("cmake", "-G", "Ninja", "-S", self.source, "-B", self.build_dir, "-DCMAKE_BUILD_TYPE=Release", *settings)
 
@@ -65,7 +69,7 @@ class Consumer:
 def check(consumer):
     consumer.build()
     numbers = consumer.output()
-    expect(numbers == "0 2 4 6 8 10 12 14 1 1 1 1".split(), f"the program computes ({' '.join(numbers)})")
+    expect(numbers == numbers_printed, f"the program computes ({' '.join(numbers)})")
     expect("no work to do" in consumer.build(), "a second build does nothing")
 
     imported = consumer.source / "imports" / "factor.glift"
@@ -88,6 +92,38 @@ def check(consumer):
         expect(str(consumer.source) not in output.read_text(errors="replace"), f"{output.name} holds no absolute path")
 
 
+def check_refusals(folder, settings):
+    """Projects that call glift_compile wrongly: CMake ends with an error that names the remedy."""
+    def refused(name, lists, message):
+        project = folder / name
+        shutil.copytree(pathlib.Path(__file__).parent / "consumer", project)
+        (project / "part").mkdir()
+        shutil.copy(project / "shift.glift", project / "part" / "scale.glift")
+        text = (project / "CMakeLists.txt").read_text()
+        (project / "CMakeLists.txt").write_text(text[:text.index("glift_compile")] + lists)
+        (project / "part" / "CMakeLists.txt").write_text("glift_compile(TARGET consumer SOURCES scale.glift)\n")
+        result = subprocess.run(["cmake", "-G", "Ninja", "-S", project, "-B", folder / (name + " build"), *settings],
+                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        said = " ".join(result.stdout.split())
+        expect(result.returncode != 0 and message in said, f"{name}: CMake says '{message}'")
+
+    refused("another folder", "add_subdirectory(part)\n", "call it in the folder that makes the target 'consumer'")
+    refused("one name", "glift_compile(TARGET consumer SOURCES scale.glift part/scale.glift IMPORT_DIRS imports)\n",
+            "Rename one of them")
+
+
+def check_flags(folder, settings):
+    """Programs with flags of their own compute the same."""
+    for name, flags in {
+        "fast math": ["-DCMAKE_CXX_FLAGS=-ffast-math"],
+        "clang with a precompiled header": [
+            "-DCMAKE_C_COMPILER=clang-14", "-DCMAKE_CXX_COMPILER=clang++-14", "-DPRECOMPILED=<vector>"],
+    }.items():
+        consumer = Consumer(folder / name, settings + flags)
+        consumer.build()
+        expect(consumer.output() == numbers_printed, f"{name}: the program computes ({' '.join(consumer.output())})")
+
+
 def check_pkg_config(folder, prefix):
     """Builds the same program without CMake, with the flags that pkg-config gives for Glift's headers and library."""
     made, program = folder / "made", folder / "program"
@@ -103,7 +139,7 @@ def check_pkg_config(folder, prefix):
     run("c++", "-std=c++20", "-I", made, source / "main.cpp", *made.glob("*.cpp"), *pkg_config("--cflags", "--libs"),
         "-o", program)
     libdir = pkg_config("--variable=libdir")[0]
-    expect(run(program, env={**environment, "LD_LIBRARY_PATH": libdir}).split() == "0 2 4 6 8 10 12 14 1 1 1 1".split(),
+    expect(run(program, env={**environment, "LD_LIBRARY_PATH": libdir}).split() == numbers_printed,
            "a program built by pkg-config alone computes")
 
 
@@ -124,6 +160,11 @@ def main():
             run("cmake", "--install", sys.argv[3], "--prefix", prefix)
             settings = [f"-DCMAKE_PREFIX_PATH={prefix}"]
             check_pkg_config(folder, prefix)
+            check_refusals(folder, settings)
+            check_flags(folder, settings)
+            of_build_tree = Consumer(folder / "of the build tree", [f"-Dglift_DIR={sys.argv[3]}"])
+            of_build_tree.build()
+            expect(of_build_tree.output() == numbers_printed, "find_package takes the build tree, not installed")
         check(Consumer(folder, settings))
 
 

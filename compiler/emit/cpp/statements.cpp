@@ -114,20 +114,13 @@ bool is_constant(const Printer& p, ExprId id) {
             std::ranges::all_of(expr.operands, [&](ExprId operand) { return is_constant(p, operand); }));
 }
 
-/// Whether the value is a property of a structure, as only pipelines have them.
-bool is_property(const Printer& p, ExprId id) {
-    const Op op = p.program.exprs[id].op;
-    return op == Op::member || op == Op::memory_extent || op == Op::host_state || op == Op::domain;
-}
-
-/// Whether a `let` is a constant or a property that no later statement mentions: it was used at compile time only (in a
-/// type, a generic argument, another constant), in the branch that a constant condition excludes, or not at all.
+/// Whether a `let` is a constant that no later statement mentions: it was used at compile time only (in a type, a
+/// generic argument, another constant), in the branch that a constant condition excludes, or not at all.
 bool is_used_up(const Printer& p, const std::vector<ir::StmtId>& body, std::size_t at) {
     const Stmt& stmt = p.program.stmts[body[at]];
     if (stmt.op != StmtOp::let || !stmt.value || p.program.locals[stmt.local].is_mutable || is_outer(p, stmt.local))
         return false;
-    const bool is_free = is_constant(p, stmt.value) || is_property(p, stmt.value);
-    return is_free && !mentions(p.program, {body.begin() + at + 1, body.end()}, stmt.local);
+    return is_constant(p, stmt.value) && !mentions(p.program, {body.begin() + at + 1, body.end()}, stmt.local);
 }
 
 bool is_array(const Printer& p, ir::TypeId type) { return p.program.types.kind(type) == ir::TypeKind::array; }

@@ -11,12 +11,12 @@
 //             none has halves); parameters of a direct form that are not push constants lie there, too.
 //
 // Generated code chooses the form. Where the ranges allow the direct form, it asks Commands::can_be_direct(kernel,
-// memories, size, sharing) before it packs the parameters. The answer is false on the host device; for a buffer larger
-// than a descriptor can cover; for more buffers than the device has descriptors; for an iteration in several axes of
-// more workgroups than one dispatch may have (not over blocks, not of draws); and for elements that are reached by two
-// bindings (Sharing::one_place). On Vulkan devices the runtime writes the address of each buffer into the general
-// form's parameters, at Binding::address_offset (8-byte aligned). A buffer of 2^32 elements or more is refused
-// (ErrorCode::too_large) by kernels that compute physical addresses in 32 bits.
+// memories, size, sharing) before it packs the parameters. The answer is false where the direct form has no code for
+// the device; for a buffer larger than a descriptor can cover; for more buffers than the device has descriptors; for an
+// iteration in several axes of more workgroups than one dispatch may have (not over blocks, not of draws); and for
+// elements that are reached by two bindings (Sharing::one_place). On Vulkan devices the runtime writes the address of
+// each buffer into the general form's parameters, at Binding::address_offset (8-byte aligned). A buffer of 2^32
+// elements or more is refused (ErrorCode::too_large) by kernels that compute physical addresses in 32 bits.
 #pragma once
 
 #include <glift/host/memory.h>

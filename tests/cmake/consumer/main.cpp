@@ -16,5 +16,7 @@ int main() {
     shift::Line h(device, {4});
     shift::shift(device, h);
     for (const float value : h.read({0}, {4})) std::printf("%g ", value);
+    shift::there_and_back(device, h, 1.0e8f);
+    for (const float value : h.read({0}, {4})) std::printf("%g ", value);
     std::printf("\n");
 }

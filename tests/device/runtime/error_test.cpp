@@ -253,6 +253,28 @@ TEST_P(CallErrors, CallsThatDoNotFitTheirKernel) {
               ErrorCode::wrong_argument);
 }
 
+// Only the host device is sure to have a buffer of so many elements: its pages are taken when they are touched.
+TEST(ElementCounts, OfMoreThan32BitsAreErrors) {
+    const glift::Device device = glift::Device::open("host");
+    const glift::Memory bytes = buffer(device, "g.data", std::uint64_t{1} << 32);
+    const glift::Binding binding[] = {
+        {.name = "g.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .element_bytes = 1}};
+    glift::Kernel kernel = store_value;
+    kernel.bindings = binding;
+    const AddParameters block = {1, 2};
+    const auto call = [&] {
+        device.commands().dispatch(kernel, {.form = glift::FormName::direct,
+                                            .memories = {&bytes, 1},
+                                            .parameters = bytes_of(block),
+                                            .size = {1, 1, 1, 1}});
+    };
+    const auto error = error_of(call);
+    expect_complete(error, ErrorCode::too_large);
+    EXPECT_NE(error.remedy().find("--address-bits=64"), std::string::npos) << error.what();
+    kernel.address_bits = 64;
+    EXPECT_NO_THROW(call());
+}
+
 TEST_P(CallErrors, MissingForm) {
     const auto g = buffer(device, "g.data", 256);
     static const glift::Binding binding[] = {{"g.data", glift::MemoryKind::buffer, glift::Access::write}};

@@ -8,7 +8,7 @@
 
 namespace kernels {
 
-extern const glift::Kernel scale;         ///< g = factor * f, in all three forms; {size, factor}
+extern const glift::Kernel scale;         ///< g = factor * f, in both forms; {size, factor}
 extern const glift::Kernel add_in_place;  ///< g = 2 g + amount; {size, amount}
 extern const glift::Kernel store_value;   ///< g = value; {size, value}
 extern const glift::Kernel number_lanes;  ///< g = the number of the lane in its subgroup; {size, 0}

@@ -1,4 +1,5 @@
 #include "emit/spirv/emit.h"
+#include "emit/spirv/strip.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,6 +51,32 @@ TEST(Spirv, KeepsExactnessThroughTheOptimiser) {
                           Optimise::size);
     ASSERT_EQ(made.error, "");
     EXPECT_EQ(count(disassembled(made.words), " NoContraction"), 2u);
+}
+
+TEST(Spirv, ModulesWithoutDebugInfoAreTheSameCode) {
+    const Spirv made =
+        spirv_of(head + "#line 7 \"f.glift\"\nvoid main() { uint i = gl_GlobalInvocationID.x; f[i] += f[0]; }\n");
+    ASSERT_EQ(made.error, "");
+    const std::vector<std::uint32_t> words = without_debug_info(made.words);
+    const std::string before = disassembled(made.words), after = disassembled(words);
+    for (const char* op : {"OpSource", "OpName", "OpMemberName", "OpString", "OpLine"}) {
+        EXPECT_THAT(before, HasSubstr(op));
+        EXPECT_THAT(after, Not(HasSubstr(op)));
+    }
+    for (const char* op : {"OpEntryPoint", "OpDecorate", "OpLoad", "OpStore", "OpFAdd"})
+        EXPECT_EQ(count(after, op), count(before, op)) << op;
+    spvtools::ValidatorOptions options;
+    options.SetScalarBlockLayout(true);
+    EXPECT_TRUE(spvtools::SpirvTools(SPV_ENV_VULKAN_1_3).Validate(words.data(), words.size(), options));
+}
+
+TEST(Spirv, OptimisationForSizeMakesModulesSmaller) {
+    const std::string source =
+        head +
+        "void main() { uint i = gl_GlobalInvocationID.x; vec3 x = f[i]; vec3 unused = f[i + 1]; f[i] = x + x; }\n";
+    const Spirv plain = spirv_of(source), small = spirv_of(source, Optimise::size);
+    ASSERT_EQ(plain.error + small.error, "");
+    EXPECT_LT(without_debug_info(small.words).size(), without_debug_info(plain.words).size());
 }
 
 TEST(Spirv, StatesTheAlignmentOfScalarsForPartsOfStructsAtAnAddress) {
