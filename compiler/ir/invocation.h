@@ -43,6 +43,7 @@ enum class Builtin : std::uint8_t {
     fragment_place,  // float4: the pixel's centre in the framebuffer, depth, 1 / w
     is_front,        // bool
     skips_branches,  // bool, a specialisation constant: the device does not execute a branch that no lane takes
+    adds_floats,     // bool, a specialisation constant: the device adds floats by one atomic operation
 };
 
 }  // namespace gliftc::ir

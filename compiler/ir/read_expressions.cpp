@@ -312,7 +312,7 @@ ExprId Reader::primary() {
     if (accept("$")) return parameter();
     if (accept("@")) return call();
     if (accept("%")) {
-        const auto found = spelled(word(), Builtin::skips_branches);
+        const auto found = spelled(word(), Builtin::adds_floats);
         if (!found) fail("expected a builtin before this");
         return add({.op = Op::builtin, .builtin = *found, .type = type_of(*found)});
     }

@@ -34,7 +34,7 @@ std::string_view spelling(Builtin id) {
     return text_of(
         std::to_array<std::string_view>({"global_id", "local_id", "group_id", "group_count", "local_index",
                                          "subgroup_size", "subgroup_lane", "subgroup_index", "subgroup_count", "corner",
-                                         "instance", "fragment_place", "is_front", "skips_branches"}),
+                                         "instance", "fragment_place", "is_front", "skips_branches", "adds_floats"}),
         id);
 }
 

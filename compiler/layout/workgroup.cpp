@@ -70,7 +70,7 @@ void place_shared(const Program& program, Pass& pass) {
     if (pass.shared.empty()) return;
     Lifetimes lifetimes;
     std::size_t place = 0;
-    find(program, pass.plain().body, place, lifetimes);
+    find(program, variant_for(pass, Devices::shaders).body, place, lifetimes);
     std::vector<LocalId> arrays;
     for (LocalId array : pass.shared)
         if (lifetimes.of.contains(array)) arrays.push_back(array);

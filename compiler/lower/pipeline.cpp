@@ -2,6 +2,7 @@
 #include "base/parallel.h"
 #include "ir/effects.h"
 #include "ir/validate.h"
+#include "ir/walk.h"
 #include "lower/analysis/affine.h"
 #include "lower/analysis/aliasing.h"
 #include "lower/analysis/contained.h"
@@ -19,6 +20,7 @@
 #include "lower/transform/compact.h"
 #include "lower/transform/dead.h"
 #include "lower/transform/fold_constants.h"
+#include "lower/transform/privatise.h"
 #include "lower/transform/temporaries.h"
 #include "lower/transform/uniforms.h"
 #include "lower/transform/widen.h"
@@ -248,6 +250,37 @@ void lower_draw(Context& cx) {
     pass.in_range = {};
 }
 
+/// Adds the variant for shaders in which invocations combine the updates of many elements; false: there is no gain.
+bool add_privatised(Context& cx, const std::vector<StmtId>& expanded, const std::vector<ExprId>& facts) {
+    std::optional<Privatised> many = privatised(cx, expanded);
+    if (!many) return false;
+    finished(cx, "privatise", many->body, {}, "many elements");
+    cx.pass.group = many->group;
+    const bool is_in_range = !has_any_barrier(cx.p, many->body);  // else invocations beyond the range run it, too
+    many->body = simplified(cx, "many elements", std::move(many->body), is_in_range ? facts : std::vector<ExprId>{});
+    cx.pass.variants.push_back({Part::whole, Devices::shaders, {many->elements, std::nullopt}, std::move(many->body)});
+    return true;
+}
+
+/// Adds the variant for shaders in which invocations take several elements, if there is a gain.
+void add_coarsened(Context& cx, const std::vector<StmtId>& expanded, const Expander& expander, Elements elements,
+                   const std::vector<ExprId>& facts) {
+    Coarsened several;
+    if (cx.kernel.space) {
+        several = coarsened_in_block(cx, expanded, Expander(cx, Guards::block).kernel_body());
+        cx.traits.clear();
+    } else if (elements == Elements::two_where_it_helps) {
+        several = coarsened(cx, expanded, expander);
+    } else {
+        several = coarsened_in_turn(cx, expanded);
+    }
+    if (several.body.empty()) return;
+    finished(cx, "coarsen", several.body, facts, "two elements");
+    several.body = simplified(cx, "two elements", std::move(several.body), {facts[0], several.in_range});
+    cx.pass.variants.push_back(
+        {Part::whole, Devices::shaders, {several.elements, std::nullopt}, std::move(several.body)});
+}
+
 void lower_computation(Context& cx, Elements elements) {
     Pass& pass = cx.pass;
     Expander expander(cx, Guards::checked);
@@ -258,18 +291,10 @@ void lower_computation(Context& cx, Elements elements) {
     std::vector<StmtId> body = expander.kernel_body();
     finished(cx, "expand", body, facts, "body");
     cx.traits.clear();
-    Coarsened pair;
-    if (elements != Elements::one && cx.kernel.space) {
-        pair = coarsened_in_block(cx, body, Expander(cx, Guards::block).kernel_body());
-        cx.traits.clear();
-    } else if (elements == Elements::two_where_it_helps) pair = coarsened(cx, body, expander);
-    else if (elements == Elements::two_in_turn) pair = coarsened_in_turn(cx, body);
-    if (!pair.body.empty()) finished(cx, "coarsen", pair.body, facts, "two elements");
+    const std::vector<StmtId> expanded = body;
     pass.plain().body = simplified(cx, "body", std::move(body), facts);
-    if (!pair.body.empty()) {
-        pair.body = simplified(cx, "two elements", std::move(pair.body), {facts[0], pair.in_range});
-        pass.variants.push_back({Part::whole, Devices::shaders, {pair.elements, std::nullopt}, std::move(pair.body)});
-    }
+    if (elements != Elements::one && !add_privatised(cx, expanded, facts))
+        add_coarsened(cx, expanded, expander, elements, facts);
     std::vector<StmtId> holders;
     add_interior(cx, expander, facts, holders);
     add_whole_block(cx, expander, facts);

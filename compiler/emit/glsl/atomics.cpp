@@ -1,6 +1,6 @@
-// Writes that are combined (scatter<S, op>). Those of integers are one atomic operation, and so are sums of floats in
-// images (GL_EXT_shader_atomic_float). Other floats are stored as integers with the same bits: sums in buffers are made
-// by compare-and-swap in a loop, minima and maxima by atomic operations on integers without a loop.
+// Writes that are combined (scatter<S, op>). Those of integers are one atomic operation, and so are sums of floats
+// (GL_EXT_shader_atomic_float), but in buffers of devices that have none: there they are made by compare-and-swap in a
+// loop. Minima and maxima of floats are atomic operations on integers with the same bits, without a loop.
 #include "emit/glsl/printer.h"
 
 #include <algorithm>
@@ -42,20 +42,38 @@ std::string float_atomic(Printer& p, std::uint32_t binding, Combine combine) {
     return p.atomics.back().name;
 }
 
-/// The function that adds to a float in a buffer: it repeats a compare-and-swap until no other invocation has changed
-/// the element in between.
+/// The function that adds to a float in a buffer: by one atomic operation or, on devices that have none, by a
+/// compare-and-swap that is repeated until no other invocation has changed the element in between. For these the
+/// runtime takes the operation out of the module (vulkan/spirv/float_atomics.h).
 std::string addition(Printer& p, const AtomicUse& use) {
-    const std::string test = round_test(p, 0, p.pass.files.size() > 1 ? "line, file" : "line");
+    p.extensions.insert("GL_EXT_shader_atomic_float");
+    const PassBinding& binding = p.pass.bindings[use.binding];
+    const bool is_by_address = p.pass.form == ir::Form::general;
+    const std::string floats = p.names.declare_outermost(binding.name + "_floats");
+    const std::string block = p.names.declare_outermost(p.block_names[use.binding] + "_floats");
+    const std::string layout = is_by_address
+                                   ? "layout(buffer_reference, scalar, buffer_reference_align = 4) "
+                                   : "layout(scalar, set = 0, binding = " + std::to_string(use.binding + 1) + ") ";
+    const std::string member = is_by_address ? "at" : floats + "[]";
     const std::string element = element_text(p, use.binding, "index");
-    const std::string index = p.pass.form == ir::Form::general ? "uint64_t" : "uint";
-    return "void " + use.name + "(" + index + " index, float value" + (test.empty() ? "" : ", " + place_parameters(p)) +
-           ") {\n" + "    uint seen = " + element + ", expected;\n    do {\n" +
-           (test.empty() ? "" : "        if (!" + test + ") return;\n") +
+    const std::string as_float = is_by_address ? block + element.substr(element.find('(')) : floats + "[index]";
+    const std::string adds = need(p, Helper::adds_floats, p.program.types.bool_);
+    return layout + "buffer " + block + " { float " + member + "; };   // the same memory as " +
+           p.block_names[use.binding] + "\nvoid " + use.name + "(" + (is_by_address ? "uint64_t" : "uint") +
+           " index, float value) {\n" +  // zeros are common where what is added is a weight
+           "    if (value == 0.0) return;\n"
+           "    if (" +
+           adds + ") {\n" + "        atomicAdd(" + as_float + ", value);\n" +
+           "        return;\n"
+           "    }\n"
+           "    uint seen = " +
+           element + ", expected;\n" +
+           "    do {\n"
            "        expected = seen;\n"
            "        uint wanted = floatBitsToUint(uintBitsToFloat(seen) + value);\n"
            "        if (wanted == seen) return;\n"
            "        seen = atomicCompSwap(" +
-           element + ", expected, wanted);\n    } while (seen != expected);\n}\n\n";
+           element + ", expected, wanted);\n" + "    } while (seen != expected);\n}\n\n";
 }
 
 /// How the function for minima and maxima accesses the float.
@@ -131,9 +149,7 @@ std::string atomic_text(Printer& p, const ir::Stmt& stmt) {
     const bool is_buffer = binding.shape == MemoryShape::buffer;
     if (stored_as_bits(p, binding)) {
         const std::string place = is_buffer ? print_any(p, stmt.target) : texel_text(p, stmt.target);
-        const bool counts = stmt.combine == Combine::add && !p.status.another_round.empty();
-        return float_atomic(p, stmt.slot, stmt.combine) + "(" + place + ", " + value +
-               (counts ? ", " + place_arguments(p, stmt.span) : "") + ");";
+        return float_atomic(p, stmt.slot, stmt.combine) + "(" + place + ", " + value + ");";
     }
     if (!is_buffer) {
         if (kind == TypeKind::float_) p.extensions.insert("GL_EXT_shader_atomic_float");

@@ -3,6 +3,7 @@
 
 #include "emit/glsl/printer.h"
 #include "emit/glsl/signs.h"
+#include "ir/walk.h"
 #include "layout/layout.h"
 
 #include <algorithm>
@@ -90,16 +91,19 @@ std::string function_text(Printer& p, ir::FunctionId id) {
     return take(p) + "\n";
 }
 
-/// Prints the prologue. In kernels without a group, invocations beyond the range return.
-void print_prologue(Printer& p, bool grouped) {
+/// Prints the prologue. In kernels without a group, invocations beyond the range return, unless they are needed for the
+/// barriers of a body that itself tests which elements are in the range.
+void print_prologue(Printer& p) {
+    const bool is_grouped = p.program.kernels[p.pass.kernel].grouped();
     for (ir::StmtId id : p.pass.prologue) {
         const ir::Stmt& stmt = p.program.stmts[id];
         bool is_range_test =
             stmt.op == ir::StmtOp::let && p.pass.in_range && stmt.local == p.pass.in_range && stmt.value;
-        if (grouped || !is_range_test) {
+        if (is_grouped || !is_range_test) {
             print_statement(p, id);
             continue;
         }
+        if (ir::has_any_barrier(p.program, p.body())) continue;
         line(p, "if (" + print_negated(p, stmt.value) + ") return;");
         p.in_range_is_known = true;
     }
@@ -107,6 +111,9 @@ void print_prologue(Printer& p, bool grouped) {
 
 const char* elements_text(const ir::Pass& pass) {
     if (pass.of_blocks) return "// Each invocation takes several elements of a block, a workgroup's width apart.";
+    const auto& elements = variant_for(pass, ir::Devices::shaders).assumes.elements;
+    if (elements[0] > 2 || elements[1] > 2 || elements[2] > 2)
+        return "// Each invocation takes several elements, and combines their updates before it makes them.";
     if (pass.rank == 1)
         return "// Each invocation takes two elements: its own, and the one a workgroup's width further on if there is "
                "one.";
@@ -114,13 +121,12 @@ const char* elements_text(const ir::Pass& pass) {
 }
 
 std::string main_text(Printer& p) {
-    bool grouped = p.program.kernels[p.pass.kernel].grouped();
     line(p, "void main() {");
     p.names.enter();
     p.indent = 1;
     print_round_start(p);
     print_parameter_copies(p);
-    print_prologue(p, grouped);
+    print_prologue(p);
     if (p.raster()) print_part_start(p);
     const ir::Variant& variant = variant_for(p.pass, ir::Devices::shaders);
     const bool is_coarsened = variant.assumes.elements != p.pass.plain().assumes.elements;

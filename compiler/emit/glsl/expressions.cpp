@@ -255,6 +255,7 @@ Text print_builtin(Printer& p, const Expr& expr) {
     case ir::Builtin::fragment_place: return {"gl_FragCoord"};
     case ir::Builtin::is_front: return {"gl_FrontFacing"};
     case ir::Builtin::skips_branches: return {need(p, Helper::skips_branches, expr.type)};
+    case ir::Builtin::adds_floats: return {need(p, Helper::adds_floats, expr.type)};
     }
     throw std::logic_error("emit/glsl: unknown builtin");
 }

@@ -53,6 +53,7 @@ const char* name_of(Helper helper) {
     case Helper::broadcast: return "broadcast";
     case Helper::broadcast_first: return "broadcast_first";
     case Helper::skips_branches: return "skips_branches";
+    case Helper::adds_floats: return "adds_floats";
     }
     throw std::logic_error("emit/glsl: unknown helper");
 }
@@ -399,6 +400,9 @@ std::string definition(Printer& p, const HelperUse& use) {
     case Helper::skips_branches:
         return "layout(constant_id = 104) const bool skips_branches = true;   // the device skips branches that no "
                "lane takes\n";
+    case Helper::adds_floats:
+        return "layout(constant_id = 105) const bool adds_floats = true;   // the device adds floats by one atomic "
+               "operation\n";
     }
     throw std::logic_error("emit/glsl: unknown helper");
 }
@@ -469,7 +473,8 @@ void need_inner(Printer& p, const HelperUse& use) {
     case Helper::insert_bits:
     case Helper::far_index:
     case Helper::whole_vector:
-    case Helper::skips_branches: break;
+    case Helper::skips_branches:
+    case Helper::adds_floats: break;
     }
 }
 

@@ -78,6 +78,7 @@ Text dot(Printer& p, const Expr& expr) {
 Text atomic(Printer& p, const char* name, const Expr& expr) {
     ir::TypeKind kind = p.program.types.kind(type_of(p, expr, 0));
     if (kind == ir::TypeKind::int64 || kind == ir::TypeKind::uint64) p.extensions.insert("GL_EXT_shader_atomic_int64");
+    if (kind == ir::TypeKind::float_) p.extensions.insert("GL_EXT_shader_atomic_float");
     const ir::Op place = ir::place_of(p.program, expr.operands[0]).op;
     if (place == ir::Op::load || place == ir::Op::image_load) return {ordered_atomic(p, name, expr)};
     // Workgroup memory is ordered by barriers, so plain accesses suffice in place of atomic loads and stores.

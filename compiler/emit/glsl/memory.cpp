@@ -66,10 +66,11 @@ std::string image_prefix(const Printer& p, TypeId element) {
 }
 
 /// Whether the binding is `coherent` in GLSL: the kernel accesses it by the pattern coherent<S>, or reads and writes it
-/// and the body has barriers. What one invocation writes and another reads after a barrier must not stay in a cache.
+/// and has a group and barriers. What one invocation writes and another reads after a barrier must not stay in a cache.
 bool is_coherent(const Printer& p, const PassBinding& binding) {
     if (binding.coherent) return true;
-    return binding.access == ir::Access::read_write && ir::has_any_barrier(p.program, p.body());
+    const bool is_grouped = p.pass.kernel != ir::no_kernel && p.program.kernels[p.pass.kernel].grouped();
+    return is_grouped && binding.access == ir::Access::read_write && ir::has_any_barrier(p.program, p.body());
 }
 
 const char* access_text(ir::Access access) {

@@ -33,6 +33,7 @@ const std::unordered_set<std::string_view>& reserved_words() {
         "broadcast",
         "broadcast_first",
         "skips_branches",
+        "adds_floats",
         "cross_product",
         "blend",
         "angle",

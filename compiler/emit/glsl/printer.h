@@ -35,7 +35,7 @@ struct Text {
     Level level = Level::postfix;
 };
 
-/// Functions, and the constant `skips_branches`, that are printed before the functions of the source if they are used.
+/// Functions, and the constants `skips_branches` and `adds_floats`, that are printed before the functions of the source if they are used.
 /// Their definitions are in helpers.cpp, division.cpp and subgroups.cpp.
 enum class Helper : std::uint8_t {
     quotient,
@@ -76,6 +76,7 @@ enum class Helper : std::uint8_t {
     broadcast,
     broadcast_first,
     skips_branches,
+    adds_floats,
 };
 
 /// A helper for certain types of operands.

@@ -160,10 +160,11 @@ void print_while(Printer& p, const Stmt& stmt) {
     line(p, "}");
 }
 
-/// The kinds of memory that barriers order, as GLSL's storage semantics: workgroup memory; buffers, if the kernel both
-/// reads and writes one; and images, likewise.
+/// The kinds of memory that barriers order, as GLSL's storage semantics: workgroup memory; in kernels with a group also
+/// buffers, if the kernel both reads and writes one, and images, likewise.
 std::string memory_of_barriers(const Printer& p) {
     bool buffers = false, images = false;
+    if (!p.program.kernels[p.pass.kernel].grouped()) return "gl_StorageSemanticsShared";
     for (const ir::PassBinding& binding : p.pass.bindings)
         if (binding.access == ir::Access::read_write)
             (binding.shape == ir::MemoryShape::buffer ? buffers : images) = true;

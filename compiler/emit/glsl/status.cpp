@@ -112,10 +112,7 @@ std::uint32_t loops_in_callee(const Printer& p, ir::ExprId id) {
 std::uint32_t loops_in(const Printer& p, const std::vector<ir::StmtId>& body) {
     std::uint32_t loops = 0;
     for_each_statement(p.program, body, [&](const ir::Stmt& stmt) {
-        // Sums of floats in buffers are loops, too: they repeat a compare-and-swap (atomics.cpp).
-        const bool is_retried = stmt.op == ir::StmtOp::atomic && stmt.combine == ir::Combine::add &&
-                                stored_as_bits(p, p.pass.bindings[stmt.slot]);
-        loops += stmt.op == ir::StmtOp::for_ || stmt.op == ir::StmtOp::while_ || is_retried;
+        loops += stmt.op == ir::StmtOp::for_ || stmt.op == ir::StmtOp::while_;
     });
     for_each_expression(p.program, body, [&](ir::ExprId id) { loops += loops_in_callee(p, id); });
     return loops;

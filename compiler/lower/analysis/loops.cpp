@@ -20,14 +20,6 @@ constexpr std::uint64_t bits_of_a_word = 32;
 std::uint64_t plus(std::uint64_t a, std::uint64_t b) { return a > unknown - b ? unknown : a + b; }
 std::uint64_t times(std::uint64_t a, std::uint64_t b) { return a != 0 && b > unknown / a ? unknown : a * b; }
 
-/// Whether shaders execute the atomic update as a loop: they add floats in buffers by compare-and-swap, which is
-/// repeated until no other invocation has changed the element in between.
-bool is_retried(const Program& program, const Pass& pass, const Stmt& atomic) {
-    const PassBinding& binding = pass.bindings[atomic.slot];
-    return binding.shape == MemoryShape::buffer && program.types.kind(binding.element) == TypeKind::float_ &&
-           atomic.combine == Combine::add;
-}
-
 class Loops {
 public:
     explicit Loops(Context& context) : cx(context) {}
@@ -47,8 +39,7 @@ private:
             });
         });
         std::uint64_t inside = plus(rounds(stmt.body), rounds(stmt.otherwise));
-        if (stmt.op == StmtOp::while_ || (stmt.op == StmtOp::atomic && is_retried(cx.p, cx.pass, stmt)))
-            inside = note(stmt, unknown);
+        if (stmt.op == StmtOp::while_) inside = note(stmt, unknown);
         if (stmt.op == StmtOp::for_) {
             // The last test, which fails, counts as an iteration, too: devices may go through the inner loops once more
             // then, with no lane active (emit/glsl/status.cpp).
@@ -59,11 +50,11 @@ private:
         return plus(total, inside);
     }
 
-    /// The number of loops in the statements and in the functions that they call. Every atomic update counts as one.
+    /// The number of loops in the statements and in the functions that they call.
     std::uint64_t loops_in(const std::vector<StmtId>& body) const {
         std::uint64_t loops = 0;
         for_each_statement(cx.p, body, [&](const Stmt& stmt) {
-            loops += stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_ || stmt.op == StmtOp::atomic;
+            loops += stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_;
         });
         for_each_expression(cx.p, body, [&](ExprId id) {
             if (cx.p.exprs[id].op == Op::call) loops += loops_in(cx.p.functions[cx.p.exprs[id].function].body);
@@ -118,7 +109,8 @@ private:
         case Builtin::instance:
         case Builtin::fragment_place:
         case Builtin::is_front:
-        case Builtin::skips_branches: return unknown;
+        case Builtin::skips_branches:
+        case Builtin::adds_floats: return unknown;
         }
         return unknown;
     }
@@ -167,7 +159,7 @@ private:
 void add_files(const Program& program, const Pass& pass, std::vector<std::uint32_t>& files) {
     const auto add = [&](const std::vector<StmtId>& body) {
         for_each_statement(program, body, [&](const Stmt& stmt) {
-            const bool is_loop = stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_ || stmt.op == StmtOp::atomic;
+            const bool is_loop = stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_;
             if (!stmt.span || !(stmt.op == StmtOp::report || (is_loop && pass.counts_rounds()))) return;
             if (std::find(files.begin(), files.end(), stmt.span.file) == files.end()) files.push_back(stmt.span.file);
         });

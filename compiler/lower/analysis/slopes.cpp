@@ -86,10 +86,11 @@ bool all_steady(const Slopes& slopes, std::uint32_t count) {
 
 }  // namespace
 
-RowSlopes::RowSlopes(const ir::Program& program, ir::LocalId address, std::uint32_t row) : program_(program) {
+RowSlopes::RowSlopes(const ir::Program& program, ir::LocalId address, std::uint32_t row, std::uint32_t axis)
+    : program_(program) {
     Slopes slopes = steady();
-    slopes[0].step = 1;
-    slopes[0].aligned = row;
+    slopes[axis].step = 1;
+    slopes[axis].aligned = row;
     locals_[address] = slopes;
 }
 
@@ -157,6 +158,8 @@ Slopes RowSlopes::of(ExprId id) {
         if (program_.types.is_integer(expr.type)) result[0].constant = static_cast<std::int64_t>(expr.bits);
         return result;
     }
+#define SHAPE_OPERATION(name) case Op::name:
+#include "ir/operations.def"
     case Op::parameter: return steady();
     case Op::local: {
         const auto found = locals_.find(expr.local);
@@ -191,7 +194,6 @@ Slopes RowSlopes::of(ExprId id) {
     case Op::some:
     case Op::has_value:
     case Op::value:
-#define SHAPE_OPERATION(name) case Op::name:
 #define STRUCTURE_OPERATION(name) case Op::name:
 #define GUARDED_OPERATION(name) case Op::name:
 #define HOST_OPERATION(name) case Op::name:

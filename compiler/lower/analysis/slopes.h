@@ -1,5 +1,5 @@
 // Induction variable analysis: finds values that advance by a constant from one element of a row to the next. A row is
-// a run of elements that are consecutive along x.
+// a run of elements that are consecutive along one axis, mostly x.
 #pragma once
 
 #include "ir/pass.h"
@@ -10,7 +10,7 @@
 
 namespace gliftc::lower {
 
-/// How one scalar changes along x.
+/// How one scalar changes along the row.
 struct Slope {
     bool known = false;
     std::int64_t step = 0;                 ///< if known: what is added for each element, modulo 2^32
@@ -26,9 +26,9 @@ using Slopes = std::array<Slope, 4>;
 /// The slopes of values within one function or kernel body.
 class RowSlopes {
 public:
-    /// `address` is the local that holds the element's address: its x advances by one. Rows have `row` elements and
-    /// begin at multiples of that; 0: not known.
-    RowSlopes(const ir::Program& program, ir::LocalId address, std::uint32_t row = 0);
+    /// `address` is the local that holds the element's address: its component `axis` advances by one. Rows have `row`
+    /// elements and begin at multiples of that; 0: not known.
+    RowSlopes(const ir::Program& program, ir::LocalId address, std::uint32_t row = 0, std::uint32_t axis = 0);
 
     /// Takes note of a statement that every element executes. Called in the order of the statements.
     void learn(const ir::Stmt& stmt);

@@ -97,7 +97,8 @@ ExprId block_address(Context& cx, std::uint32_t elements) {
     return build.construct(iteration_type(cx), {position, block});
 }
 
-/// The address of the first of the elements that an invocation takes, in two or three dimensions.
+/// The address of the first of the elements that an invocation takes, in two or three dimensions. Several elements are
+/// a workgroup's width apart along x, consecutive along the other axes.
 ExprId invocation_address(Context& cx, TypeId type, const std::array<std::uint32_t, 3>& elements) {
     Builder& build = cx.build;
     const std::uint32_t axes = cx.p.types.components(type);
@@ -116,7 +117,14 @@ ExprId invocation_address(Context& cx, TypeId type, const std::array<std::uint32
     if (elements == std::array{1u, 1u, 1u}) return id;
     Operands counts;
     for (std::uint32_t axis = 0; axis < axes; ++axis) counts.push_back(build.uint(elements[axis]));
-    return build.multiply(id, build.construct(type, std::move(counts)));
+    if (elements[0] == 1) return build.multiply(id, build.construct(type, std::move(counts)));
+    const ExprId width = build.uint(cx.pass.group[0]), at = build.component(id, 0);
+    const ExprId group = build.binary(BinaryOp::divide, at, width);
+    Operands parts{build.add(build.multiply(group, build.uint(cx.pass.group[0] * elements[0])),
+                             build.binary(BinaryOp::remainder, at, width))};
+    for (std::uint32_t axis = 1; axis < axes; ++axis)
+        parts.push_back(build.multiply(build.component(id, axis), counts[axis]));
+    return build.construct(type, std::move(parts));
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ struct DeviceProperties {
     double timestamp_seconds = 1e-9;  ///< length of a tick of the device's clock
     bool int8 = false, int16 = false, int64 = false, float16 = false, float64 = false;
     bool int64_atomics = false;
-    bool float32_atomic_add = false;      ///< on buffers
+    bool float32_atomic_add = false;      ///< on buffers and workgroup memory
     bool float32_atomic_min_max = false;  ///< on buffers
     bool image_float32_atomic_add = false;
     bool subgroup_vote = false, subgroup_arithmetic = false, subgroup_ballot = false;  ///< in compute shaders

@@ -3,6 +3,7 @@
 #include "branches.h"
 #include "vulkan/spirv/exact_sums.h"
 #include "vulkan/spirv/fixed_parameters.h"
+#include "vulkan/spirv/float_atomics.h"
 #include "vulkan/spirv/float_controls.h"
 #include "vulkan/spirv/hidden_limits.h"
 #include "vulkan/spirv/hidden_zeros.h"
@@ -20,11 +21,13 @@ enum Constant : std::uint32_t {
     fences_are_barriers = 102,
     is_cpu = 103,
     branches_are_skipped = 104,  ///< a branch that no lane takes costs nothing
+    adds_floats = 105,           ///< the device adds floats by one atomic operation
 };
 
 VkShaderModule make_module(Context& context, const Pipeline& pipeline, const Spirv& spirv) {
     std::vector<std::uint32_t> code =
         with_fixed_parameters(with_float_modes(words_of(spirv), context.float_controls.modes), pipeline.fixed);
+    if (!context.properties.float32_atomic_add) code = without_float_atomics(code);
     if (context.float_controls.hides_zeros) code = with_hidden_zeros(code);
     if (context.float_controls.keeps_sums) code = with_kept_sums(code);
     if (context.hides_loop_ends) code = with_hidden_limits(code);
@@ -42,9 +45,14 @@ ShaderStage::ShaderStage(Context& context, const Pipeline& pipeline, const Spirv
     : context_(context) {
     const std::uint64_t rounds = context.properties.loop_round_limit;
     const VkBool32 cpu = context.properties.kind == DeviceKind::cpu;
-    constants_ = {cpu, rounds == unlimited ? 0 : static_cast<std::uint32_t>(rounds),
-                  context.properties.fences_are_barriers, cpu, skips_branches(context.properties.kind)};
-    constexpr std::uint32_t ids[] = {exact_division, loop_rounds, fences_are_barriers, is_cpu, branches_are_skipped};
+    constants_ = {cpu,
+                  rounds == unlimited ? 0 : static_cast<std::uint32_t>(rounds),
+                  context.properties.fences_are_barriers,
+                  cpu,
+                  skips_branches(context.properties.kind),
+                  context.properties.float32_atomic_add};
+    constexpr std::uint32_t ids[] = {exact_division, loop_rounds,          fences_are_barriers,
+                                     is_cpu,         branches_are_skipped, adds_floats};
     for (std::uint32_t i = 0; i < entries_.size(); ++i)
         entries_[i] = {ids[i], i * static_cast<std::uint32_t>(sizeof constants_[0]), sizeof constants_[0]};
     special_ = {static_cast<std::uint32_t>(entries_.size()), entries_.data(), sizeof constants_, constants_.data()};

@@ -19,8 +19,8 @@ private:
     void require_subgroups(std::uint32_t group_width);
 
     Context& context_;
-    std::array<std::uint32_t, 5> constants_;
-    std::array<VkSpecializationMapEntry, 5> entries_;
+    std::array<std::uint32_t, 6> constants_;
+    std::array<VkSpecializationMapEntry, 6> entries_;
     VkSpecializationInfo special_ = {};
     VkPipelineShaderStageRequiredSubgroupSizeCreateInfo subgroups_ = {};
     VkPipelineShaderStageCreateInfo info_ = {};

@@ -22,8 +22,10 @@ void histogram(const glift::Commands& commands, const glift::Range<Samples>& s, 
         const struct {
             uint s_extent;
             uint bins_extent;
-        } parameters = {s->extent(), bins->extent()};
-        static_assert(sizeof parameters == 8);
+            uint bins_data_copied;
+        } parameters = {s->extent(), bins->extent(), glift::min(glift::fitted(bins->data_extent()), 64u) < 4128u
+            ? glift::min(glift::fitted(bins->data_extent()), 64u) : 0u};
+        static_assert(sizeof parameters == 12);
         iteration.dispatch(commands, glift::FormName::direct, memories, glift::bytes_of(parameters));
     } else {
         const struct {
@@ -31,9 +33,11 @@ void histogram(const glift::Commands& commands, const glift::Range<Samples>& s, 
             uint s_origin;
             uint bins_origin;
             uint bins_size;
+            uint bins_data_copied;
             std::uint64_t addresses[2];
-        } parameters = {s.size(), s.origin(), bins.origin(), bins.size(), {}};
-        static_assert(sizeof parameters == 32);
+        } parameters = {s.size(), s.origin(), bins.origin(), bins.size(), glift::fitted(bins->data_extent()) < 4128u
+            ? glift::fitted(bins->data_extent()) : 0u, {}};
+        static_assert(sizeof parameters == 40);
         iteration.count(bins, 12);
         iteration.dispatch(commands, glift::FormName::general, memories, glift::bytes_of(parameters), {0});
     }

@@ -7,17 +7,149 @@ layout(local_size_x = 256) in;
 layout(push_constant, scalar) uniform Parameters {
     uint s_extent;
     uint bins_extent;
+    uint bins_data_copied;
 };
 
 layout(scalar, set = 0, binding = 1) readonly buffer S_data { uint s_data[]; };
 layout(scalar, set = 0, binding = 2) buffer Bins_data { uint bins_data[]; };
 
+shared uint bins_data_copies[4128];
+
 void main() {
     // scatter.glift:9
-    uint address = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 256u) + gl_GlobalInvocationID.x;
-    if (address >= s_extent) return;
-    uint bins_address = s_data[address] % 64u;
-    if (bins_address < bins_extent) {
-        atomicAdd(bins_data[bins_address], 1u);
+    uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 16384u
+        + gl_LocalInvocationID.x;
+    // Each invocation takes several elements, and combines their updates before it makes them.
+    uint bins_data_copied_1 = bins_data_copied;
+    uint value = bins_data_copied_1 | 1u;
+    uint bins_data_copy_count = 1u << (uint(min(findMSB(4128u / max(value, 1u)), 5)) & 31u);
+    uint bins_data_copy = (gl_LocalInvocationIndex & (bins_data_copy_count - 1u)) * value;
+    for (uint turn = 0u; turn < 17u; ++turn) {
+        uint value_1 = turn * 256u + gl_LocalInvocationIndex;
+        if (value_1 < bins_data_copy_count * value) {
+            bins_data_copies[min(value_1, 4127u)] = 0u;
+        }
+    }
+    barrier();
+    for (uint turn = 0u; turn < 8u; ++turn) {
+        uint value_1 = address + turn * 8u * 256u;
+        bool is_there = value_1 < s_extent;
+        uint at = is_there ? value_1 : 0u;
+        uint bins_address = s_data[at] % 64u;
+        uint value_2 = value_1 + 256u;
+        bool is_there_1 = value_2 < s_extent;
+        uint at_1 = is_there_1 ? value_2 : 0u;
+        uint bins_address_1 = s_data[at_1] % 64u;
+        uint value_3 = value_1 + 512u;
+        bool is_there_2 = value_3 < s_extent;
+        uint at_2 = is_there_2 ? value_3 : 0u;
+        uint bins_address_2 = s_data[at_2] % 64u;
+        uint value_4 = value_1 + 768u;
+        bool is_there_3 = value_4 < s_extent;
+        uint at_3 = is_there_3 ? value_4 : 0u;
+        uint bins_address_3 = s_data[at_3] % 64u;
+        uint value_5 = value_1 + 1024u;
+        bool is_there_4 = value_5 < s_extent;
+        uint at_4 = is_there_4 ? value_5 : 0u;
+        uint bins_address_4 = s_data[at_4] % 64u;
+        uint value_6 = value_1 + 1280u;
+        bool is_there_5 = value_6 < s_extent;
+        uint at_5 = is_there_5 ? value_6 : 0u;
+        uint bins_address_5 = s_data[at_5] % 64u;
+        uint value_7 = value_1 + 1536u;
+        bool is_there_6 = value_7 < s_extent;
+        uint at_6 = is_there_6 ? value_7 : 0u;
+        uint bins_address_6 = s_data[at_6] % 64u;
+        uint value_8 = value_1 + 1792u;
+        bool is_there_7 = value_8 < s_extent;
+        uint at_7 = is_there_7 ? value_8 : 0u;
+        uint bins_address_7 = s_data[at_7] % 64u;
+        if (is_there) {
+            if (bins_address < bins_extent) {
+                if (bins_address < bins_data_copied_1) {
+                    atomicAdd(bins_data_copies[min(bins_data_copy + bins_address, 4127u)], 1u);
+                } else {
+                    atomicAdd(bins_data[bins_address], 1u);
+                }
+            }
+        }
+        if (is_there_1) {
+            if (bins_address_1 < bins_extent) {
+                if (bins_address_1 < bins_data_copied_1) {
+                    atomicAdd(bins_data_copies[min(bins_data_copy + bins_address_1, 4127u)], 1u);
+                } else {
+                    atomicAdd(bins_data[bins_address_1], 1u);
+                }
+            }
+        }
+        if (is_there_2) {
+            if (bins_address_2 < bins_extent) {
+                if (bins_address_2 < bins_data_copied_1) {
+                    atomicAdd(bins_data_copies[min(bins_data_copy + bins_address_2, 4127u)], 1u);
+                } else {
+                    atomicAdd(bins_data[bins_address_2], 1u);
+                }
+            }
+        }
+        if (is_there_3) {
+            if (bins_address_3 < bins_extent) {
+                if (bins_address_3 < bins_data_copied_1) {
+                    atomicAdd(bins_data_copies[min(bins_data_copy + bins_address_3, 4127u)], 1u);
+                } else {
+                    atomicAdd(bins_data[bins_address_3], 1u);
+                }
+            }
+        }
+        if (is_there_4) {
+            if (bins_address_4 < bins_extent) {
+                if (bins_address_4 < bins_data_copied_1) {
+                    atomicAdd(bins_data_copies[min(bins_data_copy + bins_address_4, 4127u)], 1u);
+                } else {
+                    atomicAdd(bins_data[bins_address_4], 1u);
+                }
+            }
+        }
+        if (is_there_5) {
+            if (bins_address_5 < bins_extent) {
+                if (bins_address_5 < bins_data_copied_1) {
+                    atomicAdd(bins_data_copies[min(bins_data_copy + bins_address_5, 4127u)], 1u);
+                } else {
+                    atomicAdd(bins_data[bins_address_5], 1u);
+                }
+            }
+        }
+        if (is_there_6) {
+            if (bins_address_6 < bins_extent) {
+                if (bins_address_6 < bins_data_copied_1) {
+                    atomicAdd(bins_data_copies[min(bins_data_copy + bins_address_6, 4127u)], 1u);
+                } else {
+                    atomicAdd(bins_data[bins_address_6], 1u);
+                }
+            }
+        }
+        if (is_there_7) {
+            if (bins_address_7 < bins_extent) {
+                if (bins_address_7 < bins_data_copied_1) {
+                    atomicAdd(bins_data_copies[min(bins_data_copy + bins_address_7, 4127u)], 1u);
+                } else {
+                    atomicAdd(bins_data[bins_address_7], 1u);
+                }
+            }
+        }
+    }
+    barrier();
+    for (uint turn = 0u; turn < 17u; ++turn) {
+        uint value_1 = turn * 256u + gl_LocalInvocationIndex;
+        if (value_1 < bins_data_copied_1) {
+            uint sum = 0u;
+            for (uint copy = 0u; copy < 32u; ++copy) {
+                if (copy < bins_data_copy_count) {
+                    sum += bins_data_copies[min(copy * value + value_1, 4127u)];
+                }
+            }
+            if (sum != 0u) {
+                atomicAdd(bins_data[value_1], sum);
+            }
+        }
     }
 }

@@ -94,7 +94,8 @@ Text print_outer(Body& body, const Expr& expr) {
         case ir::Builtin::instance: return {"instance"};
         case ir::Builtin::fragment_place: return {"glift::host::fragment_place(fragments, *call.targets, pixel)"};
         case ir::Builtin::is_front: return {"fragments.is_front"};
-        case ir::Builtin::skips_branches: return {"true"};
+        case ir::Builtin::skips_branches:
+        case ir::Builtin::adds_floats: return {"true"};
         }
         break;
 #define VALUE_OPERATION(name) case Op::name:

@@ -16,6 +16,7 @@ namespace spirv {
 enum Op : std::uint32_t {
     undefined = 1,
     line = 8,
+    extension = 10,
     ext_inst = 12,
     entry_point = 15,
     execution_mode = 16,
@@ -36,6 +37,7 @@ enum Op : std::uint32_t {
     function_end = 56,
     function_call = 57,
     variable = 59,
+    image_texel_pointer = 60,
     load = 61,
     store = 62,
     copy_memory = 63,
@@ -88,9 +90,10 @@ enum Op : std::uint32_t {
     group_non_uniform_elect = 333,
     group_non_uniform_quad_swap = 366,
     copy_logical = 400,
+    atomic_f_add = 6035,
 };
 
-enum Capability : std::uint32_t { group_non_uniform = 61, group_non_uniform_quad = 68 };
+enum Capability : std::uint32_t { group_non_uniform = 61, group_non_uniform_quad = 68, atomic_float32_add = 6033 };
 enum Decoration : std::uint32_t { built_in = 11, binding = 33, offset = 35 };
 enum BuiltIn : std::uint32_t { workgroup_id = 26, local_invocation_id = 27, global_invocation_id = 28 };
 enum StorageClass : std::uint32_t {

@@ -1,0 +1,683 @@
+#include "lower/transform/privatise.h"
+
+#include "ir/effects.h"
+#include "ir/walk.h"
+#include "lower/analysis/number.h"
+#include "lower/analysis/slopes.h"
+#include "lower/build/copy_statements.h"
+#include "lower/expand/dispatch.h"
+
+#include <algorithm>
+#include <bit>
+#include <unordered_map>
+#include <utility>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+constexpr std::uint32_t invocations = 256;      ///< in a workgroup
+constexpr std::uint32_t elements_of_tree = 16;  ///< that an invocation combines
+constexpr std::uint32_t elements_of_column = 64;
+constexpr std::uint32_t elements_of_copies = 64;
+constexpr std::uint32_t copied_words = 4096 + 32;  ///< of workgroup memory for copies: 16 KiB
+constexpr std::uint32_t most_copies = 32;          ///< of one buffer: as many as most devices have banks
+
+/// A condition under which an update is made: an expression that is true, or false.
+struct Condition {
+    ExprId value;
+    bool is_true = true;
+};
+
+enum class Kind : std::uint8_t { plain, tree, column, copies };
+
+struct Update {
+    StmtId stmt;
+    std::vector<Condition> conditions;  ///< of the ifs around it, the outermost first
+    std::uint8_t same_along = 0;        ///< bit i: its address and memory are the same for all elements along axis i
+    bool may_collide = false;           ///< elements that are near each other may have one address
+    Kind kind = Kind::plain;
+    LocalId sum;  ///< of tree and column: what an invocation has combined
+    LocalId has;  ///< whether it has combined anything; absent: the element's address alone decides whether it has
+    LocalId any;  ///< of tree: whether an invocation of the workgroup has, as an array of one uint
+};
+
+/// Finds the updates of a body, and how their addresses depend on the element's.
+class Updates {
+public:
+    explicit Updates(Context& context) : cx(context), numbers_(context) {
+        for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis) {
+            slopes_.emplace_back(cx.p, cx.pass.address, 0, axis);
+            for (const KernelParam& param : cx.kernel.params)
+                if (param.local) slopes_.back().learn_steady(param.local);
+        }
+    }
+
+    /// Empty if the body has a statement that cannot be repeated for each element of an invocation.
+    std::vector<Update> of(const std::vector<StmtId>& body) {
+        for (StmtId id : body) visit(id);
+        return may_repeat_ ? std::move(found_) : std::vector<Update>{};
+    }
+
+    /// Whether the value cannot change within the pass.
+    bool is_fixed(ExprId value) { return numbers_.is_fixed(value); }
+    bool has_load(ExprId value) { return numbers_.has_load(value); }
+
+    bool is_same_along(std::uint32_t axis, ExprId value) {
+        return numbers_.is_fixed(value) && slopes_[axis].is_steady(value);
+    }
+
+private:
+    void visit(StmtId id) {
+        const Stmt& stmt = cx.p.stmts[id];
+        for_each_root(stmt, [&](ExprId root) {
+            for_each_node(cx.p, root, seen_, [&](ExprId node) { may_repeat_ = may_repeat_ && !calls_a_loop(node); });
+        });
+        for (RowSlopes& slopes : slopes_) slopes.learn(stmt);
+        switch (stmt.op) {
+        case StmtOp::atomic: return note(id);
+        case StmtOp::if_: return visit_if(stmt);
+        case StmtOp::block: return visit_all(stmt.body);
+        case StmtOp::let:
+        case StmtOp::assign:
+        case StmtOp::evaluate:
+        case StmtOp::report:
+        case StmtOp::store:
+        case StmtOp::image_store: return;
+        default: may_repeat_ = false;  // loops, whose rounds lavapipe limits, and returns
+        }
+    }
+
+    void visit_all(const std::vector<StmtId>& body) {
+        for (StmtId id : body) visit(id);
+    }
+
+    void visit_if(const Stmt& stmt) {
+        conditions_.push_back({stmt.value, true});
+        visit_all(stmt.body);
+        conditions_.back().is_true = false;
+        visit_all(stmt.otherwise);
+        conditions_.pop_back();
+    }
+
+    bool calls_a_loop(ExprId id) const {
+        const Expr& node = cx.p.exprs[id];
+        return node.op == Op::call && has_loop(cx.p.functions[node.function].body);
+    }
+
+    bool has_loop(const std::vector<StmtId>& body) const {
+        bool found = false;
+        for_each_statement(cx.p, body, [&](const Stmt& stmt) {
+            found = found || stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_;
+        });
+        for_each_expression(cx.p, body, [&](ExprId id) { found = found || calls_a_loop(id); });
+        return found;
+    }
+
+    void note(StmtId id) {
+        const ExprId target = cx.p.stmts[id].target;
+        Update update{id, conditions_};
+        for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis)
+            if (is_same_along(axis, target)) update.same_along |= 1u << axis;
+        const Slope along_x = slopes_[0].of(target)[0];
+        update.may_collide = !along_x.known || along_x.step == 0;
+        found_.push_back(std::move(update));
+    }
+
+    Context& cx;
+    Numbers numbers_;
+    std::vector<RowSlopes> slopes_;  ///< one an axis
+    IdSet<Expr> seen_;
+    std::vector<Condition> conditions_;
+    std::vector<Update> found_;
+    bool may_repeat_ = true;
+};
+
+/// The numbers in which values are combined in place of the values themselves: ints whose order is that of floats for
+/// their minima and maxima, which are then the same bits in every order; else the values.
+class Combination {
+public:
+    Combination(Builder& builder, const PassBinding& binding, Combine combine)
+        : build(builder), combine_(combine), type_(binding.element) {
+        has_keys_ = type_ == types().float_ && combine != Combine::add;
+    }
+
+    bool is_known() const { return type_ == types().int_ || type_ == types().uint || type_ == types().float_; }
+    bool is_of_floats() const { return type() == types().float_; }
+    TypeId type() const { return has_keys_ ? types().int_ : type_; }
+
+    /// Combined with it any number is itself; no value but that of a NaN has it as its key.
+    ExprId identity() const {
+        if (type() == types().float_) return build.unary(UnaryOp::minus, build.zero(types().float_));
+        const bool is_signed = type() == types().int_;
+        const std::uint64_t low = is_signed ? 0x80000000u : 0u, high = is_signed ? 0x7fffffffu : 0xffffffffu;
+        switch (combine_) {
+        case Combine::min: return integer(high);
+        case Combine::max: return integer(low);
+        case Combine::bit_and: return integer(0xffffffffu);
+        default: return integer(0);
+        }
+    }
+
+    ExprId key(ExprId value) const {
+        if (!has_keys_) return value;
+        const ExprId bits = build.intrinsic(Intrinsic::floatBitsToInt, types().int_, {value});
+        const ExprId is_number = build.binary(BinaryOp::equal, value, value);
+        return build.select(is_number, reordered(bits), identity());
+    }
+
+    ExprId value(ExprId key) const {
+        return has_keys_ ? build.intrinsic(Intrinsic::intBitsToFloat, types().float_, {reordered(key)}) : key;
+    }
+
+    ExprId of(ExprId one, ExprId other) const {
+        switch (combine_) {
+        case Combine::min: return build.intrinsic(Intrinsic::min, type(), {one, other});
+        case Combine::max: return build.intrinsic(Intrinsic::max, type(), {one, other});
+        case Combine::bit_and: return build.binary(BinaryOp::bit_and, one, other);
+        case Combine::bit_or: return build.binary(BinaryOp::bit_or, one, other);
+        case Combine::bit_xor: return build.binary(BinaryOp::bit_xor, one, other);
+        default: return build.binary(BinaryOp::add, one, other);
+        }
+    }
+
+    /// The atomic operation on workgroup memory.
+    Intrinsic intrinsic() const {
+        switch (combine_) {
+        case Combine::min: return Intrinsic::atomicMin;
+        case Combine::max: return Intrinsic::atomicMax;
+        case Combine::bit_and: return Intrinsic::atomicAnd;
+        case Combine::bit_or: return Intrinsic::atomicOr;
+        case Combine::bit_xor: return Intrinsic::atomicXor;
+        default: return Intrinsic::atomicAdd;
+        }
+    }
+
+private:
+    const Types& types() const { return build.p.types; }
+    ExprId integer(std::uint64_t bits) const {
+        if (type() == types().uint) return build.uint(bits);
+        return build.integer(types().int_, static_cast<std::uint64_t>(static_cast<std::int32_t>(bits)));
+    }
+
+    /// The bits of floats that are not negative have the order of ints, those of negative ones the reverse.
+    ExprId reordered(ExprId bits) const {
+        const ExprId sign = build.binary(BinaryOp::shift_right, bits, build.integer(types().int_, 31));
+        const ExprId all_but_sign = build.integer(types().int_, 0x7fffffff);
+        return build.binary(BinaryOp::bit_xor, bits, build.binary(BinaryOp::bit_and, sign, all_but_sign));
+    }
+
+    Builder& build;
+    Combine combine_;
+    TypeId type_;
+    bool has_keys_ = false;
+};
+
+class Privatisation {
+public:
+    Privatisation(Context& context, std::vector<Update> updates, Updates& dependence)
+        : cx(context), build(context.build), updates_(std::move(updates)), dependence_(dependence) {}
+
+    /// Chooses the axis along which invocations take elements, and what becomes of each update. False: no gain.
+    bool choose() {
+        const auto combines = [&](const Update& update, std::uint32_t axis) {
+            return (update.same_along >> axis & 1) != 0 && combination(update).is_known();
+        };
+        for (std::uint32_t axis = 0; axis < cx.pass.rank && !is_chosen_; ++axis) {
+            const auto gains = [&](const Update& update) { return combines(update, axis); };
+            if (std::ranges::any_of(updates_, gains)) take(axis, axis == 0 ? elements_of_tree : elements_of_column);
+        }
+        for (Update& update : updates_) {
+            if (is_chosen_ && combines(update, axis_)) update.kind = axis_ == 0 ? Kind::tree : Kind::column;
+            else if (update.may_collide && may_be_copied(update)) update.kind = Kind::copies;
+        }
+        copies_ = static_cast<std::uint32_t>(
+            std::ranges::count(updates_, Kind::copies, [](const Update& update) { return update.kind; }));
+        if (!is_chosen_ && copies_ != 0) take(cx.pass.rank == 1 ? 0 : 1, elements_of_copies);
+        return is_chosen_;
+    }
+
+    Privatised run(const std::vector<StmtId>& body) {
+        if (std::ranges::any_of(updates_, [](const Update& update) { return update.kind == Kind::tree; }))
+            made_.group = {invocations, 1, 1};
+        else made_.group = cx.pass.group;
+        for (Update& update : updates_) begin(update);
+        if (copies_ != 0) barrier();
+        loop(body);
+        if (copies_ != 0) barrier();
+        for (const Update& update : updates_) end(update);
+        return std::move(made_);
+    }
+
+private:
+    void take(std::uint32_t axis, std::uint32_t elements) {
+        is_chosen_ = true;
+        axis_ = axis;
+        made_.elements[axis] = elements;
+    }
+
+    Combination combination(const Update& update) const {
+        const Stmt& stmt = cx.p.stmts[update.stmt];
+        return {build, cx.pass.bindings[stmt.slot], stmt.combine};
+    }
+
+    bool may_be_copied(const Update& update) const {
+        const Stmt& stmt = cx.p.stmts[update.stmt];
+        const bool is_buffer = cx.pass.bindings[stmt.slot].shape == MemoryShape::buffer;
+        return is_buffer && build.type(stmt.target) == cx.p.types.uint && combination(update).is_known();
+    }
+
+    // Statements.
+
+    Stmt statement_at(const Update& update, StmtOp op) const { return statement(op, cx.p.stmts[update.stmt].span); }
+    StmtId assign(const Update& update, ExprId target, ExprId value) {
+        Stmt stmt = statement_at(update, StmtOp::assign);
+        stmt.target = target;
+        stmt.value = value;
+        return cx.add(std::move(stmt));
+    }
+    StmtId where(const Update& update, ExprId condition, std::vector<StmtId> body, std::vector<StmtId> otherwise = {}) {
+        Stmt stmt = statement_at(update, StmtOp::if_);
+        stmt.value = condition;
+        stmt.body = std::move(body);
+        stmt.otherwise = std::move(otherwise);
+        return cx.add(std::move(stmt));
+    }
+    LocalId let(const Update& update, std::string_view name, ExprId value, bool is_mutable) {
+        Stmt stmt = statement_at(update, StmtOp::let);
+        stmt.local = cx.new_local(name, build.type(value), stmt.span, is_mutable);
+        stmt.value = value;
+        if (!is_mutable) cx.definitions[stmt.local] = value;
+        const LocalId local = stmt.local;
+        made_.body.push_back(cx.add(std::move(stmt)));
+        return local;
+    }
+    /// A loop over `rounds` numbers; `body` makes the statements of one.
+    template <class Body>
+    StmtId loop_to(const Update& update, std::string_view variable, std::uint32_t rounds, Body body) {
+        Stmt stmt = statement_at(update, StmtOp::for_);
+        stmt.local = cx.new_local(variable, cx.p.types.uint, stmt.span);
+        stmt.value = build.uint(0);
+        stmt.limit = build.uint(rounds);
+        stmt.body = body(build.local(stmt.local));
+        return cx.add(std::move(stmt));
+    }
+    void barrier() { made_.body.push_back(cx.add(statement(StmtOp::barrier, cx.kernel.span))); }
+
+    ExprId less(ExprId a, ExprId b) { return build.binary(BinaryOp::less, a, b); }
+    ExprId lane() { return build.builtin(Builtin::local_index, cx.p.types.uint); }
+
+    LocalId workgroup_array(const Update& update, std::string_view name, TypeId element, std::uint32_t count) {
+        const LocalId local = cx.new_local(name, cx.p.types.array(element, count), cx.p.stmts[update.stmt].span, true);
+        cx.p.locals[local].storage = Storage::shared;
+        cx.pass.shared.push_back(local);
+        return local;
+    }
+
+    std::string name_of(const Update& update) const { return cx.pass.bindings[cx.p.stmts[update.stmt].slot].name; }
+
+    // The loop over elements.
+
+    void loop(const std::vector<StmtId>& body) {
+        const Parts parts = divided(body);
+        const std::uint32_t together = elements_together(parts);
+        Stmt loop = statement(StmtOp::for_, cx.kernel.span);
+        loop.local = cx.new_local("turn", cx.p.types.uint, cx.kernel.span);
+        loop.value = build.uint(0);
+        loop.limit = build.uint(made_.elements[axis_] / together);
+        const ExprId first = build.multiply(build.local(loop.local), build.uint(together));
+        std::vector<StmtId> statements, late;
+        for (std::uint32_t i = 0; i < together; ++i)
+            late.push_back(element(parts, build.add(first, build.uint(i)), statements));
+        statements.insert(statements.end(), late.begin(), late.end());
+        loop.body = std::move(statements);
+        made_.body.push_back(cx.add(std::move(loop)));
+    }
+
+    /// The statements of one element: those that are valid at any address, which several elements execute before the
+    /// first of them executes the others.
+    struct Parts {
+        std::vector<StmtId> early, late;
+    };
+
+    /// Takes the `let`s whose values no statement changes, and what is combined if nothing but the address decides
+    /// that it is.
+    Parts divided(const std::vector<StmtId>& body) {
+        Parts parts;
+        for (StmtId id : body) {
+            const StmtId made = rewritten(id);
+            for (StmtId before : std::exchange(before_, {})) take(before, parts);
+            take(made, parts);
+        }
+        return parts;
+    }
+
+    void take(StmtId id, Parts& parts) {
+        const Stmt stmt = cx.p.stmts[id];
+        const bool may_be_early = stmt.value && dependence_.is_fixed(stmt.value) && !uses_late(stmt.value);
+        if (may_be_early && stmt.op == StmtOp::let && !cx.p.locals[stmt.local].is_mutable)
+            return parts.early.push_back(id);
+        if (stmt.op == StmtOp::let) late_.insert(stmt.local);
+        if (!may_be_early || stmt.op != StmtOp::if_ || !dependence_.has_load(stmt.value))
+            return parts.late.push_back(id);
+        const ExprId condition = named(stmt.span, "test", stmt.value, parts.early);
+        parts.late.push_back(build.again(id, {stmt.target, condition, stmt.limit, stmt.body, stmt.otherwise}));
+    }
+
+    /// The value as a `let`, which is added to `statements`.
+    ExprId named(Span span, std::string_view name, ExprId value, std::vector<StmtId>& statements) {
+        Stmt stmt = statement(StmtOp::let, span);
+        stmt.local = cx.new_local(name, build.type(value), span);
+        stmt.value = value;
+        cx.definitions[stmt.local] = value;
+        const ExprId local = build.local(stmt.local);
+        statements.push_back(cx.add(std::move(stmt)));
+        return local;
+    }
+
+    bool uses_late(ExprId id) const {
+        bool found = false;
+        for_each_node(cx.p, id, [&](ExprId node) {
+            const Expr& local = cx.p.exprs[node];
+            found = found || (local.op == Op::local && late_.contains(local.local));
+        });
+        return found;
+    }
+
+    /// How many elements load before the first of them updates: more would take too many registers, and too much code.
+    std::uint32_t elements_together(const Parts& parts) const {
+        constexpr std::size_t most_loads = 16, most_nodes = 320;
+        std::size_t loads = 0, nodes = 0;
+        for_each_expression(cx.p, parts.early, [&](ExprId id) { loads += is_load(cx.p.exprs[id].op); });
+        for (const std::vector<StmtId>* statements : {&parts.early, &parts.late})
+            for_each_expression(cx.p, *statements, [&](ExprId) { ++nodes; });
+        if (loads == 0) return 1;
+        std::uint32_t together = 8;
+        while (together > 1 && (together * loads > most_loads || together * nodes > most_nodes)) together /= 2;
+        return together;
+    }
+
+    /// Adds the early statements of the invocation's element `number` to `early`; returns the late ones.
+    StmtId element(const Parts& parts, ExprId number, std::vector<StmtId>& early) {
+        const std::uint32_t step = axis_ == 0 ? made_.group[0] : 1;
+        const ExprId at = address_at(build.multiply(number, build.uint(step)));
+        const auto name = [&](std::string_view text, ExprId value) {
+            return named(cx.kernel.span, text, value, early);
+        };
+        const ExprId is_there = name("is_there", StatementCopy(cx, at).of(in_range_condition(cx)));
+        // Where there is no element, the early statements are executed for the first one of the range.
+        StatementCopy copy(cx, name("at", build.select(is_there, at, build.zero(build.type(at)))));
+        for (StmtId id : parts.early) early.push_back(copy.of(id));
+        Stmt inside = statement(StmtOp::if_, cx.kernel.span);
+        inside.value = is_there;
+        for (StmtId id : parts.late) inside.body.push_back(copy.of(id));
+        return cx.add(std::move(inside));
+    }
+
+    /// The address `distance` elements from the invocation's first one.
+    ExprId address_at(ExprId distance) {
+        const ExprId address = build.local(cx.pass.address);
+        if (cx.pass.rank == 1) return build.add(address, distance);
+        Operands parts;
+        for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis) parts.push_back(build.component(address, axis));
+        parts[axis_] = build.add(parts[axis_], distance);
+        return build.construct(build.type(address), std::move(parts));
+    }
+
+    /// The statements with updates of locals and of copies in place of those of memory.
+    std::vector<StmtId> rewritten(const std::vector<StmtId>& body) {
+        std::vector<StmtId> result;
+        for (StmtId id : body) result.push_back(rewritten(id));
+        return result;
+    }
+
+    StmtId rewritten(StmtId id) {
+        const auto update = std::ranges::find(updates_, id, &Update::stmt);
+        if (update != updates_.end()) return in_turn(*update);
+        const Stmt& stmt = cx.p.stmts[id];
+        if (stmt.body.empty() && stmt.otherwise.empty()) return id;
+        Builder::Parts parts{stmt.target, stmt.value, stmt.limit, rewritten(stmt.body), {}};
+        parts.otherwise = rewritten(cx.p.stmts[id].otherwise);
+        return build.again(id, std::move(parts));
+    }
+
+    /// The value of an update, as a `let` in before_ if the element's address alone decides whether it is made.
+    ExprId named_value(const Update& update, ExprId value) {
+        const auto is_of_address = [&](const Condition& of) { return dependence_.is_same_along(axis_, of.value); };
+        if (!std::ranges::all_of(update.conditions, is_of_address) || is_trivial(cx, value)) return value;
+        return named(cx.p.stmts[update.stmt].span, name_of(update) + "_value", value, before_);
+    }
+
+    /// The statement that an element executes in place of its update.
+    StmtId in_turn(const Update& update) {
+        const Stmt stmt = cx.p.stmts[update.stmt];
+        const Combination combination = this->combination(update);
+        if (update.kind == Kind::plain) return update.stmt;
+        if (update.kind == Kind::copies) {
+            const Copies& copies = copies_of_.at(update.stmt);
+            Stmt add = statement_at(update, StmtOp::evaluate);
+            add.value = build.intrinsic(combination.intrinsic(), combination.type(),
+                                        {build.index(build.local(copies.array), build.add(copies.first, stmt.target)),
+                                         combination.key(stmt.value)});
+            return where(update, less(stmt.target, copies.size), {cx.add(std::move(add))}, {update.stmt});
+        }
+        const ExprId sum = build.local(update.sum);
+        const ExprId value = combination.key(named_value(update, stmt.value));
+        Stmt both = statement_at(update, StmtOp::block);
+        both.body = {assign(update, sum, combination.of(sum, value))};
+        if (!update.has) return both.body[0];
+        both.body.push_back(assign(update, build.local(update.has), build.truth(true)));
+        return cx.add(std::move(both));
+    }
+
+    void begin(Update& update) {
+        if (update.kind == Kind::copies) return begin_copies(update);
+        if (update.kind == Kind::plain) return;
+        update.sum = let(update, name_of(update) + "_sum", combination(update).identity(), true);
+        const auto is_of_address = [&](const Condition& of) { return dependence_.is_same_along(axis_, of.value); };
+        if (std::ranges::all_of(update.conditions, is_of_address)) return;
+        update.has = let(update, name_of(update) + "_is_written", build.truth(false), true);
+        if (update.kind == Kind::tree)
+            update.any = workgroup_array(update, name_of(update) + "_is_any", cx.p.types.uint, 1);
+    }
+
+    ExprId any_of(const Update& update) { return build.index(build.local(update.any), build.uint(0)); }
+
+    void end(const Update& update) {
+        if (update.kind == Kind::copies) return end_copies(update);
+        if (update.kind == Kind::column)
+            return update_memory(update, build.local(update.sum), update.has ? build.local(update.has) : ExprId{});
+        if (update.kind == Kind::tree) combine_in_workgroup(update);
+    }
+
+    /// A tree over the invocations: 128 add what the 128 others have to their own, then 64, and so on.
+    void combine_in_workgroup(const Update& update) {
+        const Combination combination = this->combination(update);
+        const LocalId sums = workgroup_array(update, name_of(update) + "_sums", combination.type(), invocations);
+        const auto sum_of = [&](ExprId invocation) { return build.index(build.local(sums), invocation); };
+        const ExprId is_first = build.binary(BinaryOp::equal, lane(), build.uint(0));
+        made_.body.push_back(assign(update, sum_of(lane()), build.local(update.sum)));
+        if (update.has) {
+            made_.body.push_back(where(update, is_first, {assign(update, any_of(update), build.uint(0))}));
+            barrier();
+            made_.body.push_back(
+                where(update, build.local(update.has), {assign(update, any_of(update), build.uint(1))}));
+        }
+        const std::uint32_t steps = std::countr_zero(invocations);
+        made_.body.push_back(loop_to(update, "level", steps, [&](ExprId level) -> std::vector<StmtId> {
+            const ExprId width = build.binary(BinaryOp::shift_right, build.uint(invocations / 2), level);
+            const ExprId both = combination.of(sum_of(lane()), sum_of(build.add(lane(), width)));
+            return {cx.add(statement_at(update, StmtOp::barrier)),
+                    where(update, less(lane(), width), {assign(update, sum_of(lane()), both)})};
+        }));
+        const ExprId is_any = update.has ? build.binary(BinaryOp::not_equal, any_of(update), build.uint(0)) : ExprId{};
+        update_memory(update, sum_of(build.uint(0)), build.both(is_first, is_any));
+    }
+
+    /// Updates memory by what elements have combined, if `condition` holds and the conditions do that are the same for
+    /// all of them.
+    void update_memory(const Update& update, ExprId key, ExprId condition) {
+        const Combination combination = this->combination(update);
+        StatementCopy copy(cx, build.local(cx.pass.address));
+        condition = build.both(condition, in_range_condition(cx));
+        for (const Condition& of : update.conditions) {
+            if (!dependence_.is_same_along(axis_, of.value)) continue;
+            const ExprId value = copied(copy, of.value);
+            condition = build.both(condition, of.is_true ? value : build.negate(value));
+        }
+        if (combination.type() != build.type(cx.p.stmts[update.stmt].value))
+            condition = build.both(condition, build.binary(BinaryOp::not_equal, key, combination.identity()));
+        Stmt stmt = cx.p.stmts[update.stmt];
+        stmt.target = copied(copy, stmt.target);
+        stmt.value = combination.value(key);
+        made_.body.push_back(where(update, condition, {cx.add(std::move(stmt))}));
+    }
+
+    /// A copy of the expression with definitions in place of the locals of the loop over elements.
+    ExprId copied(StatementCopy& copy, ExprId id) {
+        for_each_node(cx.p, id, [&](ExprId node) {
+            const Expr& local = cx.p.exprs[node];
+            if (local.op != Op::local) return;
+            if (const ExprId* value = cx.definitions.find(local.local)) copy.replace(node, copied(copy, *value));
+        });
+        return copy.of(id);
+    }
+
+    // Copies in workgroup memory.
+
+    struct Copies {
+        LocalId array;
+        ExprId size;   ///< the number of elements in a copy, the first ones of the buffer; 0: there are no copies
+        ExprId count;  ///< of copies
+        ExprId step;  ///< from an element in one copy to the same in the next: odd, so that they are in different banks
+        ExprId first;  ///< the first element of this invocation's copy
+    };
+
+    std::uint32_t words_of_copies() const { return copied_words / std::bit_ceil(copies_); }
+
+    /// A limit of the index, the same for all invocations, if the index is computed by a remainder or a mask; else
+    /// absent. It may be wrong: which elements are copied decides how fast the pass is, not what it computes.
+    ExprId limit_of(ExprId index) {
+        const Expr node = cx.p.exprs[index];
+        const ExprId* definition = node.op == Op::local ? cx.definitions.find(node.local) : nullptr;
+        if (definition != nullptr) return limit_of(*definition);
+        if (node.op != Op::binary || node.type != cx.p.types.uint) return {};
+        const auto is_known = [&](std::size_t i) { return is_uniform(cx, node.operands[i]); };
+        const std::size_t known = is_known(1) ? 1 : 0;
+        if (node.binary == BinaryOp::remainder && known == 1) return node.operands[1];
+        if (!is_known(known)) return {};
+        if (node.binary == BinaryOp::bit_and) return build.add(node.operands[known], build.uint(1));
+        if (node.binary != BinaryOp::add) return {};
+        const ExprId rest = limit_of(node.operands[1 - known]);
+        return rest ? build.add(node.operands[known], rest) : ExprId{};
+    }
+
+    /// The number of elements of the buffer.
+    ExprId size_of_memory(const Update& update) {
+        const PassBinding& binding = cx.pass.bindings[cx.p.stmts[update.stmt].slot];
+        Expr extent;
+        extent.op = Op::memory_extent;
+        extent.type = cx.p.types.uint;
+        extent.place = binding.place;
+        extent.slot = binding.memory;
+        return cx.p.exprs.add(std::move(extent));
+    }
+
+    void begin_copies(const Update& update) {
+        const std::string name = name_of(update);
+        const std::uint32_t words = words_of_copies();
+        const ExprId zero = build.uint(0), one = build.uint(1);
+        ExprId size = size_of_memory(update);
+        if (const ExprId limit = limit_of(cx.p.stmts[update.stmt].target))
+            size = build.intrinsic(Intrinsic::min, cx.p.types.uint, {size, limit});
+        Copies copies;
+        copies.array = workgroup_array(update, name + "_copies", combination(update).type(), words);
+        const ExprId copied = build.select(less(size, build.uint(words)), size, zero);
+        cx.name(copied, name + "_copied");
+        const ExprId is_possible = build.builtin(Builtin::adds_floats, cx.p.types.bool_);
+        const ExprId all_or_none =
+            combination(update).is_of_floats() ? build.select(is_possible, copied, zero) : copied;
+        // A variable, so that what is computed of it does not become a parameter.
+        copies.size = build.local(let(update, name + "_copied", all_or_none, true));
+        copies.step = build.binary(BinaryOp::bit_or, copies.size, one);
+        const TypeId of_bits = cx.p.types.int_;
+        const ExprId fitting = build.binary(BinaryOp::divide, build.uint(words), copies.step);
+        const ExprId bits = build.intrinsic(Intrinsic::min, of_bits,
+                                            {build.intrinsic(Intrinsic::findMSB, of_bits, {fitting}),
+                                             build.integer(of_bits, std::countr_zero(most_copies))});
+        const ExprId count = build.binary(BinaryOp::shift_left, one, build.convert(cx.p.types.uint, bits));
+        copies.count = build.local(let(update, name + "_copy_count", count, true));
+        const ExprId last = build.binary(BinaryOp::subtract, copies.count, one);
+        const ExprId mine = build.multiply(build.binary(BinaryOp::bit_and, lane(), last), copies.step);
+        copies.first = build.local(let(update, name + "_copy", mine, false));
+        const ExprId all = build.multiply(copies.count, copies.step);
+        made_.body.push_back(for_each_word(update, all, [&](ExprId at) -> std::vector<StmtId> {
+            return {assign(update, build.index(build.local(copies.array), at), combination(update).identity())};
+        }));
+        copies_of_.emplace(update.stmt, copies);
+    }
+
+    void end_copies(const Update& update) {
+        const Copies& copies = copies_of_.at(update.stmt);
+        made_.body.push_back(
+            for_each_word(update, copies.size, [&](ExprId at) { return sum_of_copies(update, copies, at); }));
+    }
+
+    /// The workgroup's invocations execute `body` for the numbers up to `count`.
+    template <class Body> StmtId for_each_word(const Update& update, ExprId count, Body body) {
+        return loop_to(update, "turn", (words_of_copies() + invocations - 1) / invocations,
+                       [&](ExprId turn) -> std::vector<StmtId> {
+                           const ExprId at = build.add(build.multiply(turn, build.uint(invocations)), lane());
+                           return {where(update, less(at, count), body(at))};
+                       });
+    }
+
+    std::vector<StmtId> sum_of_copies(const Update& update, const Copies& copies, ExprId at) {
+        const Combination combination = this->combination(update);
+        Stmt let = statement_at(update, StmtOp::let);
+        let.local = cx.new_local("sum", combination.type(), let.span, true);
+        let.value = combination.identity();
+        const ExprId sum = build.local(let.local);
+        const StmtId loop = loop_to(update, "copy", most_copies, [&](ExprId copy) -> std::vector<StmtId> {
+            const ExprId place = build.add(build.multiply(copy, copies.step), at);
+            const ExprId both = combination.of(sum, build.index(build.local(copies.array), place));
+            return {where(update, less(copy, copies.count), {assign(update, sum, both)})};
+        });
+        Stmt stmt = cx.p.stmts[update.stmt];
+        stmt.target = at;
+        stmt.value = combination.value(sum);
+        const StmtId memory = cx.add(std::move(stmt));
+        return {cx.add(std::move(let)), loop,
+                where(update, build.binary(BinaryOp::not_equal, sum, combination.identity()), {memory})};
+    }
+
+    Context& cx;
+    Builder& build;
+    std::vector<Update> updates_;
+    Updates& dependence_;
+    Privatised made_;
+    std::uint32_t axis_ = 0;
+    bool is_chosen_ = false;
+    std::uint32_t copies_ = 0;
+    std::unordered_map<StmtId, Copies> copies_of_;
+    std::vector<StmtId> before_;  ///< `let`s that go before the statement of the body that is being rewritten
+    IdSet<Local> late_;           ///< locals that late statements declare
+};
+
+}  // namespace
+
+std::optional<Privatised> privatised(Context& cx, const std::vector<StmtId>& body) {
+    if (cx.kernel.grouped() || cx.kernel.space || cx.kernel.raster || cx.kernel.items != 1 || cx.pass.rank > 3)
+        return {};
+    // Workgroups that wait for one another must not wait for elements that an invocation takes later.
+    if (std::ranges::any_of(cx.pass.bindings, &PassBinding::coherent)) return {};
+    Updates dependence(cx);
+    std::vector<Update> updates = dependence.of(body);
+    Privatisation privatisation(cx, std::move(updates), dependence);
+    if (!privatisation.choose()) return {};
+    return privatisation.run(body);
+}
+
+}  // namespace gliftc::lower
