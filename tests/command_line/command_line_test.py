@@ -376,7 +376,7 @@ use std.array;
 kernel copy<{generics}>({takes}) {{ {parameters[0]} = {parameters[1]}; }}
 pub pipeline step({", ".join(f"p{i}: inout Line" for i in range(12))}) {{ copy({", ".join(f"p{i}" for i in range(12))}); }}
 """)
-says(here.run("--target=glsl,spirv", "-o", "long_names", "long_names.glift"), 0)
+says(here.run("--target=glsl", "--target=spirv", "-o", "long_names", "long_names.glift"), 0)
 expect(all(len(name) < 150 for name in here.names("long_names")), "names of shaders are short", here.names("long_names"))
 
 # A number for each component.
