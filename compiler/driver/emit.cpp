@@ -12,6 +12,7 @@
 #include "interop/interop.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <future>
 #include <iterator>
@@ -22,8 +23,20 @@ namespace gliftc {
 
 namespace {
 
-/// The name of a kernel's shader: `scale` or, for a generic kernel, `scale_2_float`; not one of `taken`, to which it is
-/// added.
+/// The name itself or, if it is longer than 100 characters, its beginning and a hash of all of it (FNV-1a): file
+/// systems allow names of 255 bytes, which have the module's name and an ending, too.
+std::string shortened(const std::string& name) {
+    constexpr std::size_t longest = 100, digits = 16;
+    if (name.size() <= longest) return name;
+    std::uint64_t hash = 14695981039346656037u;
+    for (char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+    char text[digits + 1];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+    return name.substr(0, longest - digits - 1) + "_" + text;
+}
+
+/// The name of a kernel's shader: `scale` or, for a generic kernel, `scale_2_float`, shortened; not one of `taken`, to
+/// which it is added.
 std::string shader_name(const std::string& display, std::set<std::string>& taken) {
     std::string name;
     for (char c : display) {
@@ -32,6 +45,7 @@ std::string shader_name(const std::string& display, std::set<std::string>& taken
         if (!plain && !name.empty() && name.back() != '_') name += '_';
     }
     while (!name.empty() && name.back() == '_') name.pop_back();
+    name = shortened(name);
     std::string unique = name;
     for (int n = 2; !taken.insert(unique).second; ++n) unique = name + "_" + std::to_string(n);
     return unique;

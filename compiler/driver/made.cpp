@@ -235,7 +235,8 @@ std::optional<MadeStructure> made_with(const ir::Program& program, const ir::Str
     std::size_t count = 0;
     for (ir::LocalId local : structure.constructor) count += ir::lane_count(program, program.locals[local].type);
     if (count != numbers.size()) {
-        problem = wanted(program, structure, count) + ", not " + std::to_string(numbers.size());
+        problem = wanted(program, structure, count) + ", not " + std::to_string(numbers.size()) +
+                  ": write one for each component, as in float2(0.0, 0.0)";
         return std::nullopt;
     }
     MadeStructure result;

@@ -14,33 +14,33 @@ std::uint32_t rounded_up(std::uint32_t value, std::uint32_t align) { return (val
 
 }  // namespace
 
-std::vector<std::uint32_t> offsets_of(const Program& program, const Struct& type) {
-    if (!type.offsets.empty()) return type.offsets;
-    std::vector<std::uint32_t> offsets;
-    std::uint32_t end = 0;
-    for (const StructField& field : type.fields) {
-        Size part = size_of(program, field.type);
-        offsets.push_back(rounded_up(end, part.align));
-        end = offsets.back() + part.size;
-    }
-    return offsets;
-}
-
 namespace {
 
-Size size_of_struct(const Program& program, const Struct& type) {
-    Size result{0, 1};
-    std::vector<std::uint32_t> offsets = offsets_of(program, type);
+/// The offset of each field, and the size of the struct. Each field's size is computed once: a struct's size is the sum
+/// of its fields', so that two computations per level of nesting would take exponential time.
+struct Places {
+    std::vector<std::uint32_t> offsets;
+    Size size{0, 1};
+};
+
+Places places_in(const Program& program, const Struct& type) {
+    Places places{type.offsets};
+    std::uint32_t end = 0;
     for (std::size_t i = 0; i < type.fields.size(); ++i) {
-        Size part = size_of(program, type.fields[i].type);
-        result.align = std::max(result.align, part.align);
-        result.size = std::max(result.size, offsets[i] + part.size);
+        const Size part = size_of(program, type.fields[i].type);
+        if (type.offsets.empty()) places.offsets.push_back(rounded_up(end, part.align));
+        places.size.align = std::max(places.size.align, part.align);
+        end = std::max(end, places.offsets[i] + part.size);
     }
-    result.size = type.size ? type.size : rounded_up(result.size, result.align);
-    return result;
+    places.size.size = type.size ? type.size : rounded_up(end, places.size.align);
+    return places;
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> offsets_of(const Program& program, const Struct& type) {
+    return type.offsets.empty() ? places_in(program, type).offsets : type.offsets;
+}
 
 Size size_of(const Program& program, TypeId id) {
     const Type& type = program.types[id];
@@ -66,7 +66,7 @@ Size size_of(const Program& program, TypeId id) {
         Size part = size_of(program, type.element);
         return {part.size * type.count, part.align};
     }
-    case TypeKind::struct_: return size_of_struct(program, program.structs[type.index]);
+    case TypeKind::struct_: return places_in(program, program.structs[type.index]).size;
     case TypeKind::optional: {
         Size part = size_of(program, type.element);
         std::uint32_t align = std::max(part.align, 4u);

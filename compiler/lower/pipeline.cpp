@@ -367,6 +367,15 @@ Lowered::Forms lowered_forms(Program& program, Diagnostics& diagnostics, std::ui
                       "unrolled, and "
                       "short functions inlined; make the window or the number of rounds smaller, or split the kernel"});
         return {};
+    } catch (const TooManyNearReads& at) {
+        const Kernel& large = program.kernels[kernel];
+        const std::string& read = (*program.names)[large.params[at.param].name];
+        Diagnostic& report = diagnostics.report(Diag::too_many_near_reads, at.span,
+                                                {large.display, read, std::to_string(most_near_reads)});
+        report.notes.push_back({large.span,
+                                "each round of a loop over offsets counts: use a smaller window, one kernel "
+                                "for each axis, or take the structure as any<…>"});
+        return {};
     }
 }
 

@@ -365,4 +365,21 @@ says(here.run("--target=json", "-o", "sums", "sums.glift"), 0)
 kernels = json.loads((here.path / "sums/sums.glift.json").read_text())["kernels"]
 exact = {kernel["name"] for kernel in kernels if all(form["exact"] for form in kernel["forms"].values())}
 expect(exact == {"sum_ints", "multiply_ints", "extremes", "count", "least"}, "sums and products of floats alone are inexact", exact)
+# Instances whose names exceed what file systems allow have shortened ones, which differ.
+parameters = [f"element_of_the_structure_{i}" for i in range(12)]
+struct = "struct A_struct_with_a_rather_long_name { value: float; }\n"
+generics = ", ".join(f"S{i}: Structure<uint, A_struct_with_a_rather_long_name>" for i in range(12))
+takes = ", ".join(f"{name}: {'out' if i == 0 else 'in'} each<S{i}>" for i, name in enumerate(parameters))
+here.write("long_names.glift", f"""module long_names;
+use std.array;
+{struct}structure Line = Array<1, A_struct_with_a_rather_long_name>;
+kernel copy<{generics}>({takes}) {{ {parameters[0]} = {parameters[1]}; }}
+pub pipeline step({", ".join(f"p{i}: inout Line" for i in range(12))}) {{ copy({", ".join(f"p{i}" for i in range(12))}); }}
+""")
+says(here.run("--target=glsl", "--target=spirv", "-o", "long_names", "long_names.glift"), 0)
+expect(all(len(name) < 150 for name in here.names("long_names")), "names of shaders are short", here.names("long_names"))
+
+# A number for each component.
+here.write("bordered.glift", "module bordered;\nuse std.array;\npub structure B = Bordered<2, float4>;\n")
+says(here.run("explain", "--made", "B(uint2(8, 8), float4(0.0))", "bordered.glift"), 2, "takes 6 numbers, not 3", "each component")
 finish()

@@ -1,9 +1,9 @@
 // Questions about loops and arrays. Most of them decide which loops of a kernel are unrolled. (Loops of inlined
-// functions always are, see inline.cpp.) A kernel's loop is unrolled only if it has constant bounds and at most
-// unroll_limit iterations, and for one of two reasons. If offsets of neighbour reads depend on the loop, its body is
-// copied for each iteration, so that these offsets become constants, unless a break, a continue or the return of an
-// expanded function leaves the loop. If the loop indexes a private array by its variable, it gets an unroll hint for
-// the shader's compiler.
+// functions always are, see inline.cpp.) A kernel's loop is unrolled only if it has constant bounds, and for one of two
+// reasons. If offsets of neighbour reads depend on the loop and it has at most near_unroll_limit iterations, its body
+// is copied for each iteration, so that these offsets become constants, unless a break, a continue or the return of an
+// expanded function leaves the loop. If the loop indexes a private array by its variable and has at most unroll_limit
+// iterations, it gets an unroll hint for the shader's compiler.
 #pragma once
 
 #include "ir/ir.h"
@@ -14,6 +14,7 @@
 namespace gliftc::lower {
 
 inline constexpr std::uint64_t unroll_limit = 64;
+inline constexpr std::uint32_t near_unroll_limit = 65 * 65;  ///< one loop over a square window of the largest radius
 
 /// Whether the type is an array of more than unroll_limit elements, or an array of such arrays.
 bool is_long_array(const ir::Program& program, ir::TypeId type);

@@ -288,6 +288,7 @@ ExprId Expander::near(const Expr& node) {
     Place place = resolved(node.place);
     auto offset = offset_of(node);
     if (!offset) return build.zero(node.type);
+    if (++near_reads > most_near_reads) throw TooManyNearReads{node.span, place.root};
     if (Halo* halo = halo_of(place.root)) return in_halo(*halo, *offset);
     const bool is_centre = std::ranges::all_of(*offset, [](std::int64_t part) { return part == 0; });
     const ExprId value = is_centre ? element(place.root, node.span) : neighbour(place, *offset);

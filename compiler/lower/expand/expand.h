@@ -12,6 +12,7 @@
 #include "lower/analysis/inline_size.h"
 #include "lower/analysis/number.h"
 #include "lower/analysis/tree_size.h"
+#include "lower/analysis/unroll.h"
 #include "lower/context.h"
 #include "lower/expand/halos.h"
 
@@ -35,6 +36,16 @@ constexpr std::uint32_t most_nodes = 1u << 19;
 /// Thrown by the expansion of a body when there are more than most_nodes nodes.
 struct KernelTooLarge {
     Span span;  ///< the statement that was being expanded
+};
+
+/// The number of neighbour reads that a body may have after unrolling: a square window of the largest radius, 65 x 65.
+/// Time and memory of lowering grow faster than this number.
+constexpr std::uint32_t most_near_reads = near_unroll_limit;
+
+/// Thrown by the expansion of a body that has more than most_near_reads.
+struct TooManyNearReads {
+    Span span;            ///< of the read
+    std::uint32_t param;  ///< what it reads
 };
 
 /// Which body is made. checked: valid for every element, neighbour reads test that they are in the domain. interior:
@@ -91,6 +102,7 @@ public:
         ExprId value;
     };
     std::vector<NearValue> near_values;
+    std::uint32_t near_reads = 0;  ///< neighbour reads expanded up to now
     /// For kernels over blocks, the offsets at which each near parameter is read; only offset zero for a structure that
     /// may map addresses outside its domain, and where blocks may begin anywhere. Absent if a function that is not
     /// inlined reads neighbours.

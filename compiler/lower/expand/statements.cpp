@@ -226,7 +226,7 @@ void Expander::expand_for(const Stmt& stmt) {
     const Local variable_ = p.locals[stmt.local];
     std::optional<Rounds> rounds = rounds_of(p, first, limit);
     const bool leaves = leaves_loop(p, stmt.body) || (frame_->leaving != nullptr && returns(p, stmt.body));
-    if (rounds && rounds->count <= unroll_limit && has_near_depending_on_loop(p, stmt) && !leaves) {
+    if (rounds && rounds->count <= near_unroll_limit && has_near_depending_on_loop(p, stmt) && !leaves) {
         for (std::uint64_t i = 0; i < rounds->count; ++i) {
             frame_->locals[stmt.local] = {build.integer(variable_.type, rounds->first + i), {}};
             expand_body(stmt.body);

@@ -35,6 +35,12 @@ ir::TypeId make_struct(Context& c, ast::DeclId id, const Env& env, const std::st
     c.instances[key].index = index;
     c.struct_decl[index] = id;
     for (const auto& [name, meta] : env.bindings) c.struct_arguments[index].push_back(meta);
+    if (written.fields.size() > most_fields) {
+        note(c.error(Diag::too_many_fields, decl.name.span,
+                     {c.text(decl.name.name), std::to_string(written.fields.size()), std::to_string(most_fields)}),
+             {}, "make fields of one type an array, or group fields into structs");
+        return c.types().error;
+    }
     std::vector<ir::StructField> fields;
     std::uint64_t scalars = 0;
     for (const ast::Field& field : written.fields) {
@@ -50,6 +56,12 @@ ir::TypeId make_struct(Context& c, ast::DeclId id, const Env& env, const std::st
             c.error(Diag::field_type, c[field.type].span,
                     {c.text(type) + ": with it " + too_many_scalars(c.text(name), scalars)});
             scalars -= scalars_in(c.program, type);
+            type = c.types().error;
+        }
+        if (levels_of(c.program, type) >= most_levels) {
+            note(c.error(Diag::type_too_deep, c[field.type].span,
+                         {"'" + c.text(decl.name.name) + "'", std::to_string(most_levels)}),
+                 {}, "declare the inner values as fields of the outer struct");
             type = c.types().error;
         }
         for (const ir::StructField& other : fields)
@@ -200,6 +212,13 @@ std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, c
     InstantiationScope scope(c, display_of(c, decl, env), use);
     if (scope.too_deep()) return std::nullopt;
     c.instances[key] = {};
+    if (written.params.size() > most_parameters) {
+        note(c.error(Diag::too_many_parameters, decl.name.span,
+                     {c.text(decl.name.name), std::to_string(written.params.size()), std::to_string(most_parameters)}),
+             {}, "pass a struct or an array");
+        c.instances[key].state = Instance::State::failed;
+        return std::nullopt;
+    }
     std::size_t errors = c.diagnostics.own_error_count();
     ir::Function function;
     function.name = decl.name.name;

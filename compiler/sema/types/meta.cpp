@@ -257,6 +257,11 @@ Meta meta_of_array(Context& c, const Env& env, const ast::Expr& expr) {
         return {};
     }
     const ir::TypeId type = c.types().array(element, *count);
+    if (levels_of(c.program, type) > most_levels) {
+        note(c.error(Diag::type_too_deep, expr.span, {"this array", std::to_string(most_levels)}), {},
+             "use fewer dimensions, and compute the index in an array of one");
+        return {};
+    }
     if (const std::uint64_t scalars = scalars_in(c.program, type); scalars > most_scalars) {
         Diagnostic& error = c.error(Diag::array_size, expr.span);
         note(error, {}, too_many_scalars(c.text(type), scalars) + ": keep it in a structure, as Array<1, …>");

@@ -1,5 +1,7 @@
 #include "sema/types/type_size.h"
 
+#include <algorithm>
+
 namespace gliftc::sema {
 
 std::uint64_t scalars_in(const ir::Program& program, ir::TypeId id) {
@@ -16,6 +18,17 @@ std::uint64_t scalars_in(const ir::Program& program, ir::TypeId id) {
     }
     default: return 1;
     }
+}
+
+std::uint32_t levels_of(const ir::Program& program, ir::TypeId id) {
+    const ir::Type& type = program.types[id];
+    if (type.kind == ir::TypeKind::array || type.kind == ir::TypeKind::optional)
+        return 1 + levels_of(program, type.element);
+    if (type.kind != ir::TypeKind::struct_) return 0;
+    std::uint32_t inner = 0;
+    for (const ir::StructField& field : program.structs[type.index].fields)
+        inner = std::max(inner, levels_of(program, field.type));
+    return 1 + inner;
 }
 
 std::string too_many_scalars(const std::string& type, std::uint64_t scalars) {

@@ -1,4 +1,4 @@
-// The limit on the number of scalars in a type.
+// The limits on types and parameters: docs/language.md, "Limits".
 #pragma once
 
 #include "sema/context.h"
@@ -6,6 +6,18 @@
 namespace gliftc::sema {
 
 inline constexpr std::uint64_t most_scalars = 65536;
+
+/// The number of members of a struct that SPIR-V allows.
+inline constexpr std::size_t most_fields = 16383;
+
+/// SPIR-V allows 255 parameters of a function, and 255 indices in an access, one for each level of a type. Both limits
+/// are lower, since the compiler adds parameters and levels.
+inline constexpr std::size_t most_parameters = 100;
+inline constexpr std::uint32_t most_levels = 200;
+
+/// The levels of nesting in a type: 0 for scalars, vectors and matrices, one more than its elements or fields have for
+/// an array, a struct or an optional.
+std::uint32_t levels_of(const ir::Program& program, ir::TypeId type);
 
 /// The number of scalars in a value of the type, with one more for each optional. The types of its elements and fields
 /// must have at most most_scalars each, so that the sum does not overflow.
