@@ -81,7 +81,7 @@ std::vector<Readable> readable_shaders(const Compilation& c, const std::vector<s
     return texts;
 }
 
-void emit_shaders(const Options& options, const Compilation& c, std::uint32_t module, const std::string& base,
+void emit_shaders(const Options& options, const Compilation& c, ir::ModuleId module, const std::string& base,
                   const std::vector<cpp::KernelCode>& shaders, std::vector<Output>& outputs) {
     std::vector<std::uint32_t> kernels;
     for (std::uint32_t k = 0; k < c.program.kernels.size(); ++k)
@@ -115,7 +115,7 @@ std::vector<cpp::KernelCode> stripped(std::vector<cpp::KernelCode> shaders) {
     return shaders;
 }
 
-void emit_cpp(const Options& options, const Compilation& c, std::uint32_t module, const std::string& base,
+void emit_cpp(const Options& options, const Compilation& c, ir::ModuleId module, const std::string& base,
               const std::vector<cpp::KernelCode>& shaders, const cpp::Options& cpp, cpp::Defined& defined,
               std::vector<Output>& outputs) {
     std::vector<cpp::KernelCode> code;
@@ -133,14 +133,14 @@ void emit_cpp(const Options& options, const Compilation& c, std::uint32_t module
 
 /// Adds the GLSL libraries of public structures and views, which users include in their own shaders:
 /// `laplacian.Field.glsl`.
-void emit_libraries(const Compilation& c, std::uint32_t module, const std::string& base, std::vector<Output>& outputs) {
+void emit_libraries(const Compilation& c, ir::ModuleId module, const std::string& base, std::vector<Output>& outputs) {
     for (const ir::Library& library : c.lowered.libraries)
         if (library.module == module)
             outputs.push_back({base + "." + library.name + ".glsl", glsl::library_of(c.program, c.sources, library)});
 }
 
 /// The kernels whose SPIR-V some output of the module holds.
-std::set<std::uint32_t> kernels_with_code(const Options& options, const Compilation& c, std::uint32_t module,
+std::set<std::uint32_t> kernels_with_code(const Options& options, const Compilation& c, ir::ModuleId module,
                                           const cpp::Options& cpp, const cpp::Defined& defined) {
     std::set<std::uint32_t> kernels;
     if (options.wants(Target::spirv))
@@ -167,7 +167,7 @@ std::vector<Output> emit(const Options& options, const Compilation& c) {
                      .host_kernel = options.wants(Target::host) ? &host::kernel_of : nullptr};
     cpp::Defined defined;
     std::set<std::string> bases;
-    for (std::uint32_t m = 0; m < c.program.modules.size(); ++m) {
+    for (ir::ModuleId m : c.program.modules.ids()) {
         const ir::Module& module = c.program.modules[m];
         if (!module.is_root) continue;
         std::string base = cpp::file_stem(c.program, c.sources, m);

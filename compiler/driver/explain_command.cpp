@@ -78,7 +78,7 @@ class Explainer {
 public:
     explicit Explainer(const Compilation& c) : draws(explained_draws(c)), c_(c), program_(c.program) {
         for (const ir::Structure& structure : program_.structures) explain(structure);
-        for (std::uint32_t i = 0; i < program_.translators.size(); ++i)
+        for (ir::TranslatorId i : program_.translators.ids())
             if (shown_.insert(i).second) translators.push_back(explained(program_.translators[i], {}));
     }
 
@@ -187,7 +187,7 @@ private:
 
     const Compilation& c_;
     const ir::Program& program_;
-    std::set<std::uint32_t> shown_;
+    std::set<ir::TranslatorId> shown_;
 };
 
 std::string line(const std::string& indent, const std::string& what, const std::string& value) {

@@ -15,6 +15,7 @@
 #include "base/name.h"
 #include "base/rare_vector.h"
 #include "base/small_vector.h"
+#include "base/table.h"
 #include "ir/intrinsics.h"
 #include "ir/invocation.h"
 #include "ir/raster.h"
@@ -34,10 +35,14 @@ struct Expr;
 struct Stmt;
 struct Local;
 struct Function;
+struct Translator;
+struct Module;
 using ExprId = Id<Expr>;
 using StmtId = Id<Stmt>;
 using LocalId = Id<Local>;
 using FunctionId = Id<Function>;
+using TranslatorId = Id<Translator>;
+using ModuleId = Id<Module>;
 using Operands = SmallVector<ExprId, 4>;
 
 /// A path to a structure: `root` says where the path starts, `members` are indices in Structure::members, one a step.
@@ -186,7 +191,7 @@ struct Function {
     /// It or a function that it calls has operations of level structure (levels.h): reads, translations, ids, …
     bool reads_memory = false;
     std::vector<Effect> effects;  ///< those that it declares, and those inherited from functions that it calls
-    std::uint32_t module = 0;
+    ModuleId module;
     std::string extern_name;  ///< the C++ function to call instead (host only); else empty
     std::string doc;
     bool grouped() const { return group[0] != 0; }
@@ -206,7 +211,7 @@ struct Struct {
     Name name;
     std::string display;
     std::string key;  ///< display with module-qualified names; the same in every run of gliftc
-    std::uint32_t module = 0;
+    ModuleId module;
     bool is_pub = false;
     std::vector<StructField> fields;
     std::string extern_header;  ///< of a struct imported from C++: the header, as written in the source; else empty
@@ -219,7 +224,7 @@ struct Struct {
 
 struct Enum {
     Name name;
-    std::uint32_t module = 0;
+    ModuleId module;
     bool is_pub = false;
     std::vector<Name> enumerators;
     std::vector<std::uint32_t> values;
@@ -255,7 +260,7 @@ struct Translator {
     std::string display;  ///< Fold<4>
     std::string key;
     Span span;
-    std::uint32_t module = 0;
+    ModuleId module;
     TypeId virtual_type;                    ///< uint or a vector of uint
     TypeId physical_type;                   ///< uint or a vector of uint; not the optional that translate may give
     std::vector<StructField> scalars;       ///< state that is values: Op::state reads the one at its slot
@@ -270,7 +275,7 @@ struct Translator {
 
 /// One translator of a structure's `via`: `via A then B` has two stages.
 struct Stage {
-    std::uint32_t translator = 0;
+    TranslatorId translator;
     std::vector<ExprId>
         scalars;  ///< initial values of Translator::scalars: expressions over the structure (place root 0)
     std::vector<Place> structures;  ///< the structures passed as Translator::structures (root 0 is the structure)
@@ -378,7 +383,7 @@ struct Blocks {
 /// What a module calls an instance of a structure: `pub structure Field = Array<4, float>;`.
 struct Alias {
     Name name;
-    std::uint32_t module = 0;
+    ModuleId module;
     bool is_pub = false;
 };
 
@@ -390,7 +395,7 @@ struct Structure {
     std::string key;             ///< std.array.Array<4, float>
     std::vector<Alias> aliases;  ///< names in all modules, in the order in which sema finds them, by use or declaration
     Span span;
-    std::uint32_t module = 0;          ///< the one with the declaration
+    ModuleId module;          ///< the one with the declaration
     TypeId domain_type;                ///< uint or vector of uint; adaptors: void
     TypeId element;                    ///< type of its elements; adaptors: void
     std::vector<LocalId> constructor;  ///< constructor parameters that are values; Op::member slot i
@@ -437,7 +442,7 @@ struct Kernel {
     std::string display;
     std::string key;
     Span span;
-    std::uint32_t module = 0;
+    ModuleId module;
     bool is_pub = false;
     std::vector<KernelParam> params;
     std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< all 0: the compiler chooses
@@ -478,7 +483,7 @@ struct Pipeline {
     std::string display;
     std::string key;
     Span span;
-    std::uint32_t module = 0;
+    ModuleId module;
     bool is_pub = false;
     std::optional<std::uint32_t> owner;  ///< of an adaptor's pipeline: the adaptor's instance
     std::vector<PipelineParam> params;
@@ -495,7 +500,7 @@ struct Pipeline {
 struct Test {
     std::string title;
     Span span;
-    std::uint32_t module = 0;
+    ModuleId module;
     std::uint32_t pipeline = 0;  ///< index in Program::pipelines
 };
 
@@ -503,7 +508,7 @@ struct Constant {
     Name name;
     TypeId type;
     ExprId value;
-    std::uint32_t module = 0;
+    ModuleId module;
     bool is_pub = false;
     std::string doc;
 };
@@ -512,7 +517,7 @@ struct Module {
     Name name;  ///< "std.array"
     std::uint32_t file = 0;
     bool is_root = false;                ///< named on the command line: outputs are generated for it
-    std::vector<std::uint32_t> imports;  ///< indices in Program::modules of what it imports, also indirectly; sorted
+    std::vector<ModuleId> imports;  ///< what it imports, also indirectly; sorted
     std::string doc;
 };
 
@@ -524,11 +529,11 @@ struct Program {
     Arena<Stmt> stmts;
     Arena<Local> locals;
     Arena<Function> functions;
-    std::vector<Module> modules;  ///< imported ones before those that import them
+    Table<Module> modules;  ///< imported ones before those that import them
     std::vector<Struct> structs;
     std::vector<Enum> enums;
     std::vector<Constant> constants;
-    std::vector<Translator> translators;
+    Table<Translator> translators;
     std::vector<Structure> structures;
     std::vector<Kernel> kernels;
     std::vector<Pipeline> pipelines;

@@ -146,7 +146,7 @@ struct LibraryFunction {
 /// has them, write, translate and is_mapped.
 struct Library {
     std::uint32_t structure = 0;
-    std::uint32_t module = 0;
+    ModuleId module;
     std::string name;
     std::vector<LibraryFunction> functions;
 };

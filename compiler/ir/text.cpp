@@ -114,7 +114,7 @@ std::string to_text(const Program& program, const Value& value) {
     return value_text(program, value.type, lanes);
 }
 
-std::string module_text(const Program& program, std::uint32_t module) {
+std::string module_text(const Program& program, ModuleId module) {
     return (*program.names)[program.modules[module].name] + ".";
 }
 

@@ -40,7 +40,7 @@ void Trace::note(std::string_view pass_name, const ir::Program& program, const i
 
 void Trace::note(std::string_view pass_name, const ir::Program& program, const std::vector<ir::FunctionId>& functions) {
     if (pass_name != dump_after) return;
-    for (std::uint32_t module = 0; module < program.modules.size(); ++module) {
+    for (ir::ModuleId module : program.modules.ids()) {
         const auto kernel = std::ranges::find(program.kernels, module, &ir::Kernel::module);
         if (!program.modules[module].is_root || kernel == program.kernels.end()) continue;
         ir::Pass shown;

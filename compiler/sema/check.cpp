@@ -33,9 +33,9 @@ void check_constant(Context& c, ast::DeclId id) {
 }
 
 /// The root modules in which the structure has a public name.
-std::vector<std::uint32_t> makers_of(const Context& c, std::uint32_t structure) {
-    std::vector<std::uint32_t> makers;
-    for (std::uint32_t i = 0; i < c.modules.size(); ++i)
+std::vector<ir::ModuleId> makers_of(const Context& c, std::uint32_t structure) {
+    std::vector<ir::ModuleId> makers;
+    for (ir::ModuleId i : c.modules.ids())
         if (c.modules[i].is_root && ir::is_public(c.program.structures[structure], i)) makers.push_back(i);
     return makers;
 }
@@ -43,7 +43,7 @@ std::vector<std::uint32_t> makers_of(const Context& c, std::uint32_t structure) 
 /// Instantiates a pipeline without generic parameters; one with range parameters, for every combination of stored
 /// structures that have public names in `modules` and match the ranges.
 void check_pipeline(Context& c, ast::DeclId id, const Env& env, std::optional<std::uint32_t> owner,
-                    const std::vector<std::uint32_t>& modules) {
+                    const std::vector<ir::ModuleId>& modules) {
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Pipeline>(decl.body);
     std::vector<std::vector<std::uint32_t>> choices = {{}};
@@ -58,7 +58,7 @@ void check_pipeline(Context& c, ast::DeclId id, const Env& env, std::optional<st
             for (std::uint32_t i = 0; i < c.program.structures.size(); ++i) {
                 const ir::Structure& structure = c.program.structures[i];
                 const bool is_public = std::ranges::any_of(
-                    modules, [&](std::uint32_t module) { return ir::is_public(structure, module); });
+                    modules, [&](ir::ModuleId module) { return ir::is_public(structure, module); });
                 if (is_public && structure.kind == ir::StructureKind::stored && structure.domain_type == domain &&
                     structure.element == element)
                     fitting.push_back(i);
@@ -86,7 +86,7 @@ void check_adaptor_pipelines(Context& c, std::uint32_t index) {
 
 /// Checks the types, translators, constants and aliases of a module that have no generic parameters. Done for all root
 /// modules before any pipelines: those over ranges need all public structures.
-void check_types(Context& c, std::uint32_t module, const std::vector<ast::DeclId>& decls) {
+void check_types(Context& c, ir::ModuleId module, const std::vector<ast::DeclId>& decls) {
     for (ast::DeclId id : decls) {
         const ast::Decl& decl = c[id];
         if (!decl.generics.empty() || !decl.name.name || c.diagnostics.at_limit()) continue;
@@ -101,7 +101,7 @@ void check_types(Context& c, std::uint32_t module, const std::vector<ast::DeclId
     }
 }
 
-void check_code(Context& c, std::uint32_t module, const std::vector<ast::DeclId>& decls) {
+void check_code(Context& c, ir::ModuleId module, const std::vector<ast::DeclId>& decls) {
     for (ast::DeclId id : decls) {
         const ast::Decl& decl = c[id];
         if (c.diagnostics.at_limit()) return;
@@ -149,7 +149,7 @@ void require_transfers_of_tables(Context& c) {
 
 }  // namespace
 
-Env& Context::new_env(std::uint32_t module) {
+Env& Context::new_env(ir::ModuleId module) {
     environments.push_back(std::make_unique<Env>());
     environments.back()->module = module;
     return *environments.back();
@@ -168,7 +168,7 @@ Diagnostic& Context::error(Diag id, Span span, std::initializer_list<std::string
     return diagnostic;
 }
 
-ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tree, Names& names,
+ir::Program check(const ModuleTable& modules, const ast::Tree& tree, Names& names,
                   Diagnostics& diagnostics, const Settings& settings) {
     ir::Program program;
     program.names = &names;
@@ -180,9 +180,9 @@ ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tre
               .program = program};
     collect_modules(c);
     check_defines(c);
-    for (std::uint32_t i = 0; i < modules.size(); ++i)
+    for (ir::ModuleId i : modules.ids())
         if (modules[i].is_root) check_types(c, i, modules[i].tree->decls);
-    for (std::uint32_t i = 0; i < modules.size(); ++i)
+    for (ir::ModuleId i : modules.ids())
         if (modules[i].is_root) check_code(c, i, modules[i].tree->decls);
     for (std::uint32_t i = 0; i < program.structures.size(); ++i) {
         if (makers_of(c, i).empty()) continue;
@@ -195,8 +195,8 @@ ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tre
     if (!diagnostics.has_own_errors()) check_given(c);
     if (!diagnostics.has_own_errors()) require_transfers_of_arguments(c);
     // No warnings if there are errors, as in close_scope().
-    for (std::uint32_t i = 0; i < modules.size() && !diagnostics.has_own_errors(); ++i)
-        if (modules[i].is_root) warn(c, modules[i].tree->decls);
+    for (const LoadedModule& module : modules)
+        if (module.is_root && !diagnostics.has_own_errors()) warn(c, module.tree->decls);
     if (!diagnostics.has_own_errors() && settings.looks_into_tables) require_transfers_of_tables(c);
     return program;
 }

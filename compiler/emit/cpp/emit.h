@@ -59,16 +59,16 @@ struct Defined {
 };
 
 /// The kernels, as indices, whose Vulkan code the module's C++ contains: it needs no SPIR-V of the others.
-std::vector<std::uint32_t> vulkan_kernels_of(const ir::Program& program, std::uint32_t module, const Options& options,
+std::vector<std::uint32_t> vulkan_kernels_of(const ir::Program& program, ir::ModuleId module, const Options& options,
                                              const Defined& defined);
 
 /// The stem of the names of the module's output files: the name of its source file without the extension; for standard
 /// input, the last part of the module's name.
-std::string file_stem(const ir::Program& program, const Sources& sources, std::uint32_t module);
+std::string file_stem(const ir::Program& program, const Sources& sources, ir::ModuleId module);
 
 /// Prints one module. `code` is indexed as Program::kernels; it may be empty if no Vulkan code is wanted. Adds to
 /// `defined` what the module's code defines, unless it is a test program.
-Module module_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, std::uint32_t module,
+Module module_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, ir::ModuleId module,
                  const std::vector<KernelCode>& code, const Options& options, Defined& defined);
 
 }  // namespace gliftc::cpp

@@ -23,7 +23,7 @@ const NameSet& functions_of_runtime() {
 
 /// The index of the alias by which a module calls the structure: the module's first public one, else another of its
 /// own, else a public one of a module that it imports. The number of aliases if there is none.
-std::size_t alias_in(const ir::Program& program, const ir::Structure& structure, std::uint32_t module) {
+std::size_t alias_in(const ir::Program& program, const ir::Structure& structure, ir::ModuleId module) {
     enum Rank { own_public, own, imported, foreign };
     const auto rank_of = [&](const ir::Alias& alias) {
         if (alias.module == module) return alias.is_pub ? own_public : own;
@@ -37,14 +37,14 @@ std::size_t alias_in(const ir::Program& program, const ir::Structure& structure,
 
 }  // namespace
 
-bool is_alias_seen(const ir::Program& program, const ir::Alias& alias, std::uint32_t module) {
+bool is_alias_seen(const ir::Program& program, const ir::Alias& alias, ir::ModuleId module) {
     return alias.module == module ||
            (alias.is_pub && std::ranges::binary_search(program.modules[module].imports, alias.module));
 }
 
 Globals make_globals(const ir::Program& program, const Sources& sources, const ProgramNames& names, Surroundings at) {
     Globals globals(program, sources);
-    const auto spelled = [&](std::uint32_t module, const std::string& name) {
+    const auto spelled = [&](ir::ModuleId module, const std::string& name) {
         return module == at.home ? name : "::" + names.spaces[module] + "::" + name;
     };
     globals.space = names.spaces[at.home];

@@ -59,7 +59,7 @@ void print_includes(const ModuleParts& parts, Writer& out, const std::string& st
 }
 
 /// The code of those kernels that are in the namespace of the module `home`.
-void print_namespace(const ModuleParts& parts, Writer& out, std::uint32_t home,
+void print_namespace(const ModuleParts& parts, Writer& out, ir::ModuleId home,
                      const std::vector<std::uint32_t>& kernels, const SpirvFile* spirv) {
     Unit unit = make_unit(parts, home);
     unit.spirv_file = spirv;
@@ -100,9 +100,9 @@ std::string source_of(const ModuleParts& parts, const std::string& stem, const s
         out.line(spirv->statement());
         out.gap();
     }
-    std::set<std::uint32_t> homes;
+    std::set<ir::ModuleId> homes;
     for (std::uint32_t kernel : kernels) homes.insert(parts.program.kernels[kernel].module);
-    for (std::uint32_t home : homes) print_namespace(parts, out, home, kernels, spirv);
+    for (ir::ModuleId home : homes) print_namespace(parts, out, home, kernels, spirv);
     return out.take();
 }
 

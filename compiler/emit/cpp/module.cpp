@@ -53,27 +53,27 @@ private:
 /// Prints all files of one module.
 class ModulePrinter {
 public:
-    ModulePrinter(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, std::uint32_t module,
+    ModulePrinter(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, ir::ModuleId module,
                   const std::vector<KernelCode>& code, const Options& options, Defined& defined);
 
     Module print();
 
 private:
-    Unit& unit_of(std::uint32_t home);
-    bool has_source(std::uint32_t module) const;
+    Unit& unit_of(ir::ModuleId home);
+    bool has_source(ir::ModuleId module) const;
     bool is_shown(std::uint32_t pipeline) const;
-    bool is_declared_elsewhere(bool is_pub, const std::string& key, std::uint32_t module) const;
+    bool is_declared_elsewhere(bool is_pub, const std::string& key, ir::ModuleId module) const;
     void find_shown_elsewhere();
     void name_by_devices();
 
     template <class Print>
-    void print_once(Writer& out, Spaces& spaces, std::uint32_t home, const std::string& name, const Print& print);
+    void print_once(Writer& out, Spaces& spaces, ir::ModuleId home, const std::string& name, const Print& print);
     void print_types(Writer& out, Spaces& spaces);
     void print_classes(Writer& out, Spaces& spaces, bool (ModulePrinter::*wanted)(std::uint32_t) const);
     void print_aliases(Writer& out, Spaces& spaces, std::uint32_t structure);
     bool is_in_header(std::uint32_t structure) const { return reach_.in_header.contains(structure); }
     bool is_hidden(std::uint32_t structure) const { return !is_in_header(structure); }
-    std::string stem_of(std::uint32_t module) const { return file_stem(program_, sources_, module); }
+    std::string stem_of(ir::ModuleId module) const { return file_stem(program_, sources_, module); }
     void print_headers(Writer& out, const std::string& ending) const;
     void print_functions_shown(Writer& out);
     void print_functions_hidden(Writer& out, Spaces& spaces);
@@ -91,7 +91,7 @@ private:
     const ir::Program& program_;
     const ir::Lowered& lowered_;
     const Sources& sources_;
-    std::uint32_t module_;
+    ir::ModuleId module_;
     const std::vector<KernelCode>& code_;
     const Options& options_;
     Defined& defined_;
@@ -99,12 +99,12 @@ private:
     Reach elsewhere_;  ///< the types and classes of the headers that this module's header includes
     ProgramNames names_;
     const ModuleParts parts_;
-    std::map<std::uint32_t, Unit> units_;
+    std::map<ir::ModuleId, Unit> units_;
     const std::string stem_;
 };
 
 ModulePrinter::ModulePrinter(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources,
-                             std::uint32_t module, const std::vector<KernelCode>& code, const Options& options,
+                             ir::ModuleId module, const std::vector<KernelCode>& code, const Options& options,
                              Defined& defined)
     : program_(program), lowered_(lowered), sources_(sources), module_(module), code_(code), options_(options),
       defined_(defined), reach_(reach_of(program, module, options)),
@@ -118,10 +118,10 @@ ModulePrinter::ModulePrinter(const ir::Program& program, const ir::Lowered& lowe
 /// Adds the kind of device to the names of functions that other runs of gliftc may define, too, and for which this run
 /// has code for one kind of device only (host, Vulkan) or for none: the linker must not take one for the other.
 void ModulePrinter::name_by_devices() {
-    const auto is_shared = [&](const std::string& key, std::uint32_t home) {
+    const auto is_shared = [&](const std::string& key, ir::ModuleId home) {
         return key.find('<') != std::string::npos || !has_source(home);
     };
-    const auto rename = [&](std::string& name, std::uint32_t home, bool host, bool vulkan) {
+    const auto rename = [&](std::string& name, ir::ModuleId home, bool host, bool vulkan) {
         if (host && vulkan) return;
         name = names_.taken[home].declare(name + (host ? "_on_host" : vulkan ? "_on_vulkan" : "_on_none"));
     };
@@ -137,12 +137,12 @@ void ModulePrinter::name_by_devices() {
 }
 
 /// Whether this run makes sources for the module itself. A test program has only those of the module with the tests.
-bool ModulePrinter::has_source(std::uint32_t module) const {
+bool ModulePrinter::has_source(ir::ModuleId module) const {
     return module == module_ || (program_.modules[module].is_root && !options_.tests);
 }
 
 void ModulePrinter::find_shown_elsewhere() {
-    for (std::uint32_t import : program_.modules[module_].imports) {
+    for (ir::ModuleId import : program_.modules[module_].imports) {
         if (import == module_ || !has_source(import)) continue;
         const Reach shown = reach_of(program_, import, options_);
         elsewhere_.in_header.insert(shown.in_header.begin(), shown.in_header.end());
@@ -151,7 +151,7 @@ void ModulePrinter::find_shown_elsewhere() {
     }
 }
 
-Unit& ModulePrinter::unit_of(std::uint32_t home) {
+Unit& ModulePrinter::unit_of(ir::ModuleId home) {
     if (const auto found = units_.find(home); found != units_.end()) return found->second;
     return units_.emplace(home, make_unit(parts_, home)).first->second;
 }
@@ -162,11 +162,11 @@ bool ModulePrinter::is_shown(std::uint32_t pipeline) const {
 }
 
 /// Whether a header that this module's header includes declares the kernel or pipeline.
-bool ModulePrinter::is_declared_elsewhere(bool is_pub, const std::string& key, std::uint32_t module) const {
+bool ModulePrinter::is_declared_elsewhere(bool is_pub, const std::string& key, ir::ModuleId module) const {
     return is_pub && module != module_ && has_source(module) && key.find('<') == std::string::npos;
 }
 
-template <class Print> void ModulePrinter::print_once(Writer& out, Spaces& spaces, std::uint32_t home,
+template <class Print> void ModulePrinter::print_once(Writer& out, Spaces& spaces, ir::ModuleId home,
                                                       const std::string& name, const Print& print) {
     Unit& unit = unit_of(home);
     spaces.enter(unit.globals.space);
@@ -261,7 +261,7 @@ void ModulePrinter::print_functions_hidden(Writer& out, Spaces& spaces) {
 /// Includes the headers of the modules that this one uses, if the same run makes them.
 void ModulePrinter::print_headers(Writer& out, const std::string& ending) const {
     std::set<std::string> headers;
-    for (std::uint32_t import : program_.modules[module_].imports)
+    for (ir::ModuleId import : program_.modules[module_].imports)
         if (import != module_ && has_source(import)) headers.insert(stem_of(import) + ending);
     for (const std::string& header : headers) out.line("#include \"" + header + "\"");
 }
@@ -402,7 +402,7 @@ std::string ModulePrinter::source() {
 }
 
 std::string ModulePrinter::library_source() {
-    std::set<std::uint32_t> homes;
+    std::set<ir::ModuleId> homes;
     for (std::uint32_t kernel : reach_.kernels)
         if (!defined_.kernels.contains(kernel)) homes.insert(program_.kernels[kernel].module);
     for (std::uint32_t structure : reach_.structures)
@@ -413,7 +413,7 @@ std::string ModulePrinter::library_source() {
         if (!defined_.pipelines.contains(pipeline)) homes.insert(program_.pipelines[pipeline].module);
     Writer out;
     print_includes(out);
-    for (std::uint32_t home : homes) {
+    for (ir::ModuleId home : homes) {
         if (home == module_) continue;
         print_definitions(unit_of(home), out);
         out.gap();
@@ -450,7 +450,7 @@ Module ModulePrinter::print() {
 
 }  // namespace
 
-Module module_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, std::uint32_t module,
+Module module_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, ir::ModuleId module,
                  const std::vector<KernelCode>& code, const Options& options, Defined& defined) {
     return ModulePrinter(program, lowered, sources, module, code, options, defined).print();
 }

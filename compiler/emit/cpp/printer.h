@@ -54,8 +54,8 @@ struct ClassNames {
 /// ir::Program that its comment names. A name is made of the source's name and the generic arguments of what it names,
 /// so that all files and all runs of gliftc agree. Only where names would be equal do other declarations matter.
 struct ProgramNames {
-    std::vector<std::string> spaces;                ///< of Program::modules: laplacian, std.array → std_array
-    std::vector<NameSet> types;                     ///< of Program::modules: names of structs, structures, aliases
+    Table<std::string, ir::Module> spaces;                ///< of Program::modules: laplacian, std.array → std_array
+    Table<NameSet, ir::Module> types;                     ///< of Program::modules: names of structs, structures, aliases
     std::vector<std::string> structs;               ///< of Program::structs
     std::vector<std::vector<std::string>> fields;   ///< of Program::structs
     std::vector<std::string> enums;                 ///< of Program::enums
@@ -64,7 +64,7 @@ struct ProgramNames {
     std::vector<ClassNames> classes;                ///< of Program::structures
     std::vector<std::string> kernels;               ///< of Program::kernels: the functions that call them
     std::vector<std::string> pipelines;             ///< of Program::pipelines
-    std::vector<Scopes> taken;                      ///< of Program::modules: all names in their namespaces
+    Table<Scopes, ir::Module> taken;                      ///< of Program::modules: all names in their namespaces
 };
 
 ProgramNames program_names(const ir::Program& program);
@@ -75,7 +75,7 @@ bool is_held_by_handle(const ir::Structure& structure, std::size_t member);
 
 /// Whether code of a module may use the alias of a structure: one of its own, or a public one of a module that it
 /// imports.
-bool is_alias_seen(const ir::Program& program, const ir::Alias& alias, std::uint32_t module);
+bool is_alias_seen(const ir::Program& program, const ir::Alias& alias, ir::ModuleId module);
 
 /// Names that all code in one namespace shares. Names of another namespace are spelled with it: ::grid::Cell.
 struct Globals {
@@ -103,7 +103,7 @@ struct Globals {
 /// Where generated code stands: in the namespace of the module `home`, in a file of the module `root`. If both are
 /// the same module, structures have the names that the module gives them (aliases).
 struct Surroundings {
-    std::uint32_t root, home;
+    ir::ModuleId root, home;
 };
 
 Globals make_globals(const ir::Program& program, const Sources& sources, const ProgramNames& names,

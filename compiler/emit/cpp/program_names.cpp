@@ -183,7 +183,7 @@ struct Naming {
 
     const std::string& text(Name name) const { return (*program.names)[name]; }
 
-    std::string type(std::uint32_t module, const std::string& wanted) {
+    std::string type(ir::ModuleId module, const std::string& wanted) {
         std::string name = wanted;
         // Two underscores in a row are reserved in C++.
         if (not_for_types().contains(name)) name += name.ends_with('_') ? "2" : "_";
@@ -215,7 +215,7 @@ struct Naming {
             names.classes.push_back(class_names(program, names.types[each.module], each));
     }
 
-    std::string function(std::map<std::string, std::string>& known, std::uint32_t module, Name name,
+    std::string function(std::map<std::string, std::string>& known, ir::ModuleId module, Name name,
                          const std::string& key) {
         std::string& found = known[key.empty() ? ir::module_text(program, module) + text(name) : key];
         if (found.empty()) found = names.taken[module].declare(name_of_instance(text(name), key));

@@ -307,7 +307,7 @@ void Collector::step(const ir::Stmt& stmt) {
 
 namespace {
 
-Reach reach_of_alone(const ir::Program& program, std::uint32_t module, const Options& options) {
+Reach reach_of_alone(const ir::Program& program, ir::ModuleId module, const Options& options) {
     Collector collector{.program = program, .reach = {}, .moves_all = options.tests};
     for (std::uint32_t i = 0; i < program.structs.size(); ++i) {
         if (program.structs[i].module == module && program.structs[i].is_pub) collector.structure_type(i);
@@ -344,10 +344,10 @@ static void add_known(std::set<std::uint32_t>& to, const std::set<std::uint32_t>
 
 /// What several modules of the run use is defined once, by one of them, with code for all kinds of devices on which any
 /// of them uses it.
-Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& options) {
+Reach reach_of(const ir::Program& program, ir::ModuleId module, const Options& options) {
     Reach reach = reach_of_alone(program, module, options);
     if (options.tests) return reach;
-    for (std::uint32_t other = 0; other < program.modules.size(); ++other) {
+    for (ir::ModuleId other : program.modules.ids()) {
         if (other == module || !program.modules[other].is_root) continue;
         const Reach theirs = reach_of_alone(program, other, options);
         add_known(reach.host_kernels, reach.kernels, theirs.host_kernels);
@@ -376,7 +376,7 @@ void add_inner_structs(Reach& reach, const ir::Program& program, const ir::Lower
     reach = std::move(collector.reach);
 }
 
-std::vector<std::uint32_t> vulkan_kernels_of(const ir::Program& program, std::uint32_t module, const Options& options,
+std::vector<std::uint32_t> vulkan_kernels_of(const ir::Program& program, ir::ModuleId module, const Options& options,
                                              const Defined& defined) {
     const Reach reach = reach_of(program, module, options);
     std::vector<std::uint32_t> kernels;

@@ -49,7 +49,7 @@ std::uint32_t structure_at(const ir::Program& program, std::uint32_t structure, 
     return structure;
 }
 
-Unit make_unit(const ModuleParts& parts, std::uint32_t home) {
+Unit make_unit(const ModuleParts& parts, ir::ModuleId home) {
     Unit unit{parts.program,
               parts.lowered,
               parts.sources,
@@ -81,7 +81,7 @@ std::vector<std::string> printed_kernels(Unit& unit, const std::vector<std::uint
     return texts;
 }
 
-std::string file_stem(const ir::Program& program, const Sources& sources, std::uint32_t module) {
+std::string file_stem(const ir::Program& program, const Sources& sources, ir::ModuleId module) {
     const std::string& path = sources[program.modules[module].file].path;
     if (path != "<stdin>") return std::filesystem::path(path).stem().string();
     const std::string& name = (*program.names)[program.modules[module].name];

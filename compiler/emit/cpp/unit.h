@@ -23,7 +23,7 @@ struct Reach {
     std::set<std::uint32_t> pub_kernels;    ///< kernels that the public header declares
 };
 
-Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& options);
+Reach reach_of(const ir::Program& program, ir::ModuleId module, const Options& options);
 /// Adds the structs, enums and structures that the lowered code of the kernels for the host device uses.
 void add_inner_structs(Reach& reach, const ir::Program& program, const ir::Lowered& lowered);
 
@@ -45,7 +45,7 @@ struct ModuleParts {
     const ir::Program& program;
     const ir::Lowered& lowered;
     const Sources& sources;
-    std::uint32_t module;
+    ir::ModuleId module;
     const std::vector<KernelCode>& code;
     const Options& options;
     const Reach& reach;
@@ -60,8 +60,8 @@ struct Unit {
     const ir::Program& program;
     const ir::Lowered& lowered;
     const Sources& sources;
-    std::uint32_t module;  ///< the one that code is made for
-    std::uint32_t home;    ///< the one whose namespace it is
+    ir::ModuleId module;  ///< the one that code is made for
+    ir::ModuleId home;    ///< the one whose namespace it is
     const std::vector<KernelCode>& code;
     const Options& options;
     const Reach& reach;
@@ -82,7 +82,7 @@ struct Unit {
     const char* linkage(const std::string& key) const;
 };
 
-Unit make_unit(const ModuleParts& parts, std::uint32_t home);
+Unit make_unit(const ModuleParts& parts, ir::ModuleId home);
 
 /// What `print` makes of each kernel. Those that add functions to the file are printed first, one after the other, so
 /// that the functions have a fixed order. The others change nothing that they share, and are printed in parallel.

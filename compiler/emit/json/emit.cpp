@@ -18,7 +18,7 @@ struct Writer {
     const ir::Program& program;
     const ir::Lowered& lowered;
     const Sources& sources;
-    std::uint32_t module;
+    ir::ModuleId module;
     Text out;
 
     const std::string& name(Name name) const { return (*program.names)[name]; }
@@ -404,7 +404,7 @@ std::set<std::uint32_t> pipelines_of_tests(const ir::Program& program) {
 }  // namespace
 
 std::string reflection_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources,
-                          std::uint32_t module) {
+                          ir::ModuleId module) {
     Writer writer{program, lowered, sources, module, {}};
     Text& out = writer.out;
     const ir::Module& m = program.modules[module];

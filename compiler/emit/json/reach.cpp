@@ -52,7 +52,7 @@ struct Walk {
 
 }  // namespace
 
-Reached reach(const ir::Program& program, std::uint32_t module) {
+Reached reach(const ir::Program& program, ir::ModuleId module) {
     Walk walk{program, {}};
     for (std::uint32_t i = 0; i < program.structures.size(); ++i)
         if (ir::is_public(program.structures[i], module)) walk.structure(i);

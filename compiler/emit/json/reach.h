@@ -14,6 +14,6 @@ struct Reached {
 
 /// The structures, structs and enums that the kernels and pipelines of `module` take or give, those that are public in
 /// it, and all that these consist of.
-Reached reach(const ir::Program& program, std::uint32_t module);
+Reached reach(const ir::Program& program, ir::ModuleId module);
 
 }  // namespace gliftc::json

@@ -69,11 +69,11 @@ Operand enumerator(Body& body, const ir::Type& type, ir::TypeId id, ast::Identif
 }
 
 /// The imported module that `a.b.c` names, unless `a` is declared in the body.
-std::optional<std::uint32_t> module_of_chain(Body& body, ast::ExprId id) {
-    const auto module = module_by_whole_name(body.context, body.env, id);
-    if (!module) return std::nullopt;
+ir::ModuleId module_of_chain(Body& body, ast::ExprId id) {
+    const ir::ModuleId module = module_by_whole_name(body.context, body.env, id);
+    if (!module) return {};
     while (body.context[id].kind == ast::ExprKind::member) id = body.context[id].operands[0];
-    return find_symbol(body, body.context[id].name) ? std::nullopt : module;
+    return find_symbol(body, body.context[id].name) ? ir::ModuleId{} : module;
 }
 
 Operand meta_member(Body& body, const Operand& left, const ast::Expr& expr) {
@@ -320,12 +320,12 @@ Operand check_member(Body& body, ast::ExprId id) {
     const ast::Expr& expr = body.context[id];
     ast::Identifier member{expr.name, expr.name_span};
     if (auto property = check_device_member(body, expr)) return *property;
-    if (const auto module = module_of_chain(body, id)) {
+    if (const ir::ModuleId module = module_of_chain(body, id)) {
         Operand operand;
         operand.kind = OperandKind::meta;
         operand.span = expr.span;
         operand.meta.kind = MetaKind::module;
-        operand.meta.module = *module;
+        operand.meta.module = module;
         return operand;
     }
     const Parts parts(body);

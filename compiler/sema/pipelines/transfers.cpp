@@ -11,7 +11,7 @@ namespace gliftc::sema {
 namespace {
 
 std::optional<ast::DeclId> find_transfer(Context& c, std::string_view name) {
-    for (std::uint32_t i = 0; i < c.modules.size(); ++i) {
+    for (ir::ModuleId i : c.modules.ids()) {
         if (c.text(c.modules[i].tree->name.name) != transfer_module) continue;
         auto found = c.scopes[i].names.find(c.names.intern(name));
         if (found != c.scopes[i].names.end()) return found->second[0];
@@ -61,10 +61,10 @@ std::optional<std::uint32_t> box_of(Context& c, std::uint32_t axes, ir::TypeId o
 static void list_of(Context& c, ir::Program::Transfer& transfer, Span use) {
     const ir::Structure structure = c.program.structures[transfer.structure];
     if (!ir::has_resident_part(c.program, structure)) return;
-    std::uint32_t translator = transfer.structure;
+    std::uint32_t translated = transfer.structure;
     for (std::uint32_t member : ir::translated_by(c.program, structure))
-        translator = c.program.structures[translator].members[member].structure;
-    const ir::TypeId place = ir::physical_type(c.program, c.program.structures[translator]);
+        translated = c.program.structures[translated].members[member].structure;
+    const ir::TypeId place = ir::physical_type(c.program, c.program.structures[translated]);
     const auto addresses = box_of(c, 1, structure.domain_type, use);
     const auto places = box_of(c, 1, place ? place : structure.domain_type, use);
     const auto values = box_of(c, 1, structure.element, use);
@@ -73,7 +73,7 @@ static void list_of(Context& c, ir::Program::Transfer& transfer, Span use) {
     const auto of = [&](std::uint32_t index) { return of_structure(c, index); };
     const auto list = transfer_kernel(
         c, "list_there",
-        {of(transfer.structure), of(translator), of(*addresses), of(*places), of(*values), of(*counter)}, use);
+        {of(transfer.structure), of(translated), of(*addresses), of(*places), of(*values), of(*counter)}, use);
     if (!list) return;
     transfer.list_kernel = *list;
     transfer.addresses = *addresses;

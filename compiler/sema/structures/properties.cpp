@@ -101,7 +101,7 @@ void declare_mapping(Context& c, ir::Translator& translator, const std::vector<a
 
 }  // namespace
 
-void infer_properties(Context& c, std::uint32_t index, const ast::Decl& decl) {
+void infer_properties(Context& c, ir::TranslatorId index, const ast::Decl& decl) {
     Flow flow;
     look(c.program, c.program.translators[index].translate, flow);
     ir::Translator& translator = c.program.translators[index];

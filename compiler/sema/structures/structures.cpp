@@ -227,7 +227,7 @@ namespace {
 
 /// The translators of `Name<…>(arguments)`; generic arguments are inferred from the arguments and the type of the
 /// incoming address. Empty after an error.
-std::vector<std::uint32_t> stage_translators(Body& body, const ast::Expr& call, const std::vector<Operand>& arguments,
+std::vector<ir::TranslatorId> stage_translators(Body& body, const ast::Expr& call, const std::vector<Operand>& arguments,
                                              ir::TypeId incoming) {
     Context& c = body.context;
     const ast::Expr& callee = c[call.operands[0]];
@@ -256,17 +256,17 @@ std::vector<std::uint32_t> stage_translators(Body& body, const ast::Expr& call, 
     }
     if (incoming) generics.infer(written.virtual_type, incoming);
     if (!generics.finish()) return {};
-    auto made = instantiate_translator(c, id, env, callee.span);
-    return made ? *made : std::vector<std::uint32_t>{};
+    if (const ir::TranslatorId made = instantiate_translator(c, id, env, callee.span)) return {made};
+    return {};
 }
 
 /// Assigns the arguments to the fields of the translators, in the order in which the fields are declared. False after
 /// an error.
 bool fill_stages(Body& body, const ast::Expr& call, const std::vector<Operand>& arguments,
-                 const std::vector<std::uint32_t>& translators, std::vector<ir::Stage>& stages) {
+                 const std::vector<ir::TranslatorId>& translators, std::vector<ir::Stage>& stages) {
     Context& c = body.context;
     std::size_t next = 0, wanted = 0;
-    for (std::uint32_t t : translators)
+    for (ir::TranslatorId t : translators)
         wanted += c.program.translators[t].scalars.size() + c.program.translators[t].structures.size();
     if (wanted != arguments.size()) {
         c.error(
@@ -274,7 +274,7 @@ bool fill_stages(Body& body, const ast::Expr& call, const std::vector<Operand>& 
             {c.program.translators[translators[0]].display, std::to_string(wanted), std::to_string(arguments.size())});
         return false;
     }
-    for (std::uint32_t t : translators) {
+    for (ir::TranslatorId t : translators) {
         ir::Stage stage;
         stage.translator = t;
         const auto& fields = std::get<ast::Translator>(c[c.translator_decl.at(t)].body).fields;

@@ -32,7 +32,7 @@ std::string key_part(const Meta& meta) {
         return key;
     case MetaKind::translator:
         key = "r";
-        for (std::uint32_t i : meta.translators) key += std::to_string(i) + ",";
+        for (ir::TranslatorId i : meta.translators) key += std::to_string(i.index) + ",";
         return key;
     case MetaKind::format: return "x" + std::to_string(static_cast<int>(meta.format));
     case MetaKind::none:

@@ -8,9 +8,8 @@ namespace gliftc::sema {
 /// The type of a struct, enum, structure, view or adaptor with the generic arguments in `env`, which have been checked.
 ir::TypeId instantiate_type(Context&, ast::DeclId, const Env&, Span use);
 
-/// The instance of a translator: a list with one index in Program::translators. It is a list because Meta::translators
-/// is one: an alias such as `A then B` denotes several translators. Absent after an error.
-std::optional<std::vector<std::uint32_t>> instantiate_translator(Context&, ast::DeclId, const Env&, Span use);
+/// The instance of a translator; empty after an error.
+ir::TranslatorId instantiate_translator(Context&, ast::DeclId, const Env&, Span use);
 
 /// `structures`: the instances passed for the function's structure parameters; of a function that a structure declares,
 /// that structure first.
