@@ -49,9 +49,9 @@ public:
     using typename Values::const_iterator;
     using typename Values::iterator;
     using typename Values::value_type;
-    using Values::Values;
     using Values::back, Values::begin, Values::clear, Values::emplace_back, Values::empty, Values::end, Values::front,
         Values::push_back, Values::reserve, Values::resize;
+    using Values::Values;
 
     Id<Key> add(T value) {
         push_back(std::move(value));
@@ -66,6 +66,7 @@ public:
         return Values::operator[](id.index);
     }
     std::uint32_t size() const { return static_cast<std::uint32_t>(Values::size()); }
+    bool contains(Id<Key> id) const { return id.index < size(); }
     Ids<Key> ids() const { return Ids<Key>(size()); }
     /// The id of a value of this table.
     Id<Key> id_of(const T& value) const {

@@ -68,7 +68,7 @@ struct Readable {
 };
 
 /// The GLSL of each kernel, in the direct form, which is easier to read.
-std::vector<Readable> readable_shaders(const Compilation& c, const std::vector<std::uint32_t>& kernels) {
+std::vector<Readable> readable_shaders(const Compilation& c, const std::vector<ir::KernelId>& kernels) {
     constexpr std::size_t share = 64;  // starting a thread for fewer kernels does not pay off
     std::vector<Readable> texts(kernels.size());
     for_each_parallel(kernels.size(), share, [&](std::size_t i) {
@@ -82,9 +82,9 @@ std::vector<Readable> readable_shaders(const Compilation& c, const std::vector<s
 }
 
 void emit_shaders(const Options& options, const Compilation& c, ir::ModuleId module, const std::string& base,
-                  const std::vector<cpp::KernelCode>& shaders, std::vector<Output>& outputs) {
-    std::vector<std::uint32_t> kernels;
-    for (std::uint32_t k = 0; k < c.program.kernels.size(); ++k)
+                  const cpp::KernelCodes& shaders, std::vector<Output>& outputs) {
+    std::vector<ir::KernelId> kernels;
+    for (ir::KernelId k : c.program.kernels.ids())
         if (c.program.kernels[k].module == module) kernels.push_back(k);
     std::vector<Readable> readable(kernels.size());
     if (options.wants(Target::glsl)) readable = readable_shaders(c, kernels);
@@ -107,7 +107,7 @@ void emit_shaders(const Options& options, const Compilation& c, ir::ModuleId mod
 }
 
 /// The shaders as programs embed them: names and line numbers would be a fifth of their bytes.
-std::vector<cpp::KernelCode> stripped(std::vector<cpp::KernelCode> shaders) {
+cpp::KernelCodes stripped(cpp::KernelCodes shaders) {
     for (cpp::KernelCode& code : shaders)
         for (cpp::FormCode* form : {&code.direct, &code.general})
             for (std::vector<std::uint32_t>* words : {&form->shader, &form->fragment})
@@ -116,9 +116,9 @@ std::vector<cpp::KernelCode> stripped(std::vector<cpp::KernelCode> shaders) {
 }
 
 void emit_cpp(const Options& options, const Compilation& c, ir::ModuleId module, const std::string& base,
-              const std::vector<cpp::KernelCode>& shaders, const cpp::Options& cpp, cpp::Defined& defined,
+              const cpp::KernelCodes& shaders, const cpp::Options& cpp, cpp::Defined& defined,
               std::vector<Output>& outputs) {
-    std::vector<cpp::KernelCode> code;
+    cpp::KernelCodes code;
     if (!options.host_only && options.wants(Target::cpp)) code = options.source_lines ? shaders : stripped(shaders);
     cpp::Module written = cpp::module_of(c.program, c.lowered, c.sources, module, code, cpp, defined);
     for (cpp::File& file : written.files) {
@@ -140,14 +140,14 @@ void emit_libraries(const Compilation& c, ir::ModuleId module, const std::string
 }
 
 /// The kernels whose SPIR-V some output of the module holds.
-std::set<std::uint32_t> kernels_with_code(const Options& options, const Compilation& c, ir::ModuleId module,
-                                          const cpp::Options& cpp, const cpp::Defined& defined) {
-    std::set<std::uint32_t> kernels;
+std::set<ir::KernelId> kernels_with_code(const Options& options, const Compilation& c, ir::ModuleId module,
+                                         const cpp::Options& cpp, const cpp::Defined& defined) {
+    std::set<ir::KernelId> kernels;
     if (options.wants(Target::spirv))
-        for (std::uint32_t k = 0; k < c.program.kernels.size(); ++k)
+        for (ir::KernelId k : c.program.kernels.ids())
             if (c.program.kernels[k].module == module) kernels.insert(k);
     if (options.wants(Target::cpp) && !options.host_only)
-        for (std::uint32_t k : cpp::vulkan_kernels_of(c.program, module, cpp, defined)) kernels.insert(k);
+        for (ir::KernelId k : cpp::vulkan_kernels_of(c.program, module, cpp, defined)) kernels.insert(k);
     return kernels;
 }
 
@@ -173,8 +173,7 @@ std::vector<Output> emit(const Options& options, const Compilation& c) {
         std::string base = cpp::file_stem(c.program, c.sources, m);
         if (!bases.insert(base).second)
             throw std::runtime_error("two files on the command line are called '" + base + "'");
-        std::vector<cpp::KernelCode> shaders =
-            compile_shaders(c, kernels_with_code(options, c, m, cpp, defined), options.optimize);
+        cpp::KernelCodes shaders = compile_shaders(c, kernels_with_code(options, c, m, cpp, defined), options.optimize);
         // The other targets are printed on another thread while this one prints C++.
         auto others = std::async(std::launch::async, [&] {
             std::vector<Output> made;

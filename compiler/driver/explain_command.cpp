@@ -127,7 +127,7 @@ private:
         for (const ir::MemberStructure& member : adaptor.members)
             shown.parts.emplace_back("member " + c_.names[member.name], program_.structures[member.structure].display +
                                                                             (member.by_reference ? ", given" : ""));
-        const auto index = static_cast<std::uint32_t>(&adaptor - program_.structures.data());
+        const auto index = program_.structures.id_of(adaptor);
         for (ir::FunctionId id : ir::public_functions(program_, index)) {
             const ir::Function& function = program_.functions[id];
             std::string effects;

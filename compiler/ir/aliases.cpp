@@ -28,7 +28,7 @@ Name name_in(const Program& program, const Structure& structure, ModuleId module
     return best == structure.aliases.end() || rank_of(*best) == foreign ? Name{} : best->name;
 }
 
-std::vector<FunctionId> public_functions(const Program& program, std::uint32_t structure) {
+std::vector<FunctionId> public_functions(const Program& program, StructureId structure) {
     std::vector<FunctionId> found;
     std::set<std::string> names;
     const auto add = [&](FunctionId id) {

@@ -21,6 +21,6 @@ Name name_in(const Program& program, const Structure& structure, ModuleId module
 /// The public functions with exactly one parameter that is a structure or adaptor, namely this one: first
 /// Structure::methods, which C++ can call, then others of Program::functions. Of several with the same key and the same
 /// parameter types only the first.
-std::vector<FunctionId> public_functions(const Program& program, std::uint32_t structure);
+std::vector<FunctionId> public_functions(const Program& program, StructureId structure);
 
 }  // namespace gliftc::ir

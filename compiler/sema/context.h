@@ -60,12 +60,12 @@ struct ModuleScope {
     std::vector<ir::ModuleId> imports;
 };
 
-/// An instance of a declaration, or a kernel or pipeline that sema generates: complete, in progress or failed. `index`:
-/// in the Program's table of structs, translators, functions, kernels or pipelines. `type`: the type, if the
-/// declaration is one.
+/// An instance of a declaration, or a kernel or pipeline that sema generates: complete, in progress or failed. `index`
+/// is that of its id in the Program's table of structs, translators, functions, kernels or pipelines; none: it has no
+/// id yet, or failed. `type`: the type, if the declaration is one.
 struct Instance {
     enum class State : std::uint8_t { in_progress, done, failed } state = State::in_progress;
-    std::uint32_t index = 0;
+    std::uint32_t index = Id<Instance>::none;
     ir::TypeId type;
 };
 
@@ -91,16 +91,16 @@ struct Context {
     std::vector<std::string> interfaces_under_way;          ///< keys of interface checks in progress, to detect cycles
     std::vector<Request> requests;                          ///< the stack of instantiations, outermost first
     std::vector<std::unique_ptr<Env>> environments;
-    /// By index in Program::structures, translators or structs: the declaration and the generic arguments of each
-    /// instance; of structures and translators also the environment.
-    std::unordered_map<std::uint32_t, const Env*> structure_env;
-    std::unordered_map<std::uint32_t, ast::DeclId> structure_decl;
+    /// The declaration and the generic arguments of each structure, translator and struct; of structures and
+    /// translators also the environment.
+    std::unordered_map<ir::StructureId, const Env*> structure_env;
+    std::unordered_map<ir::StructureId, ast::DeclId> structure_decl;
     std::unordered_map<ir::TranslatorId, const Env*> translator_env;
     std::unordered_map<ir::TranslatorId, ast::DeclId> translator_decl;
-    std::unordered_map<std::uint32_t, std::vector<Meta>> arguments_of;  ///< of structures
-    std::unordered_map<std::uint32_t, std::vector<Meta>> struct_arguments;
+    std::unordered_map<ir::StructureId, std::vector<Meta>> arguments_of;  ///< of structures
+    std::unordered_map<ir::StructId, std::vector<Meta>> struct_arguments;
     std::unordered_map<ir::TranslatorId, std::vector<Meta>> translator_arguments;
-    std::unordered_map<std::uint32_t, ast::DeclId> struct_decl;
+    std::unordered_map<ir::StructId, ast::DeclId> struct_decl;
 
     ir::Types& types() { return program.types; }
     const std::string& text(Name name) const { return names[name]; }

@@ -52,21 +52,21 @@ Globals make_globals(const ir::Program& program, const Sources& sources, const P
     globals.type_names = names.types[at.home];
     globals.field_names = names.fields;
     globals.class_names = names.classes;
-    for (std::size_t i = 0; i < program.structs.size(); ++i) {
+    for (ir::StructId i : program.structs.ids()) {
         const ir::Struct& each = program.structs[i];
         globals.struct_names.push_back(each.extern_name.empty() ? spelled(each.module, names.structs[i])
                                                                 : "::" + each.extern_name);
     }
-    for (std::size_t i = 0; i < program.structures.size(); ++i) {
+    for (ir::StructureId i : program.structures.ids()) {
         const ir::Structure& each = program.structures[i];
         const std::size_t alias = at.root == at.home ? alias_in(program, each, at.root) : each.aliases.size();
         globals.structure_names.push_back(alias < each.aliases.size()
                                               ? spelled(each.aliases[alias].module, names.aliases[i][alias])
                                               : spelled(each.module, names.structures[i]));
     }
-    for (std::size_t i = 0; i < program.kernels.size(); ++i)
+    for (ir::KernelId i : program.kernels.ids())
         globals.kernel_names.push_back(spelled(program.kernels[i].module, names.kernels[i]));
-    for (std::size_t i = 0; i < program.pipelines.size(); ++i) {
+    for (ir::PipelineId i : program.pipelines.ids()) {
         const ir::Pipeline& each = program.pipelines[i];
         globals.pipeline_names.push_back(each.owner ? names.pipelines[i] : spelled(each.module, names.pipelines[i]));
     }

@@ -54,14 +54,14 @@ private:
 class ModulePrinter {
 public:
     ModulePrinter(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, ir::ModuleId module,
-                  const std::vector<KernelCode>& code, const Options& options, Defined& defined);
+                  const KernelCodes& code, const Options& options, Defined& defined);
 
     Module print();
 
 private:
     Unit& unit_of(ir::ModuleId home);
     bool has_source(ir::ModuleId module) const;
-    bool is_shown(std::uint32_t pipeline) const;
+    bool is_shown(ir::PipelineId pipeline) const;
     bool is_declared_elsewhere(bool is_pub, const std::string& key, ir::ModuleId module) const;
     void find_shown_elsewhere();
     void name_by_devices();
@@ -69,10 +69,10 @@ private:
     template <class Print>
     void print_once(Writer& out, Spaces& spaces, ir::ModuleId home, const std::string& name, const Print& print);
     void print_types(Writer& out, Spaces& spaces);
-    void print_classes(Writer& out, Spaces& spaces, bool (ModulePrinter::*wanted)(std::uint32_t) const);
-    void print_aliases(Writer& out, Spaces& spaces, std::uint32_t structure);
-    bool is_in_header(std::uint32_t structure) const { return reach_.in_header.contains(structure); }
-    bool is_hidden(std::uint32_t structure) const { return !is_in_header(structure); }
+    void print_classes(Writer& out, Spaces& spaces, bool (ModulePrinter::*wanted)(ir::StructureId) const);
+    void print_aliases(Writer& out, Spaces& spaces, ir::StructureId structure);
+    bool is_in_header(ir::StructureId structure) const { return reach_.in_header.contains(structure); }
+    bool is_hidden(ir::StructureId structure) const { return !is_in_header(structure); }
     std::string stem_of(ir::ModuleId module) const { return file_stem(program_, sources_, module); }
     void print_headers(Writer& out, const std::string& ending) const;
     void print_functions_shown(Writer& out);
@@ -86,13 +86,13 @@ private:
     std::string source();
     std::string library_source();
     void print_includes(Writer& out) const;
-    std::vector<std::uint32_t> kernels_to_define(bool own) const;
+    std::vector<ir::KernelId> kernels_to_define(bool own) const;
 
     const ir::Program& program_;
     const ir::Lowered& lowered_;
     const Sources& sources_;
     ir::ModuleId module_;
-    const std::vector<KernelCode>& code_;
+    const KernelCodes& code_;
     const Options& options_;
     Defined& defined_;
     Reach reach_;
@@ -104,8 +104,7 @@ private:
 };
 
 ModulePrinter::ModulePrinter(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources,
-                             ir::ModuleId module, const std::vector<KernelCode>& code, const Options& options,
-                             Defined& defined)
+                             ir::ModuleId module, const KernelCodes& code, const Options& options, Defined& defined)
     : program_(program), lowered_(lowered), sources_(sources), module_(module), code_(code), options_(options),
       defined_(defined), reach_(reach_of(program, module, options)),
       names_(program_names(program)), parts_{program, lowered, sources, module, code, options, reach_, names_},
@@ -125,11 +124,11 @@ void ModulePrinter::name_by_devices() {
         if (host && vulkan) return;
         name = names_.taken[home].declare(name + (host ? "_on_host" : vulkan ? "_on_vulkan" : "_on_none"));
     };
-    for (std::uint32_t index : reach_.kernels)
+    for (ir::KernelId index : reach_.kernels)
         if (const ir::Kernel& kernel = program_.kernels[index]; is_shared(kernel.key, kernel.module))
             rename(names_.kernels[index], kernel.module, reach_.host_kernels.contains(index),
                    reach_.vulkan_kernels.contains(index));
-    for (std::uint32_t index : reach_.pipelines)
+    for (ir::PipelineId index : reach_.pipelines)
         if (const ir::Pipeline& pipeline = program_.pipelines[index];
             !pipeline.owner && is_shared(pipeline.key, pipeline.module))
             rename(names_.pipelines[index], pipeline.module, reach_.host_pipelines.contains(index),
@@ -156,7 +155,7 @@ Unit& ModulePrinter::unit_of(ir::ModuleId home) {
     return units_.emplace(home, make_unit(parts_, home)).first->second;
 }
 
-bool ModulePrinter::is_shown(std::uint32_t pipeline) const {
+bool ModulePrinter::is_shown(ir::PipelineId pipeline) const {
     const ir::Pipeline& p = program_.pipelines[pipeline];
     return p.is_pub && p.module == module_ && !p.owner && !options_.tests;
 }
@@ -181,13 +180,13 @@ template <class Print> void ModulePrinter::print_once(Writer& out, Spaces& space
 }
 
 void ModulePrinter::print_types(Writer& out, Spaces& spaces) {
-    for (std::uint32_t index : reach_.enums) {
+    for (ir::EnumId index : reach_.enums) {
         const ir::Enum& type = program_.enums[index];
         if (elsewhere_.enums.contains(index)) continue;
         print_once(out, spaces, type.module, names_.enums[index],
                    [&](Unit& unit, Writer& text) { print_enum(unit, text, index); });
     }
-    for (std::uint32_t index : reach_.structs) {
+    for (ir::StructId index : reach_.structs) {
         const ir::Struct& type = program_.structs[index];
         if (std::ranges::find(elsewhere_.structs, index) != elsewhere_.structs.end()) continue;
         print_once(out, spaces, type.module, names_.structs[index],
@@ -197,7 +196,7 @@ void ModulePrinter::print_types(Writer& out, Spaces& spaces) {
 
 /// Declares the aliases of a structure that the module may use. Those of other modules for which this run makes a
 /// header are left out: that header declares them.
-void ModulePrinter::print_aliases(Writer& out, Spaces& spaces, std::uint32_t index) {
+void ModulePrinter::print_aliases(Writer& out, Spaces& spaces, ir::StructureId index) {
     const ir::Structure& structure = program_.structures[index];
     for (std::size_t i = 0; i < structure.aliases.size(); ++i) {
         const ir::Alias& alias = structure.aliases[i];
@@ -211,8 +210,8 @@ void ModulePrinter::print_aliases(Writer& out, Spaces& spaces, std::uint32_t ind
     }
 }
 
-void ModulePrinter::print_classes(Writer& out, Spaces& spaces, bool (ModulePrinter::*wanted)(std::uint32_t) const) {
-    for (std::uint32_t index : reach_.structures) {
+void ModulePrinter::print_classes(Writer& out, Spaces& spaces, bool (ModulePrinter::*wanted)(ir::StructureId) const) {
+    for (ir::StructureId index : reach_.structures) {
         if (!(this->*wanted)(index)) continue;
         const ir::Structure& structure = program_.structures[index];
         if (!elsewhere_.in_header.contains(index))
@@ -224,14 +223,14 @@ void ModulePrinter::print_classes(Writer& out, Spaces& spaces, bool (ModulePrint
 
 void ModulePrinter::print_functions_shown(Writer& out) {
     Unit& unit = unit_of(module_);
-    for (std::uint32_t kernel : reach_.kernels) {
+    for (ir::KernelId kernel : reach_.kernels) {
         if (!reach_.pub_kernels.contains(kernel)) continue;
         write_doc(out, program_.kernels[kernel].doc);
         out.line(kernel_signature(unit, kernel, true) + ";");
         if (range_of_first_at(program_.kernels[kernel])) out.line(kernel_signature(unit, kernel, true, 1) + ";");
         out.gap();
     }
-    for (std::uint32_t pipeline : reach_.pipelines) {
+    for (ir::PipelineId pipeline : reach_.pipelines) {
         if (!is_shown(pipeline)) continue;
         write_doc(out, program_.pipelines[pipeline].doc);
         out.line(pipeline_signature(unit, pipeline, true) + ";");
@@ -240,7 +239,7 @@ void ModulePrinter::print_functions_shown(Writer& out) {
 }
 
 void ModulePrinter::print_functions_hidden(Writer& out, Spaces& spaces) {
-    for (std::uint32_t index : reach_.kernels) {
+    for (ir::KernelId index : reach_.kernels) {
         const ir::Kernel& kernel = program_.kernels[index];
         if (reach_.pub_kernels.contains(index) || is_declared_elsewhere(kernel.is_pub, kernel.key, kernel.module))
             continue;
@@ -248,7 +247,7 @@ void ModulePrinter::print_functions_hidden(Writer& out, Spaces& spaces) {
         spaces.enter(unit.globals.space);
         out.line(kernel_signature(unit, index, true) + ";");
     }
-    for (std::uint32_t index : reach_.pipelines) {
+    for (ir::PipelineId index : reach_.pipelines) {
         const ir::Pipeline& pipeline = program_.pipelines[index];
         if (pipeline.owner || is_shown(index) || is_declared_elsewhere(pipeline.is_pub, pipeline.key, pipeline.module))
             continue;
@@ -297,7 +296,7 @@ std::string ModulePrinter::types_header() {
     out.gap();
     print_headers(out, ".glift.types.hpp");
     std::set<std::string> headers;
-    for (std::uint32_t index : reach_.structs)
+    for (ir::StructId index : reach_.structs)
         if (const std::string& header = program_.structs[index].extern_header; !header.empty()) headers.insert(header);
     for (const std::string& header : headers) out.line("#include \"" + header + "\"");
     out.gap();
@@ -341,9 +340,9 @@ void ModulePrinter::print_includes(Writer& out) const {
     out.gap();
 }
 
-std::vector<std::uint32_t> ModulePrinter::kernels_to_define(bool own) const {
-    std::vector<std::uint32_t> kernels;
-    for (std::uint32_t kernel : reach_.kernels)
+std::vector<ir::KernelId> ModulePrinter::kernels_to_define(bool own) const {
+    std::vector<ir::KernelId> kernels;
+    for (ir::KernelId kernel : reach_.kernels)
         if ((program_.kernels[kernel].module == module_) == own && !defined_.kernels.contains(kernel))
             kernels.push_back(kernel);
     return kernels;
@@ -351,18 +350,18 @@ std::vector<std::uint32_t> ModulePrinter::kernels_to_define(bool own) const {
 
 /// The definitions of one namespace in this source.
 void ModulePrinter::print_definitions(Unit& unit, Writer& out) {
-    std::vector<std::uint32_t> kernels = kernels_to_define(unit.home == module_);
-    std::erase_if(kernels, [&](std::uint32_t kernel) { return program_.kernels[kernel].module != unit.home; });
+    std::vector<ir::KernelId> kernels = kernels_to_define(unit.home == module_);
+    std::erase_if(kernels, [&](ir::KernelId kernel) { return program_.kernels[kernel].module != unit.home; });
     const std::vector<std::string> callers = printed_kernels(unit, kernels, function_adds_functions, kernel_function);
     Writer checks, members, pipelines, tests;
     if (options_.tests && unit.home == module_) unit.translation_checks = print_translation_checks(unit, checks);
-    for (std::uint32_t structure : reach_.structures) {
+    for (ir::StructureId structure : reach_.structures) {
         if (program_.structures[structure].module != unit.home) continue;
         if (!defined_.structures.contains(structure)) print_class_members(unit, members, structure);
         if (reach_.moved.contains(structure) && !defined_.moved.contains(structure))
             print_transfers(unit, members, structure);
     }
-    for (std::uint32_t pipeline : reach_.pipelines)
+    for (ir::PipelineId pipeline : reach_.pipelines)
         if (program_.pipelines[pipeline].module == unit.home && !defined_.pipelines.contains(pipeline))
             print_pipeline(unit, pipelines, pipeline);
     if (options_.tests && unit.home == module_) print_tests(unit, tests);
@@ -403,13 +402,13 @@ std::string ModulePrinter::source() {
 
 std::string ModulePrinter::library_source() {
     std::set<ir::ModuleId> homes;
-    for (std::uint32_t kernel : reach_.kernels)
+    for (ir::KernelId kernel : reach_.kernels)
         if (!defined_.kernels.contains(kernel)) homes.insert(program_.kernels[kernel].module);
-    for (std::uint32_t structure : reach_.structures)
+    for (ir::StructureId structure : reach_.structures)
         if (!defined_.structures.contains(structure) ||
             (reach_.moved.contains(structure) && !defined_.moved.contains(structure)))
             homes.insert(program_.structures[structure].module);
-    for (std::uint32_t pipeline : reach_.pipelines)
+    for (ir::PipelineId pipeline : reach_.pipelines)
         if (!defined_.pipelines.contains(pipeline)) homes.insert(program_.pipelines[pipeline].module);
     Writer out;
     print_includes(out);
@@ -451,7 +450,7 @@ Module ModulePrinter::print() {
 }  // namespace
 
 Module module_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, ir::ModuleId module,
-                 const std::vector<KernelCode>& code, const Options& options, Defined& defined) {
+                 const KernelCodes& code, const Options& options, Defined& defined) {
     return ModulePrinter(program, lowered, sources, module, code, options, defined).print();
 }
 

@@ -40,7 +40,7 @@ int lane_of(char letter) {
 Operand struct_field(Body& body, ir::ExprId value, ast::Identifier member) {
     Context& c = body.context;
     ir::TypeId type = body.program().exprs[value].type;
-    const ir::Struct& record = body.program().structs[body.types()[type].index];
+    const ir::Struct& record = body.program().structs[body.types()[type].struct_];
     std::vector<std::string_view> known;
     for (std::uint32_t i = 0; i < record.fields.size(); ++i) {
         if (record.fields[i].name == member.name) {
@@ -55,7 +55,7 @@ Operand struct_field(Body& body, ir::ExprId value, ast::Identifier member) {
 }
 
 Operand enumerator(Body& body, const ir::Type& type, ir::TypeId id, ast::Identifier member) {
-    const ir::Enum& declared = body.program().enums[type.index];
+    const ir::Enum& declared = body.program().enums[type.enum_];
     std::vector<std::string_view> known;
     for (std::size_t i = 0; i < declared.enumerators.size(); ++i) {
         if (declared.enumerators[i] == member.name) {
@@ -181,7 +181,7 @@ Operand index_part(Body& body, ir::ExprId value, const ast::Expr& expr) {
 }
 
 /// `window[offset]`: the element at the current address plus a constant offset.
-Operand index_window(Body& body, const Operand& window, std::uint32_t structure, const ast::Expr& expr) {
+Operand index_window(Body& body, const Operand& window, ir::StructureId structure, const ast::Expr& expr) {
     Context& c = body.context;
     ir::TypeId element = body.program().structures[structure].element;
     ir::TypeId offset_type = signed_address(body.types(), body.program().structures[structure].domain_type);

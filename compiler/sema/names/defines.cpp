@@ -41,7 +41,7 @@ std::optional<ir::Lane> lane_of(Context& c, ir::TypeId type, std::string_view te
         return ir::Lane{.bits = text == "true"};
     }
     if (types.kind(type) == ir::TypeKind::enum_) {
-        const ir::Enum& declared = c.program.enums[types[type].index];
+        const ir::Enum& declared = c.program.enums[types[type].enum_];
         for (std::size_t i = 0; i < declared.enumerators.size(); ++i)
             if (c.text(declared.enumerators[i]) == text) return ir::Lane{.bits = declared.values[i]};
         return std::nullopt;

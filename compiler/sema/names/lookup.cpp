@@ -17,8 +17,8 @@ bool contains(const std::vector<ast::DeclId>& list, ast::DeclId decl) {
 ir::ModuleId home_of(const Context& c, ir::TypeId id) {
     const ir::Type& type = c.program.types[id];
     switch (type.kind) {
-    case ir::TypeKind::struct_: return c.program.structs[type.index].module;
-    case ir::TypeKind::enum_: return c.program.enums[type.index].module;
+    case ir::TypeKind::struct_: return c.program.structs[type.struct_].module;
+    case ir::TypeKind::enum_: return c.program.enums[type.enum_].module;
     case ir::TypeKind::array:
     case ir::TypeKind::optional: return home_of(c, type.element);
     case ir::TypeKind::error:

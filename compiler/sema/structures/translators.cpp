@@ -73,7 +73,7 @@ void add_fields(Context& c, const Env& env, const ast::Translator& written, ir::
         if (!seen.insert(field.name.name).second) continue;  // a duplicate, reported by collect_modules
         ir::TypeId type = type_of(c, env, field.type);
         if (c.types().kind(type) == ir::TypeKind::structure) {
-            translator.structures.push_back(c.types()[type].index);
+            translator.structures.push_back(c.types()[type].structure);
             translator.structure_names.push_back(field.name.name);
         } else {
             translator.scalars.push_back({field.name.name, type, field.doc});
@@ -136,7 +136,6 @@ ir::TranslatorId instantiate_translator(Context& c, ast::DeclId id, const Env& e
     if (auto found = c.instances.find(key); found != c.instances.end()) {
         if (found->second.state == Instance::State::in_progress)
             c.error(Diag::recursive_type, use, {c.text(c[id].name.name)});
-        if (found->second.state != Instance::State::done) return {};
         return {found->second.index};
     }
     InstantiationScope scope(c, display_of(c, c[id], env), use);
@@ -145,7 +144,7 @@ ir::TranslatorId instantiate_translator(Context& c, ast::DeclId id, const Env& e
     const ir::TranslatorId made = make_translator(c, id, env);
     Instance& instance = c.instances[key];
     instance.state = made ? Instance::State::done : Instance::State::failed;
-    if (made) instance.index = made.index;
+    instance.index = made.index;
     return made;
 }
 

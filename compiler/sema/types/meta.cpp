@@ -104,7 +104,7 @@ void note_alias(Context& c, ast::DeclId id, ir::TypeId structure) {
     const ast::Decl& decl = c[id];
     if (!decl.generics.empty()) return;
     const ir::ModuleId module = c.module_of.at(id);
-    std::vector<ir::Alias>& aliases = c.program.structures[c.types()[structure].index].aliases;
+    std::vector<ir::Alias>& aliases = c.program.structures[c.types()[structure].structure].aliases;
     const bool is_known = std::ranges::any_of(
         aliases, [&](const ir::Alias& alias) { return alias.name == decl.name.name && alias.module == module; });
     if (!is_known) aliases.push_back({decl.name.name, module, decl.is_pub});

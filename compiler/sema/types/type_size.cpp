@@ -11,7 +11,8 @@ std::uint64_t scalars_in(const ir::Program& program, ir::TypeId id) {
     case ir::TypeKind::optional: return 1 + scalars_in(program, type.element);
     case ir::TypeKind::struct_: {
         std::uint64_t sum = 0;
-        for (const ir::StructField& field : program.structs[type.index].fields) sum += scalars_in(program, field.type);
+        for (const ir::StructField& field : program.structs[type.struct_].fields)
+            sum += scalars_in(program, field.type);
         return sum;
     }
     default: return 1;
