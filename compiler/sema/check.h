@@ -49,7 +49,7 @@ inline constexpr std::string_view transfer_module = "std.transfer";
 /// functions with structure parameters, other functions of structures, and what other modules declare are checked where
 /// they are used. `modules` has imported modules before those that import them. Errors go to `diagnostics`; the program
 /// is complete only if there are none.
-ir::Program check(const ModuleTable& modules, const ast::Tree& tree, Names& names,
-                  Diagnostics& diagnostics, const Settings& settings = {});
+ir::Program check(const ModuleTable& modules, const ast::Tree& tree, Names& names, Diagnostics& diagnostics,
+                  const Settings& settings = {});
 
 }  // namespace gliftc::sema

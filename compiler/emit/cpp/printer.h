@@ -50,21 +50,21 @@ struct ClassNames {
     NameSet all;  ///< these and its other functions: within the class they hide names of the namespace
 };
 
-/// The names of all that a program declares, each in the namespace of its module. Each list is indexed as the table of
-/// ir::Program that its comment names. A name is made of the source's name and the generic arguments of what it names,
-/// so that all files and all runs of gliftc agree. Only where names would be equal do other declarations matter.
+/// The names of all that a program declares, each in the namespace of its module. A name is made of the source's name
+/// and the generic arguments of what it names, so that all files and all runs of gliftc agree. Only where names would
+/// be equal do other declarations matter.
 struct ProgramNames {
-    Table<std::string, ir::Module> spaces;               ///< of Program::modules: laplacian, std.array → std_array
-    Table<NameSet, ir::Module> types;                    ///< of Program::modules: names of structs, structures, aliases
-    Table<std::string, ir::Struct> structs;              ///< of Program::structs
-    Table<std::vector<std::string>, ir::Struct> fields;  ///< of Program::structs
-    Table<std::string, ir::Enum> enums;                  ///< of Program::enums
-    Table<std::string, ir::Structure> structures;        ///< of Program::structures: the classes
-    Table<std::vector<std::string>, ir::Structure> aliases;  ///< of Program::structures: of their aliases
-    Table<ClassNames, ir::Structure> classes;                ///< of Program::structures
-    Table<std::string, ir::Kernel> kernels;                  ///< of Program::kernels: the functions that call them
-    Table<std::string, ir::Pipeline> pipelines;              ///< of Program::pipelines
-    Table<Scopes, ir::Module> taken;                         ///< of Program::modules: all names in their namespaces
+    Table<std::string, ir::Module> spaces;  ///< laplacian, std.array → std_array
+    Table<NameSet, ir::Module> types;       ///< names of structs, structures, aliases
+    Table<std::string, ir::Struct> structs;
+    Table<std::vector<std::string>, ir::Struct> fields;
+    Table<std::string, ir::Enum> enums;
+    Table<std::string, ir::Structure> structures;            ///< the classes
+    Table<std::vector<std::string>, ir::Structure> aliases;  ///< of their aliases
+    Table<ClassNames, ir::Structure> classes;
+    Table<std::string, ir::Kernel> kernels;  ///< the functions that call them
+    Table<std::string, ir::Pipeline> pipelines;
+    Table<Scopes, ir::Module> taken;  ///< all names in their namespaces
 };
 
 ProgramNames program_names(const ir::Program& program);
@@ -81,16 +81,16 @@ bool is_alias_seen(const ir::Program& program, const ir::Alias& alias, ir::Modul
 struct Globals {
     const ir::Program& program;
     const Sources& sources;
-    std::string space;                            ///< the namespace
-    Scopes names;                                 ///< of the namespace
-    NameSet type_names;                           ///< of structs, structures, aliases: no other name hides them
-    NameSet kernel_symbols;                       ///< names of the code and data made for kernels
-    Table<std::string, ir::Struct> struct_names;  ///< of Program::structs
-    Table<std::vector<std::string>, ir::Struct> field_names;  ///< of Program::structs
-    Table<std::string, ir::Structure> structure_names;        ///< of Program::structures
-    Table<ClassNames, ir::Structure> class_names;             ///< of Program::structures
-    Table<std::string, ir::Kernel> kernel_names;              ///< of Program::kernels: the functions that call them
-    Table<std::string, ir::Pipeline> pipeline_names;          ///< of Program::pipelines
+    std::string space;       ///< the namespace
+    Scopes names;            ///< of the namespace
+    NameSet type_names;      ///< of structs, structures, aliases: no other name hides them
+    NameSet kernel_symbols;  ///< names of the code and data made for kernels
+    Table<std::string, ir::Struct> struct_names;
+    Table<std::vector<std::string>, ir::Struct> field_names;
+    Table<std::string, ir::Structure> structure_names;
+    Table<ClassNames, ir::Structure> class_names;
+    Table<std::string, ir::Kernel> kernel_names;  ///< the functions that call them
+    Table<std::string, ir::Pipeline> pipeline_names;
     /// By kernel: the beginning of the names of the code and data made for it.
     std::unordered_map<ir::KernelId, std::string> kernel_stems;
     std::unordered_map<const ir::KernelParam*, std::string> param_names;

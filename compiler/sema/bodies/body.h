@@ -49,7 +49,7 @@ struct Symbol {
     ir::LocalId local;          ///< local
     ir::Place place;            ///< structure, iterator: the path to it; member, memory, host_state: root 0, the
                                 ///< container, whose value or memory it is
-    ir::StructureId structure;  ///< structure, iterator, memory (the one that has it): index in Program::structures
+    ir::StructureId structure;  ///< structure, iterator, memory (the one that has it)
     /// state: index in the scalar fields of the translator (the code that maps addresses) whose function this is.
     /// member: in the structure's constructor values. memory: in its memories. host_state: in its fields that live on
     /// the host. iterator (a parameter such as `each` or `at`, whose name means the current invocation's element or
@@ -80,7 +80,7 @@ struct Operand {
     ir::Place place;            ///< structure, memory, iterator
     ir::LocalId local;          ///< structure, memory, in pipelines: the local (a temporary, a parameter, a slice) at
                                 ///< which `place` starts; none: it starts at the container that owns the pipeline
-    ir::StructureId structure;  ///< structure, iterator, memory (the one that has it): index in Program::structures
+    ir::StructureId structure;  ///< structure, iterator, memory (the one that has it)
     std::uint32_t slot = 0;     ///< memory: index in the structure's memories; iterator: in the kernel's parameters
     std::uint32_t window = 0;   ///< structure: the radius, if it is a `near` parameter of a kernel or function; else 0
     bool is_slice = false;      ///< structure: it is the slice `local`, not a member of that

@@ -32,8 +32,8 @@ std::optional<Operand> call_of_blocks(Body&, const Operand& self, ast::Identifie
 void find_space(Context&, ir::Kernel&);
 
 /// Makes a pipeline that takes a structure which declares blocks, and returns their number as a value on the device,
-/// for the dispatch that follows the call. The value may exceed Blocks::bound, which the dispatch applies. Returns the
-/// pipeline's index in Program::pipelines; absent after an error.
+/// for the dispatch that follows the call. The value may exceed Blocks::bound, which the dispatch applies. Empty
+/// after an error.
 ir::PipelineId counter_of_blocks(Context&, ir::StructureId structure, Span use);
 
 }  // namespace gliftc::sema

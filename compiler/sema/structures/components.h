@@ -44,7 +44,7 @@ ir::ExprId substitute_state(Context&, ir::ExprId, const ir::Stage&);
 ir::ExprId single_return(const ir::Program&, ir::FunctionId);
 
 /// The instance of std.transfer's structure Box that holds a box of elements of that type, with that many dimensions,
-/// in a buffer: an index in Program::structures. Absent after an error, or if std.transfer is not loaded.
+/// in a buffer. Empty after an error, or if std.transfer is not loaded.
 ir::StructureId box_of(Context&, std::uint32_t dimensions, ir::TypeId element, Span use);
 
 /// Whether the statements contain operations of ir::Level::structure, such as reads of elements and translations of
@@ -57,7 +57,7 @@ std::optional<ir::TypeId> type_not_for_passes(const ir::Program&, const ir::Func
 
 /// A pipeline that calls the function in a pass of one invocation and returns the result, which stays on the device.
 /// Its parameters are the function's structures, then its values; `on_device` says which of the values lie on the
-/// device (empty: none). Gives its index in Program::pipelines; absent after an error.
+/// device (empty: none). Gives an empty id after an error.
 ir::PipelineId pipeline_of_function(Context&, ir::FunctionId, Span use, const std::vector<bool>& on_device = {});
 
 /// The parameter `self` of a generated pipeline: a range of the structure, or the whole adaptor if the structure is
@@ -70,7 +70,7 @@ ir::ExprId structure_argument(Context&, ir::LocalId, Span);
 
 /// Adds the kernel, and a pipeline that makes a temporary of one element, of structure `box`, runs the kernel over it
 /// and returns the element. The temporary is the kernel's last argument, `arguments` are the others. `pipeline` comes
-/// with its name and parameters. Returns the pipeline's index in Program::pipelines.
+/// with its name and parameters.
 ir::PipelineId pipeline_of_kernel(Context&, ir::Kernel kernel, ir::Pipeline pipeline, ir::Operands arguments,
                                   ir::StructureId box);
 
