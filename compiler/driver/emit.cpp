@@ -1,5 +1,7 @@
 #include "driver/emit.h"
 
+#include "driver/digest.h"
+
 #include "base/parallel.h"
 #include "driver/shaders.h"
 #include "emit/cpp/emit.h"
@@ -12,7 +14,6 @@
 #include "interop/interop.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <future>
 #include <iterator>
@@ -23,16 +24,15 @@ namespace gliftc {
 
 namespace {
 
-/// The name itself or, if it is longer than 100 characters, its beginning and a hash of all of it (FNV-1a): file
-/// systems allow names of 255 bytes, which have the module's name and an ending, too.
+/// The name itself or, if it is longer than 100 characters, its beginning and a hash of all of it: file systems allow
+/// names of 255 bytes, which have the module's name and an ending, too.
 std::string shortened(const std::string& name) {
-    constexpr std::size_t longest = 100, digits = 16;
+    constexpr std::size_t longest = 100;
     if (name.size() <= longest) return name;
-    std::uint64_t hash = 14695981039346656037u;
-    for (char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-    char text[digits + 1];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-    return name.substr(0, longest - digits - 1) + "_" + text;
+    Digest digest;
+    digest.add(name);
+    const std::string ending = "_" + digest.digits();
+    return name.substr(0, longest - ending.size()) + ending;
 }
 
 /// The name of a kernel's shader: `scale` or, for a generic kernel, `scale_2_float`, shortened; not one of `taken`, to
@@ -82,7 +82,7 @@ struct Readable {
 };
 
 /// The GLSL of each kernel, in the direct form, which is easier to read.
-std::vector<Readable> readable_shaders(const Compilation& c, const std::vector<std::uint32_t>& kernels) {
+std::vector<Readable> readable_shaders(const Compilation& c, const std::vector<ir::KernelId>& kernels) {
     constexpr std::size_t share = 64;  // starting a thread for fewer kernels does not pay off
     std::vector<Readable> texts(kernels.size());
     for_each_parallel(kernels.size(), share, [&](std::size_t i) {
@@ -95,10 +95,10 @@ std::vector<Readable> readable_shaders(const Compilation& c, const std::vector<s
     return texts;
 }
 
-void emit_shaders(const Options& options, const Compilation& c, std::uint32_t module, const std::string& base,
-                  const std::vector<cpp::KernelCode>& shaders, std::vector<Output>& outputs) {
-    std::vector<std::uint32_t> kernels;
-    for (std::uint32_t k = 0; k < c.program.kernels.size(); ++k)
+void emit_shaders(const Options& options, const Compilation& c, ir::ModuleId module, const std::string& base,
+                  const cpp::KernelCodes& shaders, std::vector<Output>& outputs) {
+    std::vector<ir::KernelId> kernels;
+    for (ir::KernelId k : c.program.kernels.ids())
         if (c.program.kernels[k].module == module) kernels.push_back(k);
     std::vector<Readable> readable(kernels.size());
     if (options.wants(Target::glsl)) readable = readable_shaders(c, kernels);
@@ -121,7 +121,7 @@ void emit_shaders(const Options& options, const Compilation& c, std::uint32_t mo
 }
 
 /// The shaders as programs embed them: names and line numbers would be a quarter of their bytes.
-std::vector<cpp::KernelCode> stripped(std::vector<cpp::KernelCode> shaders) {
+cpp::KernelCodes stripped(cpp::KernelCodes shaders) {
     for (cpp::KernelCode& code : shaders)
         for (cpp::FormCode* form : {&code.direct, &code.general})
             for (std::vector<std::uint32_t>* words : {&form->shader, &form->fragment})
@@ -129,10 +129,10 @@ std::vector<cpp::KernelCode> stripped(std::vector<cpp::KernelCode> shaders) {
     return shaders;
 }
 
-void emit_cpp(const Options& options, const Compilation& c, std::uint32_t module, const std::string& base,
-              const std::vector<cpp::KernelCode>& shaders, const cpp::Options& cpp, cpp::Defined& defined,
+void emit_cpp(const Options& options, const Compilation& c, ir::ModuleId module, const std::string& base,
+              const cpp::KernelCodes& shaders, const cpp::Options& cpp, cpp::Defined& defined,
               std::vector<Output>& outputs) {
-    std::vector<cpp::KernelCode> code;
+    cpp::KernelCodes code;
     if (!options.host_only && options.wants(Target::cpp)) code = options.source_lines ? shaders : stripped(shaders);
     cpp::Module written = cpp::module_of(c.program, c.lowered, c.sources, module, code, cpp, defined);
     for (cpp::File& file : written.files) {
@@ -147,21 +147,21 @@ void emit_cpp(const Options& options, const Compilation& c, std::uint32_t module
 
 /// Adds the GLSL libraries of public structures and views, which users include in their own shaders:
 /// `laplacian.Field.glsl`.
-void emit_libraries(const Compilation& c, std::uint32_t module, const std::string& base, std::vector<Output>& outputs) {
+void emit_libraries(const Compilation& c, ir::ModuleId module, const std::string& base, std::vector<Output>& outputs) {
     for (const ir::Library& library : c.lowered.libraries)
         if (library.module == module)
             outputs.push_back({base + "." + library.name + ".glsl", glsl::library_of(c.program, c.sources, library)});
 }
 
 /// The kernels whose SPIR-V some output of the module holds.
-std::set<std::uint32_t> kernels_with_code(const Options& options, const Compilation& c, std::uint32_t module,
-                                          const cpp::Options& cpp, const cpp::Defined& defined) {
-    std::set<std::uint32_t> kernels;
+std::set<ir::KernelId> kernels_with_code(const Options& options, const Compilation& c, ir::ModuleId module,
+                                         const cpp::Options& cpp, const cpp::Defined& defined) {
+    std::set<ir::KernelId> kernels;
     if (options.wants(Target::spirv))
-        for (std::uint32_t k = 0; k < c.program.kernels.size(); ++k)
+        for (ir::KernelId k : c.program.kernels.ids())
             if (c.program.kernels[k].module == module) kernels.insert(k);
     if (options.wants(Target::cpp) && !options.host_only)
-        for (std::uint32_t k : cpp::vulkan_kernels_of(c.program, module, cpp, defined)) kernels.insert(k);
+        for (ir::KernelId k : cpp::vulkan_kernels_of(c.program, module, cpp, defined)) kernels.insert(k);
     return kernels;
 }
 
@@ -181,14 +181,13 @@ std::vector<Output> emit(const Options& options, const Compilation& c) {
                      .host_kernel = options.wants(Target::host) ? &host::kernel_of : nullptr};
     cpp::Defined defined;
     std::set<std::string> bases;
-    for (std::uint32_t m = 0; m < c.program.modules.size(); ++m) {
+    for (ir::ModuleId m : c.program.modules.ids()) {
         const ir::Module& module = c.program.modules[m];
         if (!module.is_root) continue;
         std::string base = cpp::file_stem(c.program, c.sources, m);
         if (!bases.insert(base).second)
             throw std::runtime_error("two files on the command line are called '" + base + "'");
-        std::vector<cpp::KernelCode> shaders =
-            compile_shaders(c, kernels_with_code(options, c, m, cpp, defined), options.optimize);
+        cpp::KernelCodes shaders = compile_shaders(c, kernels_with_code(options, c, m, cpp, defined), options.optimize);
         // The other targets are printed on another thread while this one prints C++.
         auto others = std::async(std::launch::async, [&] {
             std::vector<Output> made;

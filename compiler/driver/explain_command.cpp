@@ -78,7 +78,7 @@ class Explainer {
 public:
     explicit Explainer(const Compilation& c) : draws(explained_draws(c)), c_(c), program_(c.program) {
         for (const ir::Structure& structure : program_.structures) explain(structure);
-        for (std::uint32_t i = 0; i < program_.translators.size(); ++i)
+        for (ir::TranslatorId i : program_.translators.ids())
             if (shown_.insert(i).second) translators.push_back(explained(program_.translators[i], {}));
     }
 
@@ -127,7 +127,7 @@ private:
         for (const ir::MemberStructure& member : adaptor.members)
             shown.parts.emplace_back("member " + c_.names[member.name], program_.structures[member.structure].display +
                                                                             (member.by_reference ? ", given" : ""));
-        const auto index = static_cast<std::uint32_t>(&adaptor - program_.structures.data());
+        const auto index = program_.structures.id_of(adaptor);
         for (ir::FunctionId id : ir::public_functions(program_, index)) {
             const ir::Function& function = program_.functions[id];
             std::string effects;
@@ -187,7 +187,7 @@ private:
 
     const Compilation& c_;
     const ir::Program& program_;
-    std::set<std::uint32_t> shown_;
+    std::set<ir::TranslatorId> shown_;
 };
 
 std::string line(const std::string& indent, const std::string& what, const std::string& value) {

@@ -18,7 +18,7 @@ std::string words(std::string_view spelling) {
 
 class Draw {
 public:
-    Draw(const Compilation& c, std::uint32_t index)
+    Draw(const Compilation& c, ir::KernelId index)
         : c_(c), kernel_(c.program.kernels[index]), raster_(*kernel_.raster), pass_(c.lowered.passes[index].general) {}
 
     ExplainedDraw explained() const {
@@ -89,7 +89,7 @@ private:
 
 std::vector<ExplainedDraw> explained_draws(const Compilation& c) {
     std::vector<ExplainedDraw> draws;
-    for (std::uint32_t i = 0; i < c.program.kernels.size(); ++i) {
+    for (ir::KernelId i : c.program.kernels.ids()) {
         const ir::Kernel& kernel = c.program.kernels[i];
         if (kernel.raster && c.program.modules[kernel.module].is_root) draws.push_back(Draw(c, i).explained());
     }

@@ -14,7 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint32_t not_found = ~0u;
 constexpr std::array<std::string_view, 5> library_folders{"math", "translators", "structures", "adaptors",
                                                           "algorithms"};
 constexpr std::string_view library_prefix = "std.", extension = ".glift";
@@ -53,8 +52,7 @@ public:
 
     LoadedModules run() {
         for (const std::string& file : options_.files) {
-            std::uint32_t index = load(file, {}, {});
-            if (index != not_found) loaded_.modules[index].is_root = true;
+            if (const ir::ModuleId module = load(file, {}, {})) loaded_.modules[module].is_root = true;
         }
         if (std::string path = find_in_library(sema::transfer_module); !path.empty())
             load(path, {}, std::string(sema::transfer_module));
@@ -64,24 +62,24 @@ public:
 private:
     struct File {
         bool under_way = true;
-        std::uint32_t index = not_found;
+        ir::ModuleId module;
     };
 
-    /// The index of the module in the file; loads it if it is new. `use` is the import that names it; `name` the name
-    /// that the module must have, or empty. After an error not_found: the file cannot be read, or the module is still
+    /// The module in the file; loads it if it is new. `use` is the import that names it; `name` the name
+    /// that the module must have, or empty. Empty after an error: the file cannot be read, or the module is still
     /// being loaded, since it imports itself, directly or by way of others.
-    std::uint32_t load(const std::string& path, Span use, const std::string& name) {
+    ir::ModuleId load(const std::string& path, Span use, const std::string& name) {
         std::string shown = path == "-" ? path : fs::path(path).lexically_normal().generic_string();
         auto [entry, is_new] = known_.try_emplace(files_.identity(shown));
         if (!is_new) {
             if (entry->second.under_way) report_cycle(use, name.empty() ? shown : name);
-            return entry->second.index;
+            return entry->second.module;
         }
         ReadResult read = files_.read(path);
         if (!read.error.empty()) {
             diagnostics_.report(Diag::cannot_read, use, {path, read.error});
             entry->second.under_way = false;
-            return not_found;
+            return {};
         }
         std::uint32_t file = sources_.add(path == "-" ? "<stdin>" : shown, std::move(read.text));
         loaded_.trees.push_back(parse(file, sources_, names_, tree_, diagnostics_));
@@ -93,18 +91,17 @@ private:
         under_way_.push_back(use);
         for (const ast::Use& each : module.uses) loaded.uses.push_back(follow(each, shown));
         under_way_.pop_back();
-        loaded_.modules.push_back(std::move(loaded));
-        File& done = known_[files_.identity(shown)];
-        done = {false, static_cast<std::uint32_t>(loaded_.modules.size() - 1)};
-        return done.index;
+        const ir::ModuleId made = loaded_.modules.add(std::move(loaded));
+        known_[files_.identity(shown)] = {false, made};
+        return made;
     }
 
-    std::uint32_t follow(const ast::Use& use, const std::string& from) {
+    ir::ModuleId follow(const ast::Use& use, const std::string& from) {
         bool relative = use.path.starts_with("./") || use.path.starts_with("../");
         std::string path = relative ? find_beside(use.path, from) : find_by_name(use.path, from);
         if (!path.empty()) return load(path, use.span, relative ? std::string() : use.path);
         report_missing(use, from);
-        return not_found;
+        return {};
     }
 
     static fs::path folder_of(const std::string& file) {

@@ -23,9 +23,9 @@ std::vector<std::string> library_folders_of(const Options& options);
 
 struct LoadedModules {
     std::deque<ast::Module> trees;
-    std::vector<sema::LoadedModule> modules;  ///< each module once, imported ones before those that import them
-    std::size_t misnamed = 0;                 ///< number of errors about wrong module names; they do not keep sema from
-                                              ///< running
+    sema::ModuleTable modules;
+    std::size_t misnamed = 0;  ///< number of errors about wrong module names; they do not keep sema from
+                               ///< running
 };
 
 LoadedModules load_modules(const Options& options, const FileSystem& files, Sources& sources, Names& names,

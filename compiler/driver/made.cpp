@@ -67,7 +67,7 @@ public:
     }
 
 private:
-    std::shared_ptr<Instance> outside(std::uint32_t structure, const std::string& path) {
+    std::shared_ptr<Instance> outside(ir::StructureId structure, const std::string& path) {
         auto made = make(program_.structures[structure], path, {}, {});
         made->is_given = true;
         return made;

@@ -26,10 +26,9 @@ spirv::Stage stage_of(ir::Part part) {
     return spirv::Stage::compute;
 }
 
-std::vector<Job> list_jobs(const Compilation& c, const std::set<std::uint32_t>& kernels,
-                           std::vector<cpp::KernelCode>& shaders) {
+std::vector<Job> list_jobs(const Compilation& c, const std::set<ir::KernelId>& kernels, cpp::KernelCodes& shaders) {
     std::vector<Job> jobs;
-    for (std::uint32_t k : kernels) {
+    for (ir::KernelId k : kernels) {
         const auto add = [&](const ir::Pass& pass, cpp::FormCode& code) {
             jobs.push_back({&pass, pass.plain().part, &code.shader, {}});
             if (fragment_for(pass, ir::Devices::shaders))
@@ -53,9 +52,8 @@ void run(Job& job, const Compilation& c, spirv::Optimise optimise) {
 
 }  // namespace
 
-std::vector<cpp::KernelCode> compile_shaders(const Compilation& c, const std::set<std::uint32_t>& kernels,
-                                             bool optimize) {
-    std::vector<cpp::KernelCode> shaders(c.program.kernels.size());
+cpp::KernelCodes compile_shaders(const Compilation& c, const std::set<ir::KernelId>& kernels, bool optimize) {
+    cpp::KernelCodes shaders(c.program.kernels.size());
     std::vector<Job> jobs = list_jobs(c, kernels, shaders);
     auto optimise = optimize ? spirv::Optimise::size : spirv::Optimise::no;
     for_each_parallel(jobs.size(), 1, [&](std::size_t i) { run(jobs[i], c, optimise); });

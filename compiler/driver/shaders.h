@@ -8,9 +8,8 @@
 
 namespace gliftc {
 
-/// The shaders by index in Program::kernels; those of kernels that are not in `kernels` are empty. Throws
+/// The shaders; those of kernels that are not in `kernels` are empty. Throws
 /// std::runtime_error, with the kernel's name, if glslang rejects the generated GLSL or the validator the SPIR-V.
-std::vector<cpp::KernelCode> compile_shaders(const Compilation& compilation, const std::set<std::uint32_t>& kernels,
-                                             bool optimize);
+cpp::KernelCodes compile_shaders(const Compilation& compilation, const std::set<ir::KernelId>& kernels, bool optimize);
 
 }  // namespace gliftc

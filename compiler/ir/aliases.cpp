@@ -6,19 +6,19 @@
 
 namespace gliftc::ir {
 
-std::vector<Name> public_names(const Structure& structure, std::uint32_t module) {
+std::vector<Name> public_names(const Structure& structure, ModuleId module) {
     std::vector<Name> names;
     for (const Alias& alias : structure.aliases)
         if (alias.is_pub && alias.module == module) names.push_back(alias.name);
     return names;
 }
 
-bool is_public(const Structure& structure, std::uint32_t module) {
+bool is_public(const Structure& structure, ModuleId module) {
     return std::ranges::any_of(structure.aliases,
                                [&](const Alias& alias) { return alias.is_pub && alias.module == module; });
 }
 
-Name name_in(const Program& program, const Structure& structure, std::uint32_t module) {
+Name name_in(const Program& program, const Structure& structure, ModuleId module) {
     enum Rank { own_public, own, imported, foreign };
     const auto rank_of = [&](const Alias& alias) {
         if (alias.module == module) return alias.is_pub ? own_public : own;
@@ -28,7 +28,7 @@ Name name_in(const Program& program, const Structure& structure, std::uint32_t m
     return best == structure.aliases.end() || rank_of(*best) == foreign ? Name{} : best->name;
 }
 
-std::vector<FunctionId> public_functions(const Program& program, std::uint32_t structure) {
+std::vector<FunctionId> public_functions(const Program& program, StructureId structure) {
     std::vector<FunctionId> found;
     std::set<std::string> names;
     const auto add = [&](FunctionId id) {

@@ -68,7 +68,7 @@ DepthOrder depth_order(const Program& program, const Pass& pass) {
     return discards && depth.is_written ? DepthOrder::after : DepthOrder::before;
 }
 
-const Translator* many_to_one_stage(const Program& program, std::uint32_t structure) {
+const Translator* many_to_one_stage(const Program& program, StructureId structure) {
     for (const Structure* link = &program.structures[structure];; link = &structure_at(program, *link, link->base)) {
         for (const Stage& stage : link->via) {
             const Translator& translator = program.translators[stage.translator];
@@ -84,7 +84,7 @@ bool has_depth_format(const Program& program, const Structure& structure) {
            root.memories[root.via_memory].format == Format::d32;
 }
 
-bool is_written_in_boxes(const Program& program, std::uint32_t structure) {
+bool is_written_in_boxes(const Program& program, StructureId structure) {
     const Structure& written = program.structures[structure];
     return written.kind == StructureKind::stored && !many_to_one_stage(program, structure) &&
            !has_depth_format(program, written);

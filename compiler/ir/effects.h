@@ -66,7 +66,7 @@ DepthOrder depth_order(const Program& program, const Pass& pass);
 
 /// The first translator that is declared @many_to_one, among those of the structure, then of the structures that are
 /// its memory (ir/chain.h); null if there is none.
-const Translator* many_to_one_stage(const Program& program, std::uint32_t structure);
+const Translator* many_to_one_stage(const Program& program, StructureId structure);
 
 /// Whether the memory that has the structure's elements has the format d32.
 bool has_depth_format(const Program& program, const Structure& structure);
@@ -74,6 +74,6 @@ bool has_depth_format(const Program& program, const Structure& structure);
 /// Whether C++ may write and fill boxes of the structure. False for views; for structures with a translator that is
 /// declared @many_to_one, which only kernels write, by scatter or coherent access; and for depths, which only draws
 /// write.
-bool is_written_in_boxes(const Program& program, std::uint32_t structure);
+bool is_written_in_boxes(const Program& program, StructureId structure);
 
 }  // namespace gliftc::ir

@@ -389,7 +389,7 @@ std::optional<std::pair<std::size_t, std::size_t>> Interpreter::part_of(const Ex
     std::size_t size = lane_count(program_, expr.type);
     if (expr.op == Op::field) {
         std::size_t offset = 0;
-        const Struct& type = program_.structs[types_[whole].index];
+        const Struct& type = program_.structs[types_[whole].struct_];
         for (std::uint32_t i = 0; i < expr.slot; ++i) offset += lane_count(program_, type.fields[i].type);
         return std::pair{offset, size};
     }
@@ -560,7 +560,7 @@ std::size_t lane_count(const Program& program, TypeId id) {
     case TypeKind::optional: return 1 + lane_count(program, type.element);
     case TypeKind::struct_: {
         std::size_t count = 0;
-        for (const StructField& field : program.structs[type.index].fields) count += lane_count(program, field.type);
+        for (const StructField& field : program.structs[type.struct_].fields) count += lane_count(program, field.type);
         return count;
     }
     case TypeKind::error:

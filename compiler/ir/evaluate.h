@@ -67,7 +67,7 @@ std::string to_text(const Program& program, TypeId type);
 /// The same with the modules of structs, enums and structures: std.array.Array<4, float>.
 std::string to_qualified_text(const Program& program, TypeId type);
 /// The name of a module and a dot: `std.array.`
-std::string module_text(const Program& program, std::uint32_t module);
+std::string module_text(const Program& program, ModuleId module);
 
 /// One scalar operation with the exact semantics of the language (wraparound, float rounding, defined division by
 /// zero).

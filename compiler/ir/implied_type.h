@@ -31,7 +31,7 @@ TypeId implied_type(const Program& program, const Pass* pass, const Expr& node, 
         const Type& whole = types[type(0)];
         return whole.kind == TypeKind::matrix ? vector(whole.element, whole.rows) : whole.element;
     }
-    case Op::field: return program.structs[types[type(0)].index].fields[node.slot].type;
+    case Op::field: return program.structs[types[type(0)].struct_].fields[node.slot].type;
     case Op::call: return program.functions[node.function].result;
     case Op::some: return intern(Type{.kind = TypeKind::optional, .element = type(0)});
     case Op::has_value: return types.bool_;

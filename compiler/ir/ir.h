@@ -6,7 +6,7 @@
 //
 // "Instance": sema makes one Function, Struct, Translator, Structure, Kernel or Pipeline for each set of generic
 // arguments that is used; of a kernel also one for each set of its value parameters that calls give values on the
-// device (Pattern::argument). An instance of a structure is named by its index in Program::structures.
+// device (Pattern::argument).
 //
 // Kernels, pipelines and passes share these nodes. ir/levels.h says which operation belongs to which level.
 #pragma once
@@ -15,6 +15,7 @@
 #include "base/name.h"
 #include "base/rare_vector.h"
 #include "base/small_vector.h"
+#include "base/table.h"
 #include "ir/intrinsics.h"
 #include "ir/invocation.h"
 #include "ir/raster.h"
@@ -34,10 +35,18 @@ struct Expr;
 struct Stmt;
 struct Local;
 struct Function;
+struct Translator;
+struct Module;
+struct Kernel;
+struct Pipeline;
 using ExprId = Id<Expr>;
 using StmtId = Id<Stmt>;
 using LocalId = Id<Local>;
 using FunctionId = Id<Function>;
+using TranslatorId = Id<Translator>;
+using KernelId = Id<Kernel>;
+using PipelineId = Id<Pipeline>;
+using ModuleId = Id<Module>;
 using Operands = SmallVector<ExprId, 4>;
 
 /// A path to a structure: `root` says where the path starts, `members` are indices in Structure::members, one a step.
@@ -102,6 +111,8 @@ struct Expr {
     double number = 0;
     Place place;
     RareVector<Place> places;  ///< of a call: the structures passed to it, in the order of Function::structures
+
+    PipelineId pipeline() const { return {slot}; }  ///< of a pipeline_call
 };
 
 // ----------------------------------------------------------------------------------------------------- statements
@@ -145,6 +156,8 @@ struct Stmt {
     Operands arguments;
     RareVector<LocalId> locals;  ///< of a release: the temporaries
     Place place;
+
+    KernelId kernel() const { return {slot}; }  ///< of a dispatch
 };
 
 enum class Storage : std::uint8_t { value, shared };
@@ -177,7 +190,7 @@ struct Function {
     std::string key;      ///< display with module-qualified names; an instance has the same key in every run of gliftc
     Span span;
     std::vector<LocalId> params;
-    std::vector<std::uint32_t> structures;           ///< instances of the structures that calls pass (Expr::places)
+    std::vector<StructureId> structures;             ///< instances of the structures that calls pass (Expr::places)
     std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< workgroup size that a calling kernel must have; all 0: any
     std::vector<LocalId> shared;                     ///< its workgroup memory: one allocation for all calls
     TypeId result;
@@ -186,7 +199,7 @@ struct Function {
     /// It or a function that it calls has operations of level structure (levels.h): reads, translations, ids, …
     bool reads_memory = false;
     std::vector<Effect> effects;  ///< those that it declares, and those inherited from functions that it calls
-    std::uint32_t module = 0;
+    ModuleId module;
     std::string extern_name;  ///< the C++ function to call instead (host only); else empty
     std::string doc;
     bool grouped() const { return group[0] != 0; }
@@ -206,7 +219,7 @@ struct Struct {
     Name name;
     std::string display;
     std::string key;  ///< display with module-qualified names; the same in every run of gliftc
-    std::uint32_t module = 0;
+    ModuleId module;
     bool is_pub = false;
     std::vector<StructField> fields;
     std::string extern_header;  ///< of a struct imported from C++: the header, as written in the source; else empty
@@ -219,7 +232,7 @@ struct Struct {
 
 struct Enum {
     Name name;
-    std::uint32_t module = 0;
+    ModuleId module;
     bool is_pub = false;
     std::vector<Name> enumerators;
     std::vector<std::uint32_t> values;
@@ -255,11 +268,11 @@ struct Translator {
     std::string display;  ///< Fold<4>
     std::string key;
     Span span;
-    std::uint32_t module = 0;
-    TypeId virtual_type;                    ///< uint or a vector of uint
-    TypeId physical_type;                   ///< uint or a vector of uint; not the optional that translate may give
-    std::vector<StructField> scalars;       ///< state that is values: Op::state reads the one at its slot
-    std::vector<std::uint32_t> structures;  ///< state that is structures: the instances; Place root i in its functions
+    ModuleId module;
+    TypeId virtual_type;                  ///< uint or a vector of uint
+    TypeId physical_type;                 ///< uint or a vector of uint; not the optional that translate may give
+    std::vector<StructField> scalars;     ///< state that is values: Op::state reads the one at its slot
+    std::vector<StructureId> structures;  ///< state that is structures: the instances; Place root i in its functions
     std::vector<Name> structure_names;
     FunctionId translate;  ///< (virtual address) -> physical address, or an optional of it
     FunctionId invert;     ///< (physical address) -> virtual address; absent if not invertible
@@ -270,7 +283,7 @@ struct Translator {
 
 /// One translator of a structure's `via`: `via A then B` has two stages.
 struct Stage {
-    std::uint32_t translator = 0;
+    TranslatorId translator;
     std::vector<ExprId>
         scalars;  ///< initial values of Translator::scalars: expressions over the structure (place root 0)
     std::vector<Place> structures;  ///< the structures passed as Translator::structures (root 0 is the structure)
@@ -336,7 +349,7 @@ struct Memory {
 
 struct MemberStructure {
     Name name;
-    std::uint32_t structure = 0;  ///< instance
+    StructureId structure;  ///< instance
     std::vector<ExprId>
         arguments;  ///< values for its constructor, as expressions over the owner (root 0); empty if by_reference
     std::vector<Place> structures;  ///< structures for its constructor, as seen from the owner (root 0)
@@ -349,9 +362,8 @@ enum class StructureKind : std::uint8_t { stored, view, adaptor };
 /// A public function of an adaptor that C++ programs call as a method.
 struct Method {
     FunctionId function;
-    /// Of a function that reads memory: the pipeline (an index in Program::pipelines) that evaluates it on the device.
-    /// None: the host evaluates it.
-    std::optional<std::uint32_t> pipeline;
+    /// Of a function that reads memory: the pipeline that evaluates it on the device. Empty: the host evaluates it.
+    PipelineId pipeline;
 };
 
 /// A variable of an adaptor's host state.
@@ -371,14 +383,14 @@ struct Blocks {
     ExprId extent;     ///< the value of `size` as the host evaluates it, over the structure (root 0)
     ExprId bound;      ///< an upper bound of `count` that the host evaluates, over the structure; absent: none is known
     bool is_known = false;  ///< `bound` equals `count`, so that the host knows the number of blocks
-    /// The pipeline (an index in Program::pipelines) that computes `count` on the device; none: no kernel needs it.
-    std::optional<std::uint32_t> counter;
+    /// The pipeline that computes `count` on the device; empty: no kernel needs it.
+    PipelineId counter;
 };
 
 /// What a module calls an instance of a structure: `pub structure Field = Array<4, float>;`.
 struct Alias {
     Name name;
-    std::uint32_t module = 0;
+    ModuleId module;
     bool is_pub = false;
 };
 
@@ -390,7 +402,7 @@ struct Structure {
     std::string key;             ///< std.array.Array<4, float>
     std::vector<Alias> aliases;  ///< names in all modules, in the order in which sema finds them, by use or declaration
     Span span;
-    std::uint32_t module = 0;          ///< the one with the declaration
+    ModuleId module;                   ///< the one with the declaration
     TypeId domain_type;                ///< uint or vector of uint; adaptors: void
     TypeId element;                    ///< type of its elements; adaptors: void
     std::vector<LocalId> constructor;  ///< constructor parameters that are values; Op::member slot i
@@ -403,12 +415,12 @@ struct Structure {
     RareVector<std::uint32_t> base;
     Name base_name;  ///< the name that the declaration gives to the memory that `base` leads to
     Span base_span;
-    ExprId otherwise;                      ///< value of reads at unmapped addresses; absent: see says_otherwise()
-    ExprId domain;                         ///< extent of the virtual domain, over the structure (root 0)
-    std::optional<Blocks> blocks;          ///< as declared here; see blocks_of() of ir/chain.h
-    FunctionId at;                         ///< of a view: (address) -> element; its only structure is this one
-    std::vector<HostField> host;           ///< of an adaptor: its host state
-    std::vector<std::uint32_t> pipelines;  ///< of an adaptor: indices in Program::pipelines
+    ExprId otherwise;                   ///< value of reads at unmapped addresses; absent: see says_otherwise()
+    ExprId domain;                      ///< extent of the virtual domain, over the structure (root 0)
+    std::optional<Blocks> blocks;       ///< as declared here; see blocks_of() of ir/chain.h
+    FunctionId at;                      ///< of a view: (address) -> element; its only structure is this one
+    std::vector<HostField> host;        ///< of an adaptor: its host state
+    std::vector<PipelineId> pipelines;  ///< of an adaptor
     /// A bit for each axis of physical addresses: set if it is proved that no address of the domain leads outside the
     /// memory along that axis, so that accesses need no test. Computed by lower/analysis/contained.cpp.
     std::uint8_t contained_axes = 0;
@@ -422,8 +434,8 @@ struct KernelParam {
     Span span;
     Pattern pattern = Pattern::value;
     Direction direction = Direction::in;
-    std::uint32_t structure = 0;  ///< instance; Place root is the index of this parameter among the kernel's params
-    std::uint32_t radius = 0;     ///< of near: the largest offset from the current address, along each axis
+    StructureId structure;     ///< instance; Place root is the index of this parameter among the kernel's params
+    std::uint32_t radius = 0;  ///< of near: the largest offset from the current address, along each axis
     Combine combine = Combine::replace;  ///< of scatter
     LocalId local;                       ///< of value and argument: holds the value in the body
     std::uint32_t alike =
@@ -437,7 +449,7 @@ struct Kernel {
     std::string display;
     std::string key;
     Span span;
-    std::uint32_t module = 0;
+    ModuleId module;
     bool is_pub = false;
     std::vector<KernelParam> params;
     std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< all 0: the compiler chooses
@@ -469,8 +481,8 @@ struct PipelineParam {
     Span span;
     HostPattern pattern = HostPattern::value;
     Direction direction = Direction::in;
-    std::uint32_t structure = 0;  ///< of structure and range: the instance
-    LocalId local;                ///< the value, structure or slice: the body uses it as Op::local
+    StructureId structure;  ///< of structure and range: the instance
+    LocalId local;          ///< the value, structure or slice: the body uses it as Op::local
 };
 
 struct Pipeline {
@@ -478,9 +490,9 @@ struct Pipeline {
     std::string display;
     std::string key;
     Span span;
-    std::uint32_t module = 0;
+    ModuleId module;
     bool is_pub = false;
-    std::optional<std::uint32_t> owner;  ///< of an adaptor's pipeline: the adaptor's instance
+    StructureId owner;  ///< of an adaptor's pipeline: the adaptor
     std::vector<PipelineParam> params;
     TypeId result;  ///< void, a value, device value, structure, or slice
     std::vector<StmtId> body;
@@ -495,15 +507,15 @@ struct Pipeline {
 struct Test {
     std::string title;
     Span span;
-    std::uint32_t module = 0;
-    std::uint32_t pipeline = 0;  ///< index in Program::pipelines
+    ModuleId module;
+    PipelineId pipeline;
 };
 
 struct Constant {
     Name name;
     TypeId type;
     ExprId value;
-    std::uint32_t module = 0;
+    ModuleId module;
     bool is_pub = false;
     std::string doc;
 };
@@ -511,8 +523,8 @@ struct Constant {
 struct Module {
     Name name;  ///< "std.array"
     std::uint32_t file = 0;
-    bool is_root = false;                ///< named on the command line: outputs are generated for it
-    std::vector<std::uint32_t> imports;  ///< indices in Program::modules of what it imports, also indirectly; sorted
+    bool is_root = false;           ///< named on the command line: outputs are generated for it
+    std::vector<ModuleId> imports;  ///< what it imports, also indirectly; sorted
     std::string doc;
 };
 
@@ -524,27 +536,28 @@ struct Program {
     Arena<Stmt> stmts;
     Arena<Local> locals;
     Arena<Function> functions;
-    std::vector<Module> modules;  ///< imported ones before those that import them
-    std::vector<Struct> structs;
-    std::vector<Enum> enums;
+    Table<Module> modules;  ///< imported ones before those that import them
+    Table<Struct> structs;
+    Table<Enum> enums;
     std::vector<Constant> constants;
-    std::vector<Translator> translators;
-    std::vector<Structure> structures;
-    std::vector<Kernel> kernels;
-    std::vector<Pipeline> pipelines;
+    Table<Translator> translators;
+    Table<Structure> structures;
+    Table<Kernel> kernels;
+    Table<Pipeline> pipelines;
     std::vector<Test> tests;
-    /// The kernels (indices in Program::kernels) that copy a box of a structure's elements to or from a linear buffer,
-    /// which is a structure of the instance `box_structure`, or fill the box with a value. write_kernel and fill_kernel
-    /// are 0xffffffff if C++ may not write the structure (is_written_in_boxes() of ir/effects.h).
+    /// The kernels that copy a box of a structure's elements to or from a linear buffer, which is a structure of the
+    /// instance `box_structure`, or fill the box with a value. write_kernel and fill_kernel are empty if C++ may not
+    /// write the structure (is_written_in_boxes() of ir/effects.h).
     struct Transfer {
-        std::uint32_t structure, read_kernel, write_kernel, fill_kernel;
-        std::uint32_t box_structure;
-        /// The kernel that lists the elements that are there, and the structures (indices in Program::structures) that
-        /// it fills: virtual addresses, physical addresses (`places`), values, and the number of entries (`counter`).
-        /// All are 0xffffffff in `gliftc test`, and for structures for which has_resident_part() of ir/chain.h is
-        /// false: views, and structures without blocks all of whose translators are total and one-to-one.
-        std::uint32_t list_kernel;
-        std::uint32_t addresses, places, values, counter;
+        StructureId structure;
+        KernelId read_kernel, write_kernel, fill_kernel;
+        StructureId box_structure;
+        /// The kernel that lists the resident elements, and the structures that it fills: virtual addresses, physical
+        /// addresses (`places`), values, and the number of entries (`counter`). All are empty in `gliftc test`, and for
+        /// structures for which has_resident_part() of ir/chain.h is false: views, and structures without blocks all of
+        /// whose translators are total and one-to-one.
+        KernelId list_kernel;
+        StructureId addresses, places, values, counter;
     };
     std::vector<Transfer> transfers;
 };

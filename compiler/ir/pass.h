@@ -17,8 +17,6 @@ namespace gliftc::ir {
 /// may have any size; shaders access buffers by device address.
 enum class Form : std::uint8_t { direct, general };
 
-inline constexpr std::uint32_t no_kernel = 0xffffffffu;
-
 enum class Access : std::uint8_t { read, write, read_write };
 
 /// One memory that the kernel accesses.
@@ -74,7 +72,7 @@ struct PassParameter {
 };
 
 struct Pass {
-    std::uint32_t kernel = 0;  ///< index in Program::kernels; no_kernel: a function of a library
+    KernelId kernel;  ///< empty: a function of a library
     Form form = Form::direct;
     bool is_wide = false;                             ///< physical addresses have 64 bits
     std::array<std::uint32_t, 3> group = {64, 1, 1};  ///< workgroup size
@@ -145,8 +143,8 @@ struct LibraryFunction {
 /// A structure that a module makes public under `name`, with its functions for users' own shaders: read and, where it
 /// has them, write, translate and is_mapped.
 struct Library {
-    std::uint32_t structure = 0;
-    std::uint32_t module = 0;
+    StructureId structure;
+    ModuleId module;
     std::string name;
     std::vector<LibraryFunction> functions;
 };
@@ -160,7 +158,7 @@ struct Lowered {
         std::array<Pass*, 2> all() { return {&direct, &general}; }
         std::array<const Pass*, 2> all() const { return {&direct, &general}; }
     };
-    std::vector<Forms> passes;
+    Table<Forms, Kernel> passes;
     std::vector<Library> libraries;
 };
 

@@ -10,7 +10,7 @@ namespace gliftc::ir {
 Printer::Printer(const Program& program, const Pass* pass, const Kernel* kernel)
     : p(program), pass_(pass), kernel_(kernel) {
     if (pass == nullptr) return;
-    if (pass->kernel != no_kernel) kernel_ = &program.kernels[pass->kernel];
+    if (pass->kernel) kernel_ = &program.kernels[pass->kernel];
     for (const PassBinding& of : pass->bindings) taken_[of.name] = 1;
     if (kernel_)
         for (const KernelParam& of : kernel_->params)

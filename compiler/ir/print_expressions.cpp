@@ -38,13 +38,13 @@ std::string Printer::type(TypeId id) {
     const Type& type = p.types[id];
     switch (type.kind) {
     case TypeKind::struct_: {
-        auto [found, is_new] = structs_.try_emplace(type.index);
-        if (is_new) found->second = unique(p.structs[type.index].display);
+        auto [found, is_new] = structs_.try_emplace(type.struct_);
+        if (is_new) found->second = unique(p.structs[type.struct_].display);
         return found->second;
     }
     case TypeKind::enum_: {
-        auto [found, is_new] = enums_.try_emplace(type.index);
-        if (is_new) found->second = unique(name(p.enums[type.index].name));
+        auto [found, is_new] = enums_.try_emplace(type.enum_);
+        if (is_new) found->second = unique(name(p.enums[type.enum_].name));
         return found->second;
     }
     case TypeKind::array: return this->type(type.element) + "[" + std::to_string(type.count) + "]";
@@ -145,7 +145,7 @@ std::string Printer::bare(ExprId id) {
     }
     case Op::index: return operand(o[0]) + "[" + expr(o[1]) + "]";
     case Op::field:
-        return operand(o[0]) + "." + name(p.structs[p.types[p.exprs[o[0]].type].index].fields[node.slot].name);
+        return operand(o[0]) + "." + name(p.structs[p.types[p.exprs[o[0]].type].struct_].fields[node.slot].name);
     case Op::call: return call(node);
     case Op::intrinsic: return std::string(name_of(node.intrinsic)) + "(" + list(o) + ")";
     case Op::none: return "none";
@@ -203,7 +203,7 @@ std::string Printer::host(const Expr& node) {
     case Op::await_value: return "await " + list(o);
     case Op::slice: return place(node.place) + "[slice " + list(o) + "]";
     case Op::structure_value: return node.local ? local(node.local) : place(node.place);
-    case Op::pipeline_call: return name(p.pipelines[node.slot].name) + "(" + list(o) + ")";
+    case Op::pipeline_call: return name(p.pipelines[node.pipeline()].name) + "(" + list(o) + ")";
     case Op::device_property: return "device.property" + std::to_string(node.slot);
     default: return "count(" + (node.local ? local(node.local) : place(node.place)) + ")";
     }

@@ -13,18 +13,18 @@ std::string three(const std::array<std::uint32_t, 3>& numbers) {
 
 }  // namespace
 
-void Printer::declare_struct(std::uint32_t index) {
-    const Struct& of = p.structs[index];
+void Printer::declare_struct(StructId id) {
+    const Struct& of = p.structs[id];
     for (const StructField& field : of.fields) declare_types(field.type);
-    std::string text = "struct " + type(p.types.find({.kind = TypeKind::struct_, .index = index})) + " {";
+    std::string text = "struct " + type(p.types.find({.kind = TypeKind::struct_, .struct_ = id})) + " {";
     for (std::size_t i = 0; i < of.fields.size(); ++i)
         text += std::string(i ? ", " : " ") + name(of.fields[i].name) + ": " + type(of.fields[i].type);
     line(text + " }");
 }
 
-void Printer::declare_enum(std::uint32_t index) {
-    const Enum& of = p.enums[index];
-    std::string text = "enum " + type(p.types.find({.kind = TypeKind::enum_, .index = index})) + " {";
+void Printer::declare_enum(EnumId id) {
+    const Enum& of = p.enums[id];
+    std::string text = "enum " + type(p.types.find({.kind = TypeKind::enum_, .enum_ = id})) + " {";
     for (std::size_t i = 0; i < of.values.size(); ++i)
         text += std::string(i ? ", " : " ") + name(of.enumerators[i]) + " = " + std::to_string(of.values[i]);
     line(text + " }");
@@ -32,11 +32,11 @@ void Printer::declare_enum(std::uint32_t index) {
 
 /// Declares the structs and enums that a type consists of, each once.
 void Printer::declare_types(TypeId id) {
-    if (!id || !declared_.insert(id.index).second) return;
+    if (!id || !declared_.insert(id).second) return;
     const Type type = p.types[id];
     if (type.element) declare_types(type.element);
-    if (type.kind == TypeKind::struct_) declare_struct(type.index);
-    if (type.kind == TypeKind::enum_) declare_enum(type.index);
+    if (type.kind == TypeKind::struct_) declare_struct(type.struct_);
+    if (type.kind == TypeKind::enum_) declare_enum(type.enum_);
 }
 
 void Printer::declare_used_types() {

@@ -124,7 +124,7 @@ void Printer::host_stmt(const Stmt& stmt) {
         line("}");
         break;
     case StmtOp::dispatch:
-        line("dispatch " + name(p.kernels[stmt.slot].name) + "(" + list(stmt.arguments) + ");");
+        line("dispatch " + name(p.kernels[stmt.kernel()].name) + "(" + list(stmt.arguments) + ");");
         break;
     case StmtOp::expect: line("expect(" + expr(stmt.value) + ");"); break;
     case StmtOp::expect_near: line("expect_near(" + list(stmt.arguments) + ");"); break;

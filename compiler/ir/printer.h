@@ -52,8 +52,8 @@ private:
     std::string declaration(LocalId local);
 
     void declare_types(TypeId type);
-    void declare_struct(std::uint32_t index);
-    void declare_enum(std::uint32_t index);
+    void declare_struct(StructId id);
+    void declare_enum(EnumId id);
     void declare_used_types();
     void dispatch_lines();
     void kernel_parameters();
@@ -68,9 +68,10 @@ private:
     std::string text_;
     std::unordered_map<LocalId, std::string> locals_;
     std::unordered_map<FunctionId, std::string> functions_;
-    std::unordered_map<std::uint32_t, std::string> structs_, enums_;
+    std::unordered_map<StructId, std::string> structs_;
+    std::unordered_map<EnumId, std::string> enums_;
     std::unordered_map<std::string, unsigned> taken_;  ///< how many things have each name so far
-    std::unordered_set<std::uint32_t> declared_;       ///< ids of the types whose structs and enums have been printed
+    std::unordered_set<TypeId> declared_;              ///< the types whose structs and enums have been printed
 };
 
 }  // namespace gliftc::ir

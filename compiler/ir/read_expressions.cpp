@@ -98,7 +98,7 @@ ExprId Reader::after_dot(ExprId whole) {
     const Type of = p.types[type_of(whole)];
     const std::string called = word();
     if (of.kind == TypeKind::struct_) {
-        const auto& fields = p.structs[of.index].fields;
+        const auto& fields = p.structs[of.struct_].fields;
         for (std::uint32_t i = 0; i < fields.size(); ++i)
             if ((*p.names)[fields[i].name] == called) return implied({.op = Op::field, .slot = i, .operands = {whole}});
         fail("expected a field before this");
@@ -159,7 +159,7 @@ ExprId Reader::made_of_type() {
     if (p.types.kind(made) == TypeKind::enum_) {
         expect(".");
         const std::string called = word();
-        const Enum& of = p.enums[p.types[made].index];
+        const Enum& of = p.enums[p.types[made].enum_];
         for (std::size_t i = 0; i < of.values.size(); ++i)
             if ((*p.names)[of.enumerators[i]] == called) return add({.type = made, .bits = of.values[i]});
         fail("expected an enumerator before this");
@@ -218,7 +218,7 @@ ExprId Reader::parameter() {
 }
 
 /// The index of the member of that name; the member is created at its first use.
-std::uint32_t Reader::member_of(std::uint32_t structure, const std::string& called) {
+std::uint32_t Reader::member_of(StructureId structure, const std::string& called) {
     const auto& members = p.structures[structure].members;
     for (std::uint32_t i = 0; i < members.size(); ++i)
         if ((*p.names)[members[i].name] == called) return i;
@@ -233,7 +233,7 @@ std::uint32_t Reader::member_of(std::uint32_t structure, const std::string& call
 Place Reader::place() {
     Place place;
     place.root = kernel_parameter_index();
-    std::uint32_t structure = kernel().params[place.root].structure;
+    StructureId structure = kernel().params[place.root].structure;
     while (at(".")) {
         const std::size_t before = at_;
         expect(".");
@@ -251,7 +251,7 @@ Place Reader::place() {
 }
 
 /// Gives the structure as many constructor arguments, host states and memories as the property needs.
-void Reader::grow(std::uint32_t structure, const Expr& property) {
+void Reader::grow(StructureId structure, const Expr& property) {
     Structure& of = p.structures[structure];
     while (property.op == Op::member && of.constructor.size() <= property.slot) {
         const std::string called = "member" + std::to_string(of.constructor.size());
@@ -276,7 +276,7 @@ ExprId Reader::of_place() {
                                              : Op::memory_extent;
     if (node.op != Op::domain)
         node.slot = static_cast<std::uint32_t>(std::stoul(called.substr(called.find_first_of("0123456789"))));
-    std::uint32_t structure = kernel().params[node.place.root].structure;
+    StructureId structure = kernel().params[node.place.root].structure;
     for (std::uint32_t member : node.place.members) structure = p.structures[structure].members[member].structure;
     grow(structure, node);
     return add(std::move(node));

@@ -25,13 +25,12 @@ void Reader::dispatch() {
     }
 }
 
-std::uint32_t Reader::new_structure(const std::string& called) {
+StructureId Reader::new_structure(const std::string& called) {
     Structure made;
     made.name = p.names->intern(called);
     made.display = called;
     made.element = made.domain_type = p.types.void_;
-    p.structures.push_back(std::move(made));
-    return static_cast<std::uint32_t>(p.structures.size() - 1);
+    return p.structures.add(std::move(made));
 }
 
 void Reader::kernel_parameter(bool is_value) {
@@ -283,8 +282,7 @@ ReadPass Reader::pass() {
     if (!form) fail("expected a form before this");
     current().form = *form;
     current().is_wide = accept("wide");
-    current().kernel = static_cast<std::uint32_t>(p.kernels.size());
-    p.kernels.push_back(std::move(made));
+    current().kernel = p.kernels.add(std::move(made));
     expect("{");
     while (header()) {}
     current().variants.clear();

@@ -88,8 +88,7 @@ void Reader::declare_struct() {
         made.fields.push_back(std::move(field));
         accept(",");
     }
-    types_[name] = p.types.of_struct(static_cast<std::uint32_t>(p.structs.size()));
-    p.structs.push_back(std::move(made));
+    types_[name] = p.types.of_struct(p.structs.add(std::move(made)));
 }
 
 void Reader::declare_enum() {
@@ -103,8 +102,7 @@ void Reader::declare_enum() {
         made.values.push_back(static_cast<std::uint32_t>(number()));
         accept(",");
     }
-    types_[name] = p.types.of_enum(static_cast<std::uint32_t>(p.enums.size()));
-    p.enums.push_back(std::move(made));
+    types_[name] = p.types.of_enum(p.enums.add(std::move(made)));
 }
 
 }  // namespace gliftc::ir

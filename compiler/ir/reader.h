@@ -55,8 +55,8 @@ private:
     ExprId of_binding(Op op);
     Operands list();
     Place place();
-    void grow(std::uint32_t structure, const Expr& property);
-    std::uint32_t member_of(std::uint32_t structure, const std::string& called);
+    void grow(StructureId structure, const Expr& property);
+    std::uint32_t member_of(StructureId structure, const std::string& called);
     ExprId add(Expr node);
     ExprId implied(Expr node);
     TypeId type_of(ExprId id) const { return p.exprs[id].type; }
@@ -89,7 +89,7 @@ private:
     Variant variant(Part part);
     Interior interior();
     Bounds bounds();
-    std::uint32_t new_structure(const std::string& called);
+    StructureId new_structure(const std::string& called);
     std::uint32_t parameter_slot();
     std::uint32_t kernel_parameter_index();
     std::uint32_t earlier_binding();

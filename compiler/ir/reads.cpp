@@ -19,7 +19,7 @@ public:
 
     /// What one expression reads, its operands not included. `structures`: the instance at each Place root. `effects`:
     /// those of the body; memory to which the body itself declares coherent access (Effect::is_own) is left out.
-    Places of(const Expr& node, const std::vector<std::uint32_t>& structures, const std::vector<Effect>& effects) {
+    Places of(const Expr& node, const std::vector<StructureId>& structures, const std::vector<Effect>& effects) {
         Places found;
         switch (node.op) {
         case Op::read:
@@ -40,14 +40,14 @@ public:
     }
 
     /// The tables that translators read for a write to the structure at the place.
-    Places of_write(const std::vector<std::uint32_t>& structures, const Place& place) {
+    Places of_write(const std::vector<StructureId>& structures, const Place& place) {
         Places found;
         add_tables(found, structures, place);
         return found;
     }
 
 private:
-    const Structure& at(const std::vector<std::uint32_t>& structures, const Place& place) const {
+    const Structure& at(const std::vector<StructureId>& structures, const Place& place) const {
         return structure_at(p, p.structures[structures[place.root]], place.members);
     }
 
@@ -63,7 +63,7 @@ private:
             if (place.root < given.size()) found.push_back(beneath(given[place.root], place.members));
     }
 
-    void add_element(Places& found, const std::vector<std::uint32_t>& structures, const Place& place,
+    void add_element(Places& found, const std::vector<StructureId>& structures, const Place& place,
                      const std::vector<Effect>& effects) {
         const Structure& structure = at(structures, place);
         if (structure.kind == StructureKind::adaptor && structure.base.empty()) return;
@@ -75,14 +75,14 @@ private:
         });
         const Structure& computed = root_structure(p, structure);
         if (computed.at) {
-            const auto view = static_cast<std::uint32_t>(&computed - p.structures.data());
+            const auto view = p.structures.id_of(computed);
             add_inside(found, of_function(computed.at, {view}), {root});
         } else if (!is_coherent) {
             found.push_back(root);
         }
     }
 
-    void add_tables(Places& found, const std::vector<std::uint32_t>& structures, Place place) {
+    void add_tables(Places& found, const std::vector<StructureId>& structures, Place place) {
         for (const Structure* link = &at(structures, place);; link = &structure_at(p, *link, link->base)) {
             for (const Stage& stage : link->via) {
                 const Translator& translator = p.translators[stage.translator];
@@ -95,7 +95,7 @@ private:
         }
     }
 
-    const Places& of_function(FunctionId id, const std::vector<std::uint32_t>& structures) {
+    const Places& of_function(FunctionId id, const std::vector<StructureId>& structures) {
         if (const auto known = known_.find(id); known != known_.end()) return known->second;
         const Function& function = p.functions[id];
         Places found;
@@ -116,7 +116,7 @@ private:
 
 void for_each_read(const Program& p, const Kernel& kernel, const std::function<void(const Place&, Span)>& visit) {
     Reads reads(p);
-    std::vector<std::uint32_t> structures;
+    std::vector<StructureId> structures;
     std::vector<Effect> coherent;
     for (const KernelParam& param : kernel.params) {
         if (param.pattern == Pattern::coherent)

@@ -39,7 +39,7 @@ std::string value_text(const Program& program, TypeId id, const Lane*& lanes) {
         for (std::uint32_t i = 0; i < type.count; ++i) add(type.element);
         break;
     case TypeKind::struct_:
-        for (const StructField& field : program.structs[type.index].fields) add(field.type);
+        for (const StructField& field : program.structs[type.struct_].fields) add(field.type);
         break;
     case TypeKind::optional: {
         const bool has = (lanes++)->bits != 0;
@@ -47,7 +47,7 @@ std::string value_text(const Program& program, TypeId id, const Lane*& lanes) {
         return has ? held : "none";
     }
     case TypeKind::enum_: {
-        const Enum& of = program.enums[type.index];
+        const Enum& of = program.enums[type.enum_];
         const std::uint64_t bits = (lanes++)->bits;
         for (std::size_t i = 0; i < of.values.size(); ++i)
             if (of.values[i] == bits) return (*program.names)[of.enumerators[i]];
@@ -82,7 +82,7 @@ ExprId materialize_part(Program& program, TypeId type, const Lane*& lanes, Span 
         break;
     case TypeKind::struct_: {
         std::vector<TypeId> fields;
-        for (const StructField& field : program.structs[types[type].index].fields) fields.push_back(field.type);
+        for (const StructField& field : program.structs[types[type].struct_].fields) fields.push_back(field.type);
         for (TypeId field : fields) expr.operands.push_back(materialize_part(program, field, lanes, span));
         break;
     }
@@ -114,16 +114,16 @@ std::string to_text(const Program& program, const Value& value) {
     return value_text(program, value.type, lanes);
 }
 
-std::string module_text(const Program& program, std::uint32_t module) {
+std::string module_text(const Program& program, ModuleId module) {
     return (*program.names)[program.modules[module].name] + ".";
 }
 
 std::string to_qualified_text(const Program& program, TypeId id) {
     const Type& type = program.types[id];
     switch (type.kind) {
-    case TypeKind::struct_: return program.structs[type.index].key;
-    case TypeKind::structure: return program.structures[type.index].key;
-    case TypeKind::enum_: return module_text(program, program.enums[type.index].module) + to_text(program, id);
+    case TypeKind::struct_: return program.structs[type.struct_].key;
+    case TypeKind::structure: return program.structures[type.structure].key;
+    case TypeKind::enum_: return module_text(program, program.enums[type.enum_].module) + to_text(program, id);
     case TypeKind::array: return to_qualified_text(program, type.element) + "[" + std::to_string(type.count) + "]";
     case TypeKind::optional: return to_qualified_text(program, type.element) + "?";
     case TypeKind::slice: return "slice of " + to_qualified_text(program, type.element);
@@ -164,10 +164,10 @@ std::string to_text(const Program& program, TypeId id) {
     case TypeKind::matrix:
         return to_text(program, type.element) + std::to_string(type.count) + "x" + std::to_string(type.rows);
     case TypeKind::array: return to_text(program, type.element) + "[" + std::to_string(type.count) + "]";
-    case TypeKind::struct_: return program.structs[type.index].display;
-    case TypeKind::enum_: return (*program.names)[program.enums[type.index].name];
+    case TypeKind::struct_: return program.structs[type.struct_].display;
+    case TypeKind::enum_: return (*program.names)[program.enums[type.enum_].name];
     case TypeKind::optional: return to_text(program, type.element) + "?";
-    case TypeKind::structure: return program.structures[type.index].display;
+    case TypeKind::structure: return program.structures[type.structure].display;
     case TypeKind::slice: return "slice of " + to_text(program, type.element);
     case TypeKind::device: return to_text(program, type.element) + " on the device";
     }

@@ -6,7 +6,8 @@ namespace {
 
 std::uint64_t hash_of(const Type& type) {
     std::uint64_t hash = static_cast<std::uint64_t>(type.kind);
-    for (std::uint32_t part : {type.element.index, type.count, type.rows, type.index})
+    for (std::uint32_t part :
+         {type.element.index, type.count, type.rows, type.struct_.index, type.enum_.index, type.structure.index})
         hash = (hash ^ part) * 0x9e3779b97f4a7c15ull + (hash >> 29);
     return hash;
 }
@@ -58,9 +59,9 @@ TypeId Types::array(TypeId element, std::uint32_t count) {
 TypeId Types::optional(TypeId element) { return intern({.kind = TypeKind::optional, .element = element}); }
 TypeId Types::slice(TypeId structure) { return intern({.kind = TypeKind::slice, .element = structure}); }
 TypeId Types::device(TypeId element) { return intern({.kind = TypeKind::device, .element = element}); }
-TypeId Types::of_struct(std::uint32_t index) { return intern({.kind = TypeKind::struct_, .index = index}); }
-TypeId Types::of_enum(std::uint32_t index) { return intern({.kind = TypeKind::enum_, .index = index}); }
-TypeId Types::of_structure(std::uint32_t index) { return intern({.kind = TypeKind::structure, .index = index}); }
+TypeId Types::of_struct(StructId id) { return intern({.kind = TypeKind::struct_, .struct_ = id}); }
+TypeId Types::of_enum(EnumId id) { return intern({.kind = TypeKind::enum_, .enum_ = id}); }
+TypeId Types::of_structure(StructureId id) { return intern({.kind = TypeKind::structure, .structure = id}); }
 
 TypeId Types::same_as(const Types& other, TypeId id) {
     Type type = other[id];

@@ -12,6 +12,13 @@
 
 namespace gliftc::ir {
 
+struct Struct;
+struct Enum;
+struct Structure;
+using StructId = Id<Struct>;
+using EnumId = Id<Enum>;
+using StructureId = Id<Structure>;
+
 enum class TypeKind : std::uint8_t {
     error,  // the type of wrong code, which has been reported; compatible with every type
     void_,
@@ -26,10 +33,10 @@ enum class TypeKind : std::uint8_t {
     vector,     // element × count (2, 3, 4)
     matrix,     // element × columns (count) × rows (rows)
     array,      // element × count
-    struct_,    // a struct: Program::structs[index]
-    enum_,      // an enum: Program::enums[index]; its values are uints
+    struct_,    // Type::struct_
+    enum_,      // Type::enum_; its values are uints
     optional,   // element?
-    structure,  // an instance of a structure, view or adaptor: Program::structures[index]
+    structure,  // an instance of a structure, view or adaptor: Type::structure
     slice,      // only in pipelines: a box of a structure (element is the structure type)
     device,     // only in pipelines: a value of type `element` that is on the device; `await` reads it back
 };
@@ -42,7 +49,9 @@ struct Type {
     TypeId element{};
     std::uint32_t count = 0;
     std::uint32_t rows = 0;
-    std::uint32_t index = 0;  ///< struct_, enum_, structure: index in the Program's table
+    StructId struct_;
+    EnumId enum_;
+    StructureId structure;
     bool operator==(const Type&) const = default;
 };
 
@@ -61,12 +70,12 @@ public:
     TypeId optional(TypeId element);
     TypeId slice(TypeId structure);
     TypeId device(TypeId element);
-    TypeId of_struct(std::uint32_t index);
-    TypeId of_enum(std::uint32_t index);
-    TypeId of_structure(std::uint32_t index);
+    TypeId of_struct(StructId id);
+    TypeId of_enum(EnumId id);
+    TypeId of_structure(StructureId id);
 
     /// The id in this table of the type that has the id `id` in `other`. `other` is the table of another program, whose
-    /// structs, enums and structures have the same indices.
+    /// structs, enums and structures have the same ids.
     TypeId same_as(const Types& other, TypeId id);
 
     TypeId intern(Type type);

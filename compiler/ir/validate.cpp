@@ -21,7 +21,7 @@ public:
         if (pass.address) known_.insert(pass.address);
         if (pass.in_range) known_.insert(pass.in_range);
         for (LocalId local : pass.params) known_.insert(local);
-        if (pass.kernel == no_kernel) return;
+        if (!pass.kernel) return;
         if (program.kernels[pass.kernel].raster)
             for (LocalId local : given_locals(*program.kernels[pass.kernel].raster)) known_.insert(local);
         for (const KernelParam& param : program.kernels[pass.kernel].params)

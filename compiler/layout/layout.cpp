@@ -66,7 +66,7 @@ Size size_of(const Program& program, TypeId id) {
         Size part = size_of(program, type.element);
         return {part.size * type.count, part.align};
     }
-    case TypeKind::struct_: return places_in(program, program.structs[type.index]).size;
+    case TypeKind::struct_: return places_in(program, program.structs[type.struct_]).size;
     case TypeKind::optional: {
         Size part = size_of(program, type.element);
         std::uint32_t align = std::max(part.align, 4u);
@@ -87,7 +87,7 @@ bool holds_half(const Program& program, TypeId id) {
     const Type& type = program.types[id];
     if (type.kind == TypeKind::array || type.kind == TypeKind::optional) return holds_half(program, type.element);
     if (type.kind != TypeKind::struct_) return program.types.kind(program.types.scalar_of(id)) == TypeKind::half;
-    return std::ranges::any_of(program.structs[type.index].fields,
+    return std::ranges::any_of(program.structs[type.struct_].fields,
                                [&](const StructField& field) { return holds_half(program, field.type); });
 }
 
@@ -96,7 +96,7 @@ bool holds_half(const Program& program, TypeId id) {
 /// (ir/derivatives.h), but not from uniform buffers. Not with halves, which need another device feature in uniform
 /// buffers.
 bool suits_uniform_buffer(const Program& program, const Pass& pass) {
-    const bool draws = pass.kernel < program.kernels.size() && program.kernels[pass.kernel].raster;
+    const bool draws = pass.kernel && program.kernels[pass.kernel].raster;
     return draws && pass.parameter_bytes <= uniform_buffer_limit &&
            std::ranges::none_of(pass.parameters,
                                 [&](const PassParameter& parameter) { return holds_half(program, parameter.type); });

@@ -23,7 +23,7 @@ std::uint64_t bytes_in(const Program& program, const std::vector<StmtId>& body) 
 }  // namespace
 
 void check_private_memory(const Program& program, const Lowered& lowered, Diagnostics& diagnostics) {
-    for (std::size_t i = 0; i < lowered.passes.size(); ++i) {
+    for (KernelId i : lowered.passes.ids()) {
         const Pass& pass = lowered.passes[i].general;
         std::uint64_t bytes = bytes_in(program, pass.plain().body);
         for (FunctionId function : pass.functions) bytes += bytes_in(program, program.functions[function].body);

@@ -96,7 +96,7 @@ void add_write(Maker& k) {
           k.param(k.library.name, Pattern::scatter, Direction::out), std::move(stmt));
 }
 
-Library library_of(Program& program, std::uint32_t structure, const Alias& alias, Diagnostics& diagnostics) {
+Library library_of(Program& program, StructureId structure, const Alias& alias, Diagnostics& diagnostics) {
     const Structure& s = program.structures[structure];
     Library library{structure, alias.module, (*program.names)[alias.name], {}};
     Maker k{program, diagnostics, library, {}, {}};
@@ -118,7 +118,7 @@ Library library_of(Program& program, std::uint32_t structure, const Alias& alias
 
 std::vector<Library> lower_libraries(Program& program, Diagnostics& diagnostics) {
     std::vector<Library> libraries;
-    for (std::uint32_t i = 0; i < program.structures.size(); ++i) {
+    for (StructureId i : program.structures.ids()) {
         if (program.structures[i].kind == StructureKind::adaptor) continue;
         const std::vector<Alias> aliases = program.structures[i].aliases;
         for (const Alias& alias : aliases)

@@ -312,7 +312,7 @@ void lower_computation(Context& cx, Elements elements) {
 }
 
 /// Lowers a kernel to one of its forms, beginning with the given bindings.
-Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Form form, Settings settings,
+Pass lowered(Program& program, Diagnostics& diagnostics, KernelId kernel, Form form, Settings settings,
              Elements elements, const std::vector<PassBinding>& bindings) {
     Pass pass;
     pass.kernel = kernel;
@@ -326,7 +326,7 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     return pass;
 }
 
-Lowered::Forms all_forms(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Settings settings) {
+Lowered::Forms all_forms(Program& program, Diagnostics& diagnostics, KernelId kernel, Settings settings) {
     Lowered::Forms forms;
     const Mark before(program);
     std::vector<PassBinding> bindings;
@@ -355,7 +355,7 @@ Lowered::Forms all_forms(Program& program, Diagnostics& diagnostics, std::uint32
     return forms;
 }
 
-Lowered::Forms lowered_forms(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Settings settings) {
+Lowered::Forms lowered_forms(Program& program, Diagnostics& diagnostics, KernelId kernel, Settings settings) {
     try {
         return all_forms(program, diagnostics, kernel, settings);
     } catch (const KernelTooLarge& at) {
@@ -385,36 +385,39 @@ struct LoweredInOverlay {
     Diagnostics diagnostics;
 };
 
-std::vector<Lowered::Forms> lowered_in_order(Program& program, Diagnostics& diagnostics, Settings settings) {
-    std::vector<Lowered::Forms> passes;
-    for (std::uint32_t i = 0; i < program.kernels.size(); ++i)
-        passes.push_back(lowered_forms(program, diagnostics, i, settings));
+using FormsTable = Table<Lowered::Forms, Kernel>;
+
+FormsTable lowered_in_order(Program& program, Diagnostics& diagnostics, Settings settings) {
+    FormsTable passes;
+    for (KernelId i : program.kernels.ids()) passes.push_back(lowered_forms(program, diagnostics, i, settings));
     return passes;
 }
 
-std::vector<Lowered::Forms> lowered_on_threads(Program& program, Diagnostics& diagnostics, Settings settings) {
+FormsTable lowered_on_threads(Program& program, Diagnostics& diagnostics, Settings settings) {
     const std::size_t count = program.kernels.size(), threads = threads_for(count, kernels_of_a_thread);
     prepare_for_overlays(program);
-    std::vector<Lowered::Forms> passes(count);
-    std::vector<LoweredInOverlay> results(count, {std::nullopt, diagnostics.emptied()});
+    FormsTable passes(count);
+    Table<LoweredInOverlay, Kernel> results(count, {std::nullopt, diagnostics.emptied()});
     std::deque<Overlay> overlays;
     for (std::size_t i = 0; i < threads; ++i) overlays.emplace_back(program);
     Tickets kernels(count), unused(threads);
     on_threads(threads, [&] {
         Overlay& overlay = overlays[*unused.take()];
         while (auto kernel = kernels.take()) {
-            auto index = static_cast<std::uint32_t>(*kernel);
-            results[index].growth = record_growth(overlay, [&] {
-                passes[index] = lowered_forms(overlay.program, results[index].diagnostics, index, settings);
-            });
+            const KernelId id{static_cast<std::uint32_t>(*kernel)};
+            LoweredInOverlay& result = results[id];
+            result.growth = record_growth(
+                overlay, [&] { passes[id] = lowered_forms(overlay.program, result.diagnostics, id, settings); });
         }
     });
     for (LoweredInOverlay& one : results) {
         merge(program, *one.growth);
         diagnostics.append(std::move(one.diagnostics));
     }
-    for_each_parallel(count, kernels_of_a_thread,
-                      [&](std::size_t i) { renumber(program, *results[i].growth, passes[i]); });
+    for_each_parallel(count, kernels_of_a_thread, [&](std::size_t i) {
+        const KernelId id{static_cast<std::uint32_t>(i)};
+        renumber(program, *results[id].growth, passes[id]);
+    });
     return passes;
 }
 
@@ -422,7 +425,6 @@ std::vector<Lowered::Forms> lowered_on_threads(Program& program, Diagnostics& di
 
 Pass lower_function(Program& program, Diagnostics& diagnostics, const Kernel& kernel, std::vector<LocalId> params) {
     Pass pass;
-    pass.kernel = no_kernel;
     pass.params = std::move(params);
     Context cx(program, kernel, pass, diagnostics, {});
     cx.params = pass.params;

@@ -27,7 +27,7 @@ bool is_of_address(const ir::Program& program, const ir::Pass& pass, ir::ExprId 
 void Trace::note(std::string_view pass_name, const ir::Program& program, const ir::Pass& pass,
                  const std::vector<ir::Variant>& variants, const std::vector<ir::ExprId>& facts,
                  std::string_view what) {
-    if (pass_name != dump_after || pass.kernel == ir::no_kernel) return;
+    if (pass_name != dump_after || !pass.kernel) return;
     if (!program.modules[program.kernels[pass.kernel].module].is_root) return;
     ir::Pass shown = pass;
     shown.prologue.clear();
@@ -40,11 +40,11 @@ void Trace::note(std::string_view pass_name, const ir::Program& program, const i
 
 void Trace::note(std::string_view pass_name, const ir::Program& program, const std::vector<ir::FunctionId>& functions) {
     if (pass_name != dump_after) return;
-    for (std::uint32_t module = 0; module < program.modules.size(); ++module) {
+    for (ir::ModuleId module : program.modules.ids()) {
         const auto kernel = std::ranges::find(program.kernels, module, &ir::Kernel::module);
         if (!program.modules[module].is_root || kernel == program.kernels.end()) continue;
         ir::Pass shown;
-        shown.kernel = static_cast<std::uint32_t>(kernel - program.kernels.begin());
+        shown.kernel = program.kernels.id_of(*kernel);
         std::ranges::copy_if(functions, std::back_inserter(shown.functions),
                              [&](ir::FunctionId id) { return program.functions[id].module == module; });
         if (shown.functions.empty()) continue;

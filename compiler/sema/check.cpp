@@ -33,42 +33,42 @@ void check_constant(Context& c, ast::DeclId id) {
 }
 
 /// The root modules in which the structure has a public name.
-std::vector<std::uint32_t> makers_of(const Context& c, std::uint32_t structure) {
-    std::vector<std::uint32_t> makers;
-    for (std::uint32_t i = 0; i < c.modules.size(); ++i)
+std::vector<ir::ModuleId> makers_of(const Context& c, ir::StructureId structure) {
+    std::vector<ir::ModuleId> makers;
+    for (ir::ModuleId i : c.modules.ids())
         if (c.modules[i].is_root && ir::is_public(c.program.structures[structure], i)) makers.push_back(i);
     return makers;
 }
 
 /// Instantiates a pipeline without generic parameters; one with range parameters, for every combination of stored
 /// structures that have public names in `modules` and match the ranges.
-void check_pipeline(Context& c, ast::DeclId id, const Env& env, std::optional<std::uint32_t> owner,
-                    const std::vector<std::uint32_t>& modules) {
+void check_pipeline(Context& c, ast::DeclId id, const Env& env, ir::StructureId owner,
+                    const std::vector<ir::ModuleId>& modules) {
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Pipeline>(decl.body);
-    std::vector<std::vector<std::uint32_t>> choices = {{}};
+    std::vector<std::vector<Passed>> choices = {{}};
     for (const ast::Param& param : written.params) {
-        std::vector<std::uint32_t> fitting = {0};
+        std::vector<ir::StructureId> fitting(1);
         if (param.pattern == ast::Pattern::range && param.extra.size() == 1) {
             fitting.clear();
             auto n = count_of(c, env, param.type);
             ir::TypeId element = type_of(c, env, param.extra[0]);
             if (!n || element == c.types().error) return;
             ir::TypeId domain = c.types().vector(c.types().uint, *n);
-            for (std::uint32_t i = 0; i < c.program.structures.size(); ++i) {
+            for (ir::StructureId i : c.program.structures.ids()) {
                 const ir::Structure& structure = c.program.structures[i];
-                const bool is_public = std::ranges::any_of(
-                    modules, [&](std::uint32_t module) { return ir::is_public(structure, module); });
+                const bool is_public =
+                    std::ranges::any_of(modules, [&](ir::ModuleId module) { return ir::is_public(structure, module); });
                 if (is_public && structure.kind == ir::StructureKind::stored && structure.domain_type == domain &&
                     structure.element == element)
                     fitting.push_back(i);
             }
         }
-        std::vector<std::vector<std::uint32_t>> more;
+        std::vector<std::vector<Passed>> more;
         for (const auto& choice : choices)
-            for (std::uint32_t structure : fitting) {
+            for (ir::StructureId structure : fitting) {
                 more.push_back(choice);
-                more.back().push_back(structure);
+                more.back().push_back({structure});
             }
         choices = std::move(more);
     }
@@ -76,7 +76,7 @@ void check_pipeline(Context& c, ast::DeclId id, const Env& env, std::optional<st
 }
 
 /// Checks an adaptor's pipelines; those with generic parameters are instantiated where they are called.
-void check_adaptor_pipelines(Context& c, std::uint32_t index) {
+void check_adaptor_pipelines(Context& c, ir::StructureId index) {
     const auto& adaptor = std::get<ast::Adaptor>(c[c.structure_decl.at(index)].body);
     for_each_item(c, *c.structure_env.at(index), adaptor.items, [&](const ast::Item& item) {
         if (item.kind == ast::ItemKind::pipeline && c[item.decl].generics.empty())
@@ -86,7 +86,7 @@ void check_adaptor_pipelines(Context& c, std::uint32_t index) {
 
 /// Checks the types, translators, constants and aliases of a module that have no generic parameters. Done for all root
 /// modules before any pipelines: those over ranges need all public structures.
-void check_types(Context& c, std::uint32_t module, const std::vector<ast::DeclId>& decls) {
+void check_types(Context& c, ir::ModuleId module, const std::vector<ast::DeclId>& decls) {
     for (ast::DeclId id : decls) {
         const ast::Decl& decl = c[id];
         if (!decl.generics.empty() || !decl.name.name || c.diagnostics.at_limit()) continue;
@@ -101,7 +101,7 @@ void check_types(Context& c, std::uint32_t module, const std::vector<ast::DeclId
     }
 }
 
-void check_code(Context& c, std::uint32_t module, const std::vector<ast::DeclId>& decls) {
+void check_code(Context& c, ir::ModuleId module, const std::vector<ast::DeclId>& decls) {
     for (ast::DeclId id : decls) {
         const ast::Decl& decl = c[id];
         if (c.diagnostics.at_limit()) return;
@@ -110,14 +110,14 @@ void check_code(Context& c, std::uint32_t module, const std::vector<ast::DeclId>
         Env& env = c.new_env(module);
         if (std::holds_alternative<ast::Function>(decl.body)) check_function(c, id, env);
         else if (std::holds_alternative<ast::Kernel>(decl.body)) instantiate_kernel(c, id, env, decl.name.span);
-        else if (std::holds_alternative<ast::Pipeline>(decl.body)) check_pipeline(c, id, env, std::nullopt, {module});
+        else if (std::holds_alternative<ast::Pipeline>(decl.body)) check_pipeline(c, id, env, {}, {module});
     }
 }
 
 /// Requires transfers (kernels that move elements between host and device) for the structures that public kernels and
 /// pipelines of root modules take: C++ programs create and fill them, whichever module declares their types.
 void require_transfers_of_arguments(Context& c) {
-    std::vector<std::pair<std::uint32_t, Span>> passed;
+    std::vector<std::pair<ir::StructureId, Span>> passed;
     const auto is_seen = [&](const auto& declared) { return declared.is_pub && c.modules[declared.module].is_root; };
     for (const ir::Kernel& kernel : c.program.kernels)
         if (is_seen(kernel))
@@ -133,23 +133,23 @@ void require_transfers_of_arguments(Context& c) {
 /// Requires transfers for structures that translators read and for memories that are structures: `gliftc test` reads
 /// both on the host.
 void require_transfers_of_tables(Context& c) {
-    for (std::size_t i = 0; i < c.program.structures.size(); ++i) {
-        std::vector<std::uint32_t> tables;
+    for (ir::StructureId i : c.program.structures.ids()) {
+        std::vector<ir::StructureId> tables;
         const ir::Structure& structure = c.program.structures[i];
         const auto add = [&](const std::vector<std::uint32_t>& path) {
             const ir::Structure& table = ir::structure_at(c.program, structure, path);
-            tables.push_back(static_cast<std::uint32_t>(&table - c.program.structures.data()));
+            tables.push_back(c.program.structures.id_of(table));
         };
         for (const ir::Stage& stage : structure.via)
             for (const ir::Place& place : stage.structures) add(place.members);
         if (!structure.base.empty()) add(structure.base);
-        for (std::uint32_t table : tables) require_transfers(c, table, c.program.structures[i].span);
+        for (ir::StructureId table : tables) require_transfers(c, table, c.program.structures[i].span);
     }
 }
 
 }  // namespace
 
-Env& Context::new_env(std::uint32_t module) {
+Env& Context::new_env(ir::ModuleId module) {
     environments.push_back(std::make_unique<Env>());
     environments.back()->module = module;
     return *environments.back();
@@ -168,8 +168,8 @@ Diagnostic& Context::error(Diag id, Span span, std::initializer_list<std::string
     return diagnostic;
 }
 
-ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tree, Names& names,
-                  Diagnostics& diagnostics, const Settings& settings) {
+ir::Program check(const ModuleTable& modules, const ast::Tree& tree, Names& names, Diagnostics& diagnostics,
+                  const Settings& settings) {
     ir::Program program;
     program.names = &names;
     Context c{.modules = modules,
@@ -180,11 +180,11 @@ ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tre
               .program = program};
     collect_modules(c);
     check_defines(c);
-    for (std::uint32_t i = 0; i < modules.size(); ++i)
+    for (ir::ModuleId i : modules.ids())
         if (modules[i].is_root) check_types(c, i, modules[i].tree->decls);
-    for (std::uint32_t i = 0; i < modules.size(); ++i)
+    for (ir::ModuleId i : modules.ids())
         if (modules[i].is_root) check_code(c, i, modules[i].tree->decls);
-    for (std::uint32_t i = 0; i < program.structures.size(); ++i) {
+    for (ir::StructureId i : program.structures.ids()) {
         if (makers_of(c, i).empty()) continue;
         if (program.structures[i].kind == ir::StructureKind::adaptor) {
             check_adaptor_pipelines(c, i);
@@ -195,8 +195,8 @@ ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tre
     if (!diagnostics.has_own_errors()) check_given(c);
     if (!diagnostics.has_own_errors()) require_transfers_of_arguments(c);
     // No warnings if there are errors, as in close_scope().
-    for (std::uint32_t i = 0; i < modules.size() && !diagnostics.has_own_errors(); ++i)
-        if (modules[i].is_root) warn(c, modules[i].tree->decls);
+    for (const LoadedModule& module : modules)
+        if (module.is_root && !diagnostics.has_own_errors()) warn(c, module.tree->decls);
     if (!diagnostics.has_own_errors() && settings.looks_into_tables) require_transfers_of_tables(c);
     return program;
 }

@@ -31,10 +31,13 @@ struct Settings {
 struct LoadedModule {
     const ast::Module* tree = nullptr;
     bool is_root = false;  ///< named on the command line
-    /// For each tree->uses[i], the index of the module that it names in the list of all modules that check() is given;
-    /// ~0u: an import with an error, which has been reported.
-    std::vector<std::uint32_t> uses;
+    /// For each tree->uses[i], the module that it names in the table of all modules that check() is given; empty: an
+    /// import with an error, which has been reported.
+    std::vector<ir::ModuleId> uses;
 };
+
+/// All modules of a run, imported ones before those that import them. Their ids are also those of Program::modules.
+using ModuleTable = Table<LoadedModule, ir::Module>;
 
 /// The module with the structure Box and the kernels by which the host moves, fills and lists elements. The loader
 /// loads it even if no module imports it.
@@ -46,7 +49,7 @@ inline constexpr std::string_view transfer_module = "std.transfer";
 /// functions with structure parameters, other functions of structures, and what other modules declare are checked where
 /// they are used. `modules` has imported modules before those that import them. Errors go to `diagnostics`; the program
 /// is complete only if there are none.
-ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tree, Names& names,
-                  Diagnostics& diagnostics, const Settings& settings = {});
+ir::Program check(const ModuleTable& modules, const ast::Tree& tree, Names& names, Diagnostics& diagnostics,
+                  const Settings& settings = {});
 
 }  // namespace gliftc::sema

@@ -34,9 +34,9 @@ struct Meta {
     MetaKind kind = MetaKind::none;
     ir::TypeId type;
     ir::Value value;
-    std::vector<std::uint32_t> translators;
+    std::vector<ir::TranslatorId> translators;
     std::vector<ast::DeclId> declarations;
-    std::uint32_t module = 0;
+    ir::ModuleId module;
     ir::Format format = ir::Format::none;
     ir::MemoryShape shape = ir::MemoryShape::buffer;
     Constraint constraint = Constraint::type;
@@ -44,7 +44,7 @@ struct Meta {
 
 /// An environment, in which names are looked up: those bound here, then what is visible in a module (find_meta).
 struct Env {
-    std::uint32_t module = 0;
+    ir::ModuleId module;
     std::vector<std::pair<Name, Meta>> bindings;  ///< generic arguments of an instance; names in scope in a body
     ir::TypeId self;                              ///< in interfaces: the type `Self`
 
@@ -57,15 +57,15 @@ struct Env {
 
 struct ModuleScope {
     std::unordered_map<Name, std::vector<ast::DeclId>> names;
-    std::vector<std::uint32_t> imports;
+    std::vector<ir::ModuleId> imports;
 };
 
-/// An instance of a declaration, or a kernel or pipeline that sema generates: complete, in progress or failed. `index`:
-/// in the Program's table of structs, translators, functions, kernels or pipelines. `type`: the type, if the
-/// declaration is one.
+/// An instance of a declaration, or a kernel or pipeline that sema generates: complete, in progress or failed. `index`
+/// is that of its id in the Program's table of structs, translators, functions, kernels or pipelines; none: it has no
+/// id yet, or failed. `type`: the type, if the declaration is one.
 struct Instance {
     enum class State : std::uint8_t { in_progress, done, failed } state = State::in_progress;
-    std::uint32_t index = 0;
+    std::uint32_t index = Id<Instance>::none;
     ir::TypeId type;
 };
 
@@ -76,31 +76,31 @@ struct Request {
 };
 
 struct Context {
-    const std::vector<LoadedModule>& modules;
+    const ModuleTable& modules;
     const ast::Tree& tree;
     Names& names;
     Diagnostics& diagnostics;
     const Settings& settings;
     ir::Program& program;
 
-    std::vector<ModuleScope> scopes;
-    std::unordered_map<ast::DeclId, std::uint32_t> module_of;  ///< the module of every declaration, also of members
+    Table<ModuleScope, ir::Module> scopes;
+    std::unordered_map<ast::DeclId, ir::ModuleId> module_of;  ///< the module of every declaration, also of members
     std::unordered_map<std::string, Instance> instances;
     std::unordered_map<ast::DeclId, ir::ExprId> constants;  ///< values of the `const`s checked so far
     std::vector<ast::DeclId> constants_under_way;           ///< being checked, to detect cycles
     std::vector<std::string> interfaces_under_way;          ///< keys of interface checks in progress, to detect cycles
     std::vector<Request> requests;                          ///< the stack of instantiations, outermost first
     std::vector<std::unique_ptr<Env>> environments;
-    /// By index in Program::structures, translators or structs: the declaration and the generic arguments of each
-    /// instance; of structures and translators also the environment.
-    std::unordered_map<std::uint32_t, const Env*> structure_env;
-    std::unordered_map<std::uint32_t, ast::DeclId> structure_decl;
-    std::unordered_map<std::uint32_t, const Env*> translator_env;
-    std::unordered_map<std::uint32_t, ast::DeclId> translator_decl;
-    std::unordered_map<std::uint32_t, std::vector<Meta>> arguments_of;  ///< of structures
-    std::unordered_map<std::uint32_t, std::vector<Meta>> struct_arguments;
-    std::unordered_map<std::uint32_t, std::vector<Meta>> translator_arguments;
-    std::unordered_map<std::uint32_t, ast::DeclId> struct_decl;
+    /// The declaration and the generic arguments of each structure, translator and struct; of structures and
+    /// translators also the environment.
+    std::unordered_map<ir::StructureId, const Env*> structure_env;
+    std::unordered_map<ir::StructureId, ast::DeclId> structure_decl;
+    std::unordered_map<ir::TranslatorId, const Env*> translator_env;
+    std::unordered_map<ir::TranslatorId, ast::DeclId> translator_decl;
+    std::unordered_map<ir::StructureId, std::vector<Meta>> arguments_of;  ///< of structures
+    std::unordered_map<ir::StructId, std::vector<Meta>> struct_arguments;
+    std::unordered_map<ir::TranslatorId, std::vector<Meta>> translator_arguments;
+    std::unordered_map<ir::StructId, ast::DeclId> struct_decl;
 
     ir::Types& types() { return program.types; }
     const std::string& text(Name name) const { return names[name]; }
@@ -113,7 +113,7 @@ struct Context {
     /// innermost first. A note is left out if it would stand at the place of the error or note before it.
     Diagnostic& error(Diag id, Span span, std::initializer_list<std::string_view> arguments = {});
     /// A new environment, without bindings, that lives as long as the context.
-    Env& new_env(std::uint32_t module);
+    Env& new_env(ir::ModuleId module);
 };
 
 /// Adds a note to a diagnostic.

@@ -4,7 +4,7 @@
 
 namespace gliftc::cpp {
 
-void print_description(const Unit& unit, Writer& out, std::uint32_t index) {
+void print_description(const Unit& unit, Writer& out, ir::StructureId index) {
     const ir::Structure& structure = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];
     const auto part = [&](const char* what, Name name, const std::string& value) {

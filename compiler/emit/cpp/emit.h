@@ -21,6 +21,9 @@ struct KernelCode {
     FormCode direct, general;
 };
 
+/// The code of all kernels of a program; empty if no Vulkan code is wanted.
+using KernelCodes = Table<KernelCode, ir::Kernel>;
+
 struct Globals;
 
 struct Options {
@@ -51,24 +54,25 @@ struct Module {
     std::vector<TestName> tests;  ///< of a test program: what its table lists; else empty
 };
 
-/// What the code of modules that were printed earlier in the same run defines, as indices in ir::Program: later modules
+/// What the code of modules that were printed earlier in the same run defines: later modules
 /// do not define it again.
 struct Defined {
-    std::set<std::uint32_t> kernels, pipelines, structures;
-    std::set<std::uint32_t> moved;  ///< structures whose functions for copying boxes to or from the host are defined
+    std::set<ir::KernelId> kernels;
+    std::set<ir::PipelineId> pipelines;
+    std::set<ir::StructureId> structures;
+    std::set<ir::StructureId> moved;  ///< structures whose functions for copying boxes to or from the host are defined
 };
 
-/// The kernels, as indices, whose Vulkan code the module's C++ contains: it needs no SPIR-V of the others.
-std::vector<std::uint32_t> vulkan_kernels_of(const ir::Program& program, std::uint32_t module, const Options& options,
-                                             const Defined& defined);
+/// The kernels whose Vulkan code the module's C++ contains: it needs no SPIR-V of the others.
+std::vector<ir::KernelId> vulkan_kernels_of(const ir::Program& program, ir::ModuleId module, const Options& options,
+                                            const Defined& defined);
 
 /// The stem of the names of the module's output files: the name of its source file without the extension; for standard
 /// input, the last part of the module's name.
-std::string file_stem(const ir::Program& program, const Sources& sources, std::uint32_t module);
+std::string file_stem(const ir::Program& program, const Sources& sources, ir::ModuleId module);
 
-/// Prints one module. `code` is indexed as Program::kernels; it may be empty if no Vulkan code is wanted. Adds to
-/// `defined` what the module's code defines, unless it is a test program.
-Module module_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, std::uint32_t module,
-                 const std::vector<KernelCode>& code, const Options& options, Defined& defined);
+/// Prints one module. Adds to `defined` what the module's code defines, unless it is a test program.
+Module module_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, ir::ModuleId module,
+                 const KernelCodes& code, const Options& options, Defined& defined);
 
 }  // namespace gliftc::cpp

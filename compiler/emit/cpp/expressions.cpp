@@ -230,7 +230,7 @@ std::string print_place(Printer& p, ir::ExprId id) {
     if (expr.op == Op::load || expr.op == Op::row_load || expr.op == Op::image_load) return p.outer_place(expr);
     const std::string base = print_place(p, expr.operands[0]);
     const ir::TypeId whole = p.program.exprs[expr.operands[0]].type;
-    if (expr.op == Op::field) return base + "." + p.globals.field_names[p.program.types[whole].index][expr.slot];
+    if (expr.op == Op::field) return base + "." + p.globals.field_names[p.program.types[whole].struct_][expr.slot];
     if (expr.op == Op::index) return base + "[" + print_any(p, expr.operands[1]) + "]";
     return p.program.types.is_vector(whole) ? base + "." + "xyzw"[expr.lanes[0]] : base;
 }
@@ -324,7 +324,7 @@ Text print(Printer& p, ExprId id) {
     case Op::field: {
         const ir::Type& type = p.program.types[p.program.exprs[expr.operands[0]].type];
         std::string text =
-            concat(print(p, expr.operands[0], Level::postfix), ".", p.globals.field_names[type.index][expr.slot]);
+            concat(print(p, expr.operands[0], Level::postfix), ".", p.globals.field_names[type.struct_][expr.slot]);
         return {as_value(p, expr, std::move(text))};
     }
     case Op::call: return print_call(p, expr);

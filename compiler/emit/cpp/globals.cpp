@@ -23,7 +23,7 @@ const NameSet& functions_of_runtime() {
 
 /// The index of the alias by which a module calls the structure: the module's first public one, else another of its
 /// own, else a public one of a module that it imports. The number of aliases if there is none.
-std::size_t alias_in(const ir::Program& program, const ir::Structure& structure, std::uint32_t module) {
+std::size_t alias_in(const ir::Program& program, const ir::Structure& structure, ir::ModuleId module) {
     enum Rank { own_public, own, imported, foreign };
     const auto rank_of = [&](const ir::Alias& alias) {
         if (alias.module == module) return alias.is_pub ? own_public : own;
@@ -37,14 +37,14 @@ std::size_t alias_in(const ir::Program& program, const ir::Structure& structure,
 
 }  // namespace
 
-bool is_alias_seen(const ir::Program& program, const ir::Alias& alias, std::uint32_t module) {
+bool is_alias_seen(const ir::Program& program, const ir::Alias& alias, ir::ModuleId module) {
     return alias.module == module ||
            (alias.is_pub && std::ranges::binary_search(program.modules[module].imports, alias.module));
 }
 
 Globals make_globals(const ir::Program& program, const Sources& sources, const ProgramNames& names, Surroundings at) {
     Globals globals(program, sources);
-    const auto spelled = [&](std::uint32_t module, const std::string& name) {
+    const auto spelled = [&](ir::ModuleId module, const std::string& name) {
         return module == at.home ? name : "::" + names.spaces[module] + "::" + name;
     };
     globals.space = names.spaces[at.home];
@@ -52,21 +52,21 @@ Globals make_globals(const ir::Program& program, const Sources& sources, const P
     globals.type_names = names.types[at.home];
     globals.field_names = names.fields;
     globals.class_names = names.classes;
-    for (std::size_t i = 0; i < program.structs.size(); ++i) {
+    for (ir::StructId i : program.structs.ids()) {
         const ir::Struct& each = program.structs[i];
         globals.struct_names.push_back(each.extern_name.empty() ? spelled(each.module, names.structs[i])
                                                                 : "::" + each.extern_name);
     }
-    for (std::size_t i = 0; i < program.structures.size(); ++i) {
+    for (ir::StructureId i : program.structures.ids()) {
         const ir::Structure& each = program.structures[i];
         const std::size_t alias = at.root == at.home ? alias_in(program, each, at.root) : each.aliases.size();
         globals.structure_names.push_back(alias < each.aliases.size()
                                               ? spelled(each.aliases[alias].module, names.aliases[i][alias])
                                               : spelled(each.module, names.structures[i]));
     }
-    for (std::size_t i = 0; i < program.kernels.size(); ++i)
+    for (ir::KernelId i : program.kernels.ids())
         globals.kernel_names.push_back(spelled(program.kernels[i].module, names.kernels[i]));
-    for (std::size_t i = 0; i < program.pipelines.size(); ++i) {
+    for (ir::PipelineId i : program.pipelines.ids()) {
         const ir::Pipeline& each = program.pipelines[i];
         globals.pipeline_names.push_back(each.owner ? names.pipelines[i] : spelled(each.module, names.pipelines[i]));
     }

@@ -59,7 +59,7 @@ std::string memory_text(Unit& unit, const KernelParam& param, const ir::Place& p
     if (ir::is_computed(unit.program, at)) return "";
     const ir::Place root = ir::root_of(unit.program, at, place);
     std::string object = object_of(unit, param);
-    std::uint32_t structure = param.structure;
+    ir::StructureId structure = param.structure;
     for (std::uint32_t member : root.members) {
         object += unit.globals.class_names[structure].members[member] + "().";
         structure = unit.program.structures[structure].members[member].structure;
@@ -77,7 +77,7 @@ std::string memories_text(Unit& unit, const Kernel& kernel, const Pass& pass) {
             continue;
         }
         std::string object = object_of(unit, param);
-        std::uint32_t structure = param.structure;
+        ir::StructureId structure = param.structure;
         for (std::uint32_t member : binding.place.members) {
             object += unit.globals.class_names[structure].members[member] + "().";
             structure = unit.program.structures[structure].members[member].structure;
@@ -227,7 +227,7 @@ std::optional<std::size_t> range_of_first_at(const Kernel& kernel) {
 
 /// What stands before the declaration of a value parameter: `[[maybe_unused]] ` if nothing in the parameter blocks of
 /// the kernel's forms (Pass::parameters) is computed from it, else nothing.
-static std::string value_mark(const Unit& unit, std::uint32_t kernel, ir::LocalId value) {
+static std::string value_mark(const Unit& unit, ir::KernelId kernel, ir::LocalId value) {
     bool used = false;
     const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];
     for (const Pass* pass : forms.all())
@@ -237,7 +237,7 @@ static std::string value_mark(const Unit& unit, std::uint32_t kernel, ir::LocalI
     return used ? "" : "[[maybe_unused]] ";
 }
 
-std::string kernel_signature(Unit& unit, std::uint32_t index, bool qualified, std::size_t first) {
+std::string kernel_signature(Unit& unit, ir::KernelId index, bool qualified, std::size_t first) {
     const Kernel& kernel = unit.program.kernels[index];
     std::string parameters = "const glift::Commands& commands";
     for (std::size_t i = first; i < kernel.params.size(); ++i) {
@@ -255,7 +255,7 @@ std::string kernel_signature(Unit& unit, std::uint32_t index, bool qualified, st
     return "void " + unit.own.kernels[index] + "(" + parameters + ")";
 }
 
-bool function_adds_functions(const Unit& unit, std::uint32_t kernel) {
+bool function_adds_functions(const Unit& unit, ir::KernelId kernel) {
     bool adds = false;
     const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];
     for (const Pass* pass : forms.all())
@@ -291,7 +291,7 @@ static void print_blocks_visited(Unit& unit, Writer& out, const Kernel& kernel, 
     const ir::Place owner = *ir::blocks_of(unit.program, unit.program.structures[param.structure], {*kernel.space, {}});
     std::string object = param_name(unit, param);
     if (!owner.members.empty()) object += "->";
-    std::uint32_t structure = param.structure;
+    ir::StructureId structure = param.structure;
     for (std::uint32_t member : owner.members) {
         object += (object.ends_with("->") ? "" : ".") + unit.globals.class_names[structure].members[member] + "()";
         structure = unit.program.structures[structure].members[member].structure;
@@ -299,7 +299,7 @@ static void print_blocks_visited(Unit& unit, Writer& out, const Kernel& kernel, 
     const ir::Blocks& blocks = *unit.program.structures[structure].blocks;
     const auto size = std::ranges::find(pass.parameters, ParameterSource::size, &PassParameter::source);
     std::string text = "iteration.blocks(" + uniform_text(unit, kernel, size->value);
-    if (blocks.counter) text += ", " + unit.globals.pipeline_names.at(*blocks.counter) + "(commands, " + object + ")";
+    if (blocks.counter) text += ", " + unit.globals.pipeline_names[blocks.counter] + "(commands, " + object + ")";
     out.line(text + ");");
 }
 
@@ -330,7 +330,7 @@ static void print_same_blocks(Unit& unit, Writer& out, const Kernel& kernel) {
     }
 }
 
-std::string kernel_function(Unit& unit, std::uint32_t index) {
+std::string kernel_function(Unit& unit, ir::KernelId index) {
     const Kernel& kernel = unit.program.kernels[index];
     const ir::Lowered::Forms& forms = unit.lowered.passes[index];
     const std::string& name = unit.globals.kernel_stems.at(index);
@@ -353,7 +353,7 @@ std::string kernel_function(Unit& unit, std::uint32_t index) {
     return out.take();
 }
 
-std::string short_kernel_function(Unit& unit, std::uint32_t index) {
+std::string short_kernel_function(Unit& unit, ir::KernelId index) {
     const Kernel& kernel = unit.program.kernels[index];
     const std::optional<std::size_t> range = range_of_first_at(kernel);
     if (!range) return "";
@@ -363,7 +363,7 @@ std::string short_kernel_function(Unit& unit, std::uint32_t index) {
     out.open(unit.linkage(kernel.key) + kernel_signature(unit, index, false, 1));
     Printer p(unit.globals);
     for (const KernelParam& param : kernel.params) p.names.declare(param_name(unit, param));
-    out.line(visible(p, unit.globals.kernel_names.at(index)) + "(" + arguments + ");");
+    out.line(visible(p, unit.globals.kernel_names[index]) + "(" + arguments + ");");
     out.close();
     return out.take();
 }

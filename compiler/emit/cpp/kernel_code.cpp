@@ -46,7 +46,7 @@ std::string access_text(const PassBinding& binding) {
 /// The memory of a binding as in the source: f.data, f.table.data.
 std::string display_of(const Unit& unit, const Kernel& kernel, const PassBinding& binding) {
     std::string text = unit.name(kernel.params[binding.place.root].name);
-    std::uint32_t structure = kernel.params[binding.place.root].structure;
+    ir::StructureId structure = kernel.params[binding.place.root].structure;
     for (std::uint32_t member : binding.place.members) {
         text += "." + unit.name(unit.program.structures[structure].members[member].name);
         structure = unit.program.structures[structure].members[member].structure;
@@ -77,9 +77,9 @@ struct FormWords {
     Words direct, general;
 };
 
-FormWords print_words(Unit& unit, Writer& out, std::uint32_t kernel, const std::string& name) {
+FormWords print_words(Unit& unit, Writer& out, ir::KernelId kernel, const std::string& name) {
     FormWords words;
-    if (kernel >= unit.code.size() || !unit.reach.vulkan_kernels.contains(kernel)) return words;
+    if (!unit.code.contains(kernel) || !unit.reach.vulkan_kernels.contains(kernel)) return words;
     const KernelCode& code = unit.code[kernel];
     const auto of_part = [&](ir::Part part, const std::string& ending) {
         return [&out, &unit, kernel, name, part, ending](const std::vector<std::uint32_t>& spirv,
@@ -161,8 +161,8 @@ void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, co
 /// glift::Kernel::digest, by which the runtime finds the Vulkan pipelines of a kernel again: a hash (as FNV-1a) of the
 /// words of the kernel's SPIR-V and of all else that is printed about it. Empty where there is no code for Vulkan
 /// devices.
-std::string digest_text(const Unit& unit, std::uint32_t kernel, const std::string& printed) {
-    if (kernel >= unit.code.size() || !unit.reach.vulkan_kernels.contains(kernel)) return "";
+std::string digest_text(const Unit& unit, ir::KernelId kernel, const std::string& printed) {
+    if (!unit.code.contains(kernel) || !unit.reach.vulkan_kernels.contains(kernel)) return "";
     std::uint64_t hash = 14695981039346656037u;
     const auto add = [&](std::uint64_t value) { hash = (hash ^ value) * 1099511628211u; };
     const KernelCode& code = unit.code[kernel];
@@ -187,7 +187,7 @@ void print_parameters(const ir::Program& program, Writer& out, const Pass& direc
 
 }  // namespace
 
-bool code_adds_functions(const Unit& unit, std::uint32_t kernel) {
+bool code_adds_functions(const Unit& unit, ir::KernelId kernel) {
     const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];
     const auto is_missing = [&](ir::FunctionId id) {
         return !unit.globals.function_names.contains(id) && is_pure(unit.program, id);
@@ -198,7 +198,7 @@ bool code_adds_functions(const Unit& unit, std::uint32_t kernel) {
 
 /// Prints the code for the host device, if it is wanted: the struct of parameters, and the function. Returns that
 /// function's name, or nothing.
-static std::string print_host_code(Unit& unit, Writer& out, const Pass& pass, std::uint32_t index) {
+static std::string print_host_code(Unit& unit, Writer& out, const Pass& pass, ir::KernelId index) {
     if (!unit.options.host_kernel || !unit.reach.host_kernels.contains(index)) return "";
     const std::string function = unit.globals.kernel_stems.at(index) + "_" + std::string(ir::spelling(pass.form));
     out.raw(parameters_of(unit.globals, pass, function));
@@ -229,7 +229,7 @@ static void print_rare_fields(Unit& unit, Writer& out, const ir::Lowered::Forms&
     if (any.files.size() > 1) out.line(".other_files = " + name + "_other_files,");
 }
 
-std::string kernel_code(Unit& unit, std::uint32_t index) {
+std::string kernel_code(Unit& unit, ir::KernelId index) {
     const Kernel& kernel = unit.program.kernels[index];
     const ir::Lowered::Forms& forms = unit.lowered.passes[index];
     const std::string& name = unit.globals.kernel_stems.at(index);

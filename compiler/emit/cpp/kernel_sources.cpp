@@ -16,31 +16,32 @@ constexpr std::size_t kernels_of_a_source = 8;
 
 /// A hash of the kernel's name alone, so that a kernel stays in its source when others come and go, as long as the
 /// number of sources that are used stays the same.
-std::uint32_t hash_of_name(const ir::Program& program, std::uint32_t kernel) {
+std::uint32_t hash_of_name(const ir::Program& program, ir::KernelId kernel) {
     std::uint32_t hash = 2166136261u;
     for (char c : program.kernels[kernel].display) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
     return hash ^ hash >> 16;
 }
 
 /// The kernels of each source. A source may have none; where there are few kernels, the last sources have none.
-std::vector<std::vector<std::uint32_t>> spread(const ModuleParts& parts, const std::vector<std::uint32_t>& kernels) {
-    std::vector<std::vector<std::uint32_t>> sources(parts.options.shards);
+std::vector<std::vector<ir::KernelId>> spread(const ModuleParts& parts, const std::vector<ir::KernelId>& kernels) {
+    std::vector<std::vector<ir::KernelId>> sources(parts.options.shards);
     const std::size_t used =
         std::clamp<std::size_t>((kernels.size() + kernels_of_a_source - 1) / kernels_of_a_source, 1, sources.size());
-    for (std::uint32_t kernel : kernels) sources[hash_of_name(parts.program, kernel) % used].push_back(kernel);
+    for (ir::KernelId kernel : kernels) sources[hash_of_name(parts.program, kernel) % used].push_back(kernel);
     return sources;
 }
 
 void print_includes(const ModuleParts& parts, Writer& out, const std::string& stem,
-                    const std::vector<std::uint32_t>& kernels) {
-    bool has_images = false, has_cubes = false, has_atomics = false, has_reports = false, has_draws = false;
-    for (std::uint32_t kernel : kernels) {
+                    const std::vector<ir::KernelId>& kernels) {
+    bool has_images = false, has_cubes = false, has_atomics = false, has_updates = false, has_reports = false,
+         has_draws = false;
+    for (ir::KernelId kernel : kernels) {
         has_draws |= parts.program.kernels[kernel].raster.has_value();
         const ir::Pass& pass = parts.lowered.passes[kernel].general;
         for (const ir::PassBinding& binding : pass.bindings) {
             has_images |= binding.shape != ir::MemoryShape::buffer;
             has_cubes |= binding.shape == ir::MemoryShape::imagecube;
-            has_atomics |= binding.atomic || binding.coherent;
+            (binding.coherent ? has_atomics : has_updates) |= binding.atomic || binding.coherent;
         }
         has_reports |= pass.has_reports;
     }
@@ -54,18 +55,19 @@ void print_includes(const ModuleParts& parts, Writer& out, const std::string& st
     out.line("#include <glift/host/math.h>");
     out.line("#include <glift/host/parallel.h>");
     if (has_reports) out.line("#include <glift/host/report.h>");
+    if (has_updates) out.line("#include <glift/host/updates.h>");
     out.line("#include <glift/kernel.h>");
     out.gap();
 }
 
 /// The code of those kernels that are in the namespace of the module `home`.
-void print_namespace(const ModuleParts& parts, Writer& out, std::uint32_t home,
-                     const std::vector<std::uint32_t>& kernels, const SpirvFile* spirv) {
+void print_namespace(const ModuleParts& parts, Writer& out, ir::ModuleId home, const std::vector<ir::KernelId>& kernels,
+                     const SpirvFile* spirv) {
     Unit unit = make_unit(parts, home);
     unit.spirv_file = spirv;
-    std::vector<std::uint32_t> own;
+    std::vector<ir::KernelId> own;
     std::ranges::copy_if(kernels, std::back_inserter(own),
-                         [&](std::uint32_t kernel) { return parts.program.kernels[kernel].module == home; });
+                         [&](ir::KernelId kernel) { return parts.program.kernels[kernel].module == home; });
     const std::vector<std::string> codes = printed_kernels(unit, own, code_adds_functions, kernel_code);
     out.line("namespace " + unit.globals.space + " {");
     out.raw("\n");
@@ -83,14 +85,14 @@ void print_namespace(const ModuleParts& parts, Writer& out, std::uint32_t home,
     out.gap();
 }
 
-std::vector<std::uint32_t> on_vulkan(const ModuleParts& parts, const std::vector<std::uint32_t>& kernels) {
-    std::vector<std::uint32_t> found;
+std::vector<ir::KernelId> on_vulkan(const ModuleParts& parts, const std::vector<ir::KernelId>& kernels) {
+    std::vector<ir::KernelId> found;
     std::ranges::copy_if(kernels, std::back_inserter(found),
-                         [&](std::uint32_t kernel) { return parts.reach.vulkan_kernels.contains(kernel); });
+                         [&](ir::KernelId kernel) { return parts.reach.vulkan_kernels.contains(kernel); });
     return found;
 }
 
-std::string source_of(const ModuleParts& parts, const std::string& stem, const std::vector<std::uint32_t>& kernels,
+std::string source_of(const ModuleParts& parts, const std::string& stem, const std::vector<ir::KernelId>& kernels,
                       const SpirvFile* spirv) {
     Writer out;
     out.line(begin_of_file(stem));
@@ -100,18 +102,18 @@ std::string source_of(const ModuleParts& parts, const std::string& stem, const s
         out.line(spirv->statement());
         out.gap();
     }
-    std::set<std::uint32_t> homes;
-    for (std::uint32_t kernel : kernels) homes.insert(parts.program.kernels[kernel].module);
-    for (std::uint32_t home : homes) print_namespace(parts, out, home, kernels, spirv);
+    std::set<ir::ModuleId> homes;
+    for (ir::KernelId kernel : kernels) homes.insert(parts.program.kernels[kernel].module);
+    for (ir::ModuleId home : homes) print_namespace(parts, out, home, kernels, spirv);
     return out.take();
 }
 
 }  // namespace
 
 std::vector<File> kernel_sources(const ModuleParts& parts, const std::string& stem,
-                                 const std::vector<std::uint32_t>& kernels, const std::string& part) {
+                                 const std::vector<ir::KernelId>& kernels, const std::string& part) {
     std::vector<File> files;
-    const std::vector<std::vector<std::uint32_t>> sources = spread(parts, kernels);
+    const std::vector<std::vector<ir::KernelId>> sources = spread(parts, kernels);
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const std::string name = ".glift." + part + (i == 0 ? "" : "." + std::to_string(i + 1));
         if (!parts.options.spirv_files) {

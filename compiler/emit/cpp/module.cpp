@@ -53,27 +53,27 @@ private:
 /// Prints all files of one module.
 class ModulePrinter {
 public:
-    ModulePrinter(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, std::uint32_t module,
-                  const std::vector<KernelCode>& code, const Options& options, Defined& defined);
+    ModulePrinter(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, ir::ModuleId module,
+                  const KernelCodes& code, const Options& options, Defined& defined);
 
     Module print();
 
 private:
-    Unit& unit_of(std::uint32_t home);
-    bool has_source(std::uint32_t module) const;
-    bool is_shown(std::uint32_t pipeline) const;
-    bool is_declared_elsewhere(bool is_pub, const std::string& key, std::uint32_t module) const;
+    Unit& unit_of(ir::ModuleId home);
+    bool has_source(ir::ModuleId module) const;
+    bool is_shown(ir::PipelineId pipeline) const;
+    bool is_declared_elsewhere(bool is_pub, const std::string& key, ir::ModuleId module) const;
     void find_shown_elsewhere();
     void name_by_devices();
 
     template <class Print>
-    void print_once(Writer& out, Spaces& spaces, std::uint32_t home, const std::string& name, const Print& print);
+    void print_once(Writer& out, Spaces& spaces, ir::ModuleId home, const std::string& name, const Print& print);
     void print_types(Writer& out, Spaces& spaces);
-    void print_classes(Writer& out, Spaces& spaces, bool (ModulePrinter::*wanted)(std::uint32_t) const);
-    void print_aliases(Writer& out, Spaces& spaces, std::uint32_t structure);
-    bool is_in_header(std::uint32_t structure) const { return reach_.in_header.contains(structure); }
-    bool is_hidden(std::uint32_t structure) const { return !is_in_header(structure); }
-    std::string stem_of(std::uint32_t module) const { return file_stem(program_, sources_, module); }
+    void print_classes(Writer& out, Spaces& spaces, bool (ModulePrinter::*wanted)(ir::StructureId) const);
+    void print_aliases(Writer& out, Spaces& spaces, ir::StructureId structure);
+    bool is_in_header(ir::StructureId structure) const { return reach_.in_header.contains(structure); }
+    bool is_hidden(ir::StructureId structure) const { return !is_in_header(structure); }
+    std::string stem_of(ir::ModuleId module) const { return file_stem(program_, sources_, module); }
     void print_headers(Writer& out, const std::string& ending) const;
     void print_functions_shown(Writer& out);
     void print_functions_hidden(Writer& out, Spaces& spaces);
@@ -86,26 +86,25 @@ private:
     std::string source();
     std::string library_source();
     void print_includes(Writer& out) const;
-    std::vector<std::uint32_t> kernels_to_define(bool own) const;
+    std::vector<ir::KernelId> kernels_to_define(bool own) const;
 
     const ir::Program& program_;
     const ir::Lowered& lowered_;
     const Sources& sources_;
-    std::uint32_t module_;
-    const std::vector<KernelCode>& code_;
+    ir::ModuleId module_;
+    const KernelCodes& code_;
     const Options& options_;
     Defined& defined_;
     Reach reach_;
     Reach elsewhere_;  ///< the types and classes of the headers that this module's header includes
     ProgramNames names_;
     const ModuleParts parts_;
-    std::map<std::uint32_t, Unit> units_;
+    std::map<ir::ModuleId, Unit> units_;
     const std::string stem_;
 };
 
 ModulePrinter::ModulePrinter(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources,
-                             std::uint32_t module, const std::vector<KernelCode>& code, const Options& options,
-                             Defined& defined)
+                             ir::ModuleId module, const KernelCodes& code, const Options& options, Defined& defined)
     : program_(program), lowered_(lowered), sources_(sources), module_(module), code_(code), options_(options),
       defined_(defined), reach_(reach_of(program, module, options)),
       names_(program_names(program)), parts_{program, lowered, sources, module, code, options, reach_, names_},
@@ -118,18 +117,18 @@ ModulePrinter::ModulePrinter(const ir::Program& program, const ir::Lowered& lowe
 /// Adds the kind of device to the names of functions that other runs of gliftc may define, too, and for which this run
 /// has code for one kind of device only (host, Vulkan) or for none: the linker must not take one for the other.
 void ModulePrinter::name_by_devices() {
-    const auto is_shared = [&](const std::string& key, std::uint32_t home) {
+    const auto is_shared = [&](const std::string& key, ir::ModuleId home) {
         return key.find('<') != std::string::npos || !has_source(home);
     };
-    const auto rename = [&](std::string& name, std::uint32_t home, bool host, bool vulkan) {
+    const auto rename = [&](std::string& name, ir::ModuleId home, bool host, bool vulkan) {
         if (host && vulkan) return;
         name = names_.taken[home].declare(name + (host ? "_on_host" : vulkan ? "_on_vulkan" : "_on_none"));
     };
-    for (std::uint32_t index : reach_.kernels)
+    for (ir::KernelId index : reach_.kernels)
         if (const ir::Kernel& kernel = program_.kernels[index]; is_shared(kernel.key, kernel.module))
             rename(names_.kernels[index], kernel.module, reach_.host_kernels.contains(index),
                    reach_.vulkan_kernels.contains(index));
-    for (std::uint32_t index : reach_.pipelines)
+    for (ir::PipelineId index : reach_.pipelines)
         if (const ir::Pipeline& pipeline = program_.pipelines[index];
             !pipeline.owner && is_shared(pipeline.key, pipeline.module))
             rename(names_.pipelines[index], pipeline.module, reach_.host_pipelines.contains(index),
@@ -137,12 +136,12 @@ void ModulePrinter::name_by_devices() {
 }
 
 /// Whether this run makes sources for the module itself. A test program has only those of the module with the tests.
-bool ModulePrinter::has_source(std::uint32_t module) const {
+bool ModulePrinter::has_source(ir::ModuleId module) const {
     return module == module_ || (program_.modules[module].is_root && !options_.tests);
 }
 
 void ModulePrinter::find_shown_elsewhere() {
-    for (std::uint32_t import : program_.modules[module_].imports) {
+    for (ir::ModuleId import : program_.modules[module_].imports) {
         if (import == module_ || !has_source(import)) continue;
         const Reach shown = reach_of(program_, import, options_);
         elsewhere_.in_header.insert(shown.in_header.begin(), shown.in_header.end());
@@ -151,22 +150,22 @@ void ModulePrinter::find_shown_elsewhere() {
     }
 }
 
-Unit& ModulePrinter::unit_of(std::uint32_t home) {
+Unit& ModulePrinter::unit_of(ir::ModuleId home) {
     if (const auto found = units_.find(home); found != units_.end()) return found->second;
     return units_.emplace(home, make_unit(parts_, home)).first->second;
 }
 
-bool ModulePrinter::is_shown(std::uint32_t pipeline) const {
+bool ModulePrinter::is_shown(ir::PipelineId pipeline) const {
     const ir::Pipeline& p = program_.pipelines[pipeline];
     return p.is_pub && p.module == module_ && !p.owner && !options_.tests;
 }
 
 /// Whether a header that this module's header includes declares the kernel or pipeline.
-bool ModulePrinter::is_declared_elsewhere(bool is_pub, const std::string& key, std::uint32_t module) const {
+bool ModulePrinter::is_declared_elsewhere(bool is_pub, const std::string& key, ir::ModuleId module) const {
     return is_pub && module != module_ && has_source(module) && key.find('<') == std::string::npos;
 }
 
-template <class Print> void ModulePrinter::print_once(Writer& out, Spaces& spaces, std::uint32_t home,
+template <class Print> void ModulePrinter::print_once(Writer& out, Spaces& spaces, ir::ModuleId home,
                                                       const std::string& name, const Print& print) {
     Unit& unit = unit_of(home);
     spaces.enter(unit.globals.space);
@@ -181,13 +180,13 @@ template <class Print> void ModulePrinter::print_once(Writer& out, Spaces& space
 }
 
 void ModulePrinter::print_types(Writer& out, Spaces& spaces) {
-    for (std::uint32_t index : reach_.enums) {
+    for (ir::EnumId index : reach_.enums) {
         const ir::Enum& type = program_.enums[index];
         if (elsewhere_.enums.contains(index)) continue;
         print_once(out, spaces, type.module, names_.enums[index],
                    [&](Unit& unit, Writer& text) { print_enum(unit, text, index); });
     }
-    for (std::uint32_t index : reach_.structs) {
+    for (ir::StructId index : reach_.structs) {
         const ir::Struct& type = program_.structs[index];
         if (std::ranges::find(elsewhere_.structs, index) != elsewhere_.structs.end()) continue;
         print_once(out, spaces, type.module, names_.structs[index],
@@ -197,7 +196,7 @@ void ModulePrinter::print_types(Writer& out, Spaces& spaces) {
 
 /// Declares the aliases of a structure that the module may use. Those of other modules for which this run makes a
 /// header are left out: that header declares them.
-void ModulePrinter::print_aliases(Writer& out, Spaces& spaces, std::uint32_t index) {
+void ModulePrinter::print_aliases(Writer& out, Spaces& spaces, ir::StructureId index) {
     const ir::Structure& structure = program_.structures[index];
     for (std::size_t i = 0; i < structure.aliases.size(); ++i) {
         const ir::Alias& alias = structure.aliases[i];
@@ -211,8 +210,8 @@ void ModulePrinter::print_aliases(Writer& out, Spaces& spaces, std::uint32_t ind
     }
 }
 
-void ModulePrinter::print_classes(Writer& out, Spaces& spaces, bool (ModulePrinter::*wanted)(std::uint32_t) const) {
-    for (std::uint32_t index : reach_.structures) {
+void ModulePrinter::print_classes(Writer& out, Spaces& spaces, bool (ModulePrinter::*wanted)(ir::StructureId) const) {
+    for (ir::StructureId index : reach_.structures) {
         if (!(this->*wanted)(index)) continue;
         const ir::Structure& structure = program_.structures[index];
         if (!elsewhere_.in_header.contains(index))
@@ -224,14 +223,14 @@ void ModulePrinter::print_classes(Writer& out, Spaces& spaces, bool (ModulePrint
 
 void ModulePrinter::print_functions_shown(Writer& out) {
     Unit& unit = unit_of(module_);
-    for (std::uint32_t kernel : reach_.kernels) {
+    for (ir::KernelId kernel : reach_.kernels) {
         if (!reach_.pub_kernels.contains(kernel)) continue;
         write_doc(out, program_.kernels[kernel].doc);
         out.line(kernel_signature(unit, kernel, true) + ";");
         if (range_of_first_at(program_.kernels[kernel])) out.line(kernel_signature(unit, kernel, true, 1) + ";");
         out.gap();
     }
-    for (std::uint32_t pipeline : reach_.pipelines) {
+    for (ir::PipelineId pipeline : reach_.pipelines) {
         if (!is_shown(pipeline)) continue;
         write_doc(out, program_.pipelines[pipeline].doc);
         out.line(pipeline_signature(unit, pipeline, true) + ";");
@@ -240,7 +239,7 @@ void ModulePrinter::print_functions_shown(Writer& out) {
 }
 
 void ModulePrinter::print_functions_hidden(Writer& out, Spaces& spaces) {
-    for (std::uint32_t index : reach_.kernels) {
+    for (ir::KernelId index : reach_.kernels) {
         const ir::Kernel& kernel = program_.kernels[index];
         if (reach_.pub_kernels.contains(index) || is_declared_elsewhere(kernel.is_pub, kernel.key, kernel.module))
             continue;
@@ -248,7 +247,7 @@ void ModulePrinter::print_functions_hidden(Writer& out, Spaces& spaces) {
         spaces.enter(unit.globals.space);
         out.line(kernel_signature(unit, index, true) + ";");
     }
-    for (std::uint32_t index : reach_.pipelines) {
+    for (ir::PipelineId index : reach_.pipelines) {
         const ir::Pipeline& pipeline = program_.pipelines[index];
         if (pipeline.owner || is_shown(index) || is_declared_elsewhere(pipeline.is_pub, pipeline.key, pipeline.module))
             continue;
@@ -261,7 +260,7 @@ void ModulePrinter::print_functions_hidden(Writer& out, Spaces& spaces) {
 /// Includes the headers of the modules that this one uses, if the same run makes them.
 void ModulePrinter::print_headers(Writer& out, const std::string& ending) const {
     std::set<std::string> headers;
-    for (std::uint32_t import : program_.modules[module_].imports)
+    for (ir::ModuleId import : program_.modules[module_].imports)
         if (import != module_ && has_source(import)) headers.insert(stem_of(import) + ending);
     for (const std::string& header : headers) out.line("#include \"" + header + "\"");
 }
@@ -297,7 +296,7 @@ std::string ModulePrinter::types_header() {
     out.gap();
     print_headers(out, ".glift.types.hpp");
     std::set<std::string> headers;
-    for (std::uint32_t index : reach_.structs)
+    for (ir::StructId index : reach_.structs)
         if (const std::string& header = program_.structs[index].extern_header; !header.empty()) headers.insert(header);
     for (const std::string& header : headers) out.line("#include \"" + header + "\"");
     out.gap();
@@ -341,9 +340,9 @@ void ModulePrinter::print_includes(Writer& out) const {
     out.gap();
 }
 
-std::vector<std::uint32_t> ModulePrinter::kernels_to_define(bool own) const {
-    std::vector<std::uint32_t> kernels;
-    for (std::uint32_t kernel : reach_.kernels)
+std::vector<ir::KernelId> ModulePrinter::kernels_to_define(bool own) const {
+    std::vector<ir::KernelId> kernels;
+    for (ir::KernelId kernel : reach_.kernels)
         if ((program_.kernels[kernel].module == module_) == own && !defined_.kernels.contains(kernel))
             kernels.push_back(kernel);
     return kernels;
@@ -351,18 +350,18 @@ std::vector<std::uint32_t> ModulePrinter::kernels_to_define(bool own) const {
 
 /// The definitions of one namespace in this source.
 void ModulePrinter::print_definitions(Unit& unit, Writer& out) {
-    std::vector<std::uint32_t> kernels = kernels_to_define(unit.home == module_);
-    std::erase_if(kernels, [&](std::uint32_t kernel) { return program_.kernels[kernel].module != unit.home; });
+    std::vector<ir::KernelId> kernels = kernels_to_define(unit.home == module_);
+    std::erase_if(kernels, [&](ir::KernelId kernel) { return program_.kernels[kernel].module != unit.home; });
     const std::vector<std::string> callers = printed_kernels(unit, kernels, function_adds_functions, kernel_function);
     Writer checks, members, pipelines, tests;
     if (options_.tests && unit.home == module_) unit.translation_checks = print_translation_checks(unit, checks);
-    for (std::uint32_t structure : reach_.structures) {
+    for (ir::StructureId structure : reach_.structures) {
         if (program_.structures[structure].module != unit.home) continue;
         if (!defined_.structures.contains(structure)) print_class_members(unit, members, structure);
         if (reach_.moved.contains(structure) && !defined_.moved.contains(structure))
             print_transfers(unit, members, structure);
     }
-    for (std::uint32_t pipeline : reach_.pipelines)
+    for (ir::PipelineId pipeline : reach_.pipelines)
         if (program_.pipelines[pipeline].module == unit.home && !defined_.pipelines.contains(pipeline))
             print_pipeline(unit, pipelines, pipeline);
     if (options_.tests && unit.home == module_) print_tests(unit, tests);
@@ -402,18 +401,18 @@ std::string ModulePrinter::source() {
 }
 
 std::string ModulePrinter::library_source() {
-    std::set<std::uint32_t> homes;
-    for (std::uint32_t kernel : reach_.kernels)
+    std::set<ir::ModuleId> homes;
+    for (ir::KernelId kernel : reach_.kernels)
         if (!defined_.kernels.contains(kernel)) homes.insert(program_.kernels[kernel].module);
-    for (std::uint32_t structure : reach_.structures)
+    for (ir::StructureId structure : reach_.structures)
         if (!defined_.structures.contains(structure) ||
             (reach_.moved.contains(structure) && !defined_.moved.contains(structure)))
             homes.insert(program_.structures[structure].module);
-    for (std::uint32_t pipeline : reach_.pipelines)
+    for (ir::PipelineId pipeline : reach_.pipelines)
         if (!defined_.pipelines.contains(pipeline)) homes.insert(program_.pipelines[pipeline].module);
     Writer out;
     print_includes(out);
-    for (std::uint32_t home : homes) {
+    for (ir::ModuleId home : homes) {
         if (home == module_) continue;
         print_definitions(unit_of(home), out);
         out.gap();
@@ -450,8 +449,8 @@ Module ModulePrinter::print() {
 
 }  // namespace
 
-Module module_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, std::uint32_t module,
-                 const std::vector<KernelCode>& code, const Options& options, Defined& defined) {
+Module module_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, ir::ModuleId module,
+                 const KernelCodes& code, const Options& options, Defined& defined) {
     return ModulePrinter(program, lowered, sources, module, code, options, defined).print();
 }
 

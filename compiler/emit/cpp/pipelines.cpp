@@ -31,8 +31,8 @@ struct PipelinePrinter {
     PipelinePrinter(Unit& unit, const Pipeline& pipeline) : unit(unit), pipeline(pipeline), p(unit.globals) {
         p.names.reserve({"commands", "test"});
         if (pipeline.owner) {
-            p.class_names = &unit.globals.class_names[*pipeline.owner].all;
-            p.names.avoid(unit.globals.class_names[*pipeline.owner].own);
+            p.class_names = &unit.globals.class_names[pipeline.owner].all;
+            p.names.avoid(unit.globals.class_names[pipeline.owner].own);
         }
         p.outer_expression = [this](const Expr& expr) { return expression(expr); };
         p.outer_statement = [this](const Stmt& stmt) { statement(stmt); };
@@ -45,7 +45,7 @@ struct PipelinePrinter {
         return expr.local && kind(unit.program.locals[expr.local].type) == TypeKind::slice;
     }
     std::string object(const Expr& expr);
-    std::uint32_t root_structure(const Expr& expr) const;
+    ir::StructureId root_structure(const Expr& expr) const;
     Text property(const Expr& expr);
     std::string base(const Expr& expr);
     Text expression(const Expr& expr);
@@ -59,10 +59,10 @@ struct PipelinePrinter {
     void expect(const Stmt& stmt);
     void expect_same(const Stmt& stmt);
     void replace(const Stmt& stmt);
-    void keep(const std::string& shown, const std::string& object, std::uint32_t structure);
+    void keep(const std::string& shown, const std::string& object, ir::StructureId structure);
     void keep_all();
-    void check_with_members(const std::string& object, std::uint32_t index);
-    void check_as_made(const std::string& object, std::uint32_t structure);
+    void check_with_members(const std::string& object, ir::StructureId index);
+    void check_as_made(const std::string& object, ir::StructureId structure);
 };
 
 /// The structure at which the expression's place begins, with what stands before a member: `f.`, `part->` for a slice,
@@ -72,10 +72,10 @@ std::string PipelinePrinter::object(const Expr& expr) {
     return p.local_names.at(expr.local) + (is_slice(expr) ? "->" : ".");
 }
 
-std::uint32_t PipelinePrinter::root_structure(const Expr& expr) const {
-    if (!expr.local) return pipeline.owner.value_or(0);
+ir::StructureId PipelinePrinter::root_structure(const Expr& expr) const {
+    if (!expr.local) return pipeline.owner;
     const ir::Type& type = unit.program.types[unit.program.locals[expr.local].type];
-    return type.kind == TypeKind::slice ? unit.program.types[type.element].index : type.index;
+    return type.kind == TypeKind::slice ? unit.program.types[type.element].structure : type.structure;
 }
 
 Text PipelinePrinter::property(const Expr& expr) {
@@ -101,8 +101,8 @@ Text PipelinePrinter::slice(const Expr& expr) {
 }
 
 Text PipelinePrinter::call(const Expr& expr) {
-    const Pipeline& callee = unit.program.pipelines[expr.slot];
-    std::string name = unit.globals.pipeline_names.at(expr.slot);
+    const Pipeline& callee = unit.program.pipelines[expr.pipeline()];
+    std::string name = unit.globals.pipeline_names[expr.pipeline()];
     if (callee.owner) {
         const std::string owner = base(expr);
         name = (owner == "*this" || owner == "(*this)" ? "" : owner + ".") + name;
@@ -163,7 +163,7 @@ Text PipelinePrinter::expression(const Expr& expr) {
 /// makes memory, then structures, then values.
 void PipelinePrinter::temporary(const Stmt& stmt) {
     const ir::Type& type = unit.program.types[unit.program.locals[stmt.local].type];
-    const ir::Structure& made = unit.program.structures[type.index];
+    const ir::Structure& made = unit.program.structures[type.structure];
     std::string structures, values;
     for (ExprId argument : stmt.arguments) {
         std::string& list = kind(unit.program.exprs[argument].type) == TypeKind::structure ? structures : values;
@@ -172,7 +172,8 @@ void PipelinePrinter::temporary(const Stmt& stmt) {
     const std::string device = ", " + commands + (stmt.uninitialized ? ".uninitialized()" : "");
     std::string arguments = (ir::makes_memory(unit.program, made) ? device : "") + structures + values;
     const std::string name = declare_local(p, stmt.local);
-    p.out.line(unit.class_name(type.index) + " " + name + (arguments.empty() ? ";" : "(" + arguments.substr(2) + ");"));
+    p.out.line(unit.class_name(type.structure) + " " + name +
+               (arguments.empty() ? ";" : "(" + arguments.substr(2) + ");"));
 }
 
 /// One arm: a side of an `if`, or a round of a `for … while`, whose condition lies on the device. Its passes are
@@ -199,7 +200,7 @@ void PipelinePrinter::arms(const Stmt& stmt) {
 void PipelinePrinter::dispatch(const Stmt& stmt) {
     std::string arguments;
     for (ExprId argument : stmt.arguments) arguments += ", " + print(p, argument, Level::postfix);
-    p.out.line(visible(p, unit.globals.kernel_names.at(stmt.slot)) + "(" + commands + arguments + ");");
+    p.out.line(visible(p, unit.globals.kernel_names[stmt.kernel()]) + "(" + commands + arguments + ");");
 }
 
 void PipelinePrinter::expect(const Stmt& stmt) {
@@ -214,7 +215,8 @@ void PipelinePrinter::expect(const Stmt& stmt) {
 
 void PipelinePrinter::expect_same(const Stmt& stmt) {
     const ir::Type& type = unit.program.types[unit.program.exprs[stmt.arguments[0]].type];
-    const std::uint32_t structure = type.kind == TypeKind::slice ? unit.program.types[type.element].index : type.index;
+    const ir::StructureId structure =
+        type.kind == TypeKind::slice ? unit.program.types[type.element].structure : type.structure;
     p.out.line("test.expect_same(" + print_any(p, stmt.arguments[0]) + ", " + print_any(p, stmt.arguments[1]) + ", \"" +
                scalars_of(unit.program, unit.program.structures[structure].element) + "\", \"" +
                place_text(unit.sources, stmt.span) + "\"" +
@@ -223,7 +225,7 @@ void PipelinePrinter::expect_same(const Stmt& stmt) {
 
 /// The memories that a structure has made, and those of the members that it has made, as arguments. A level or layer of
 /// an image is not among them: the image is another structure's.
-std::string memories_of(const Unit& unit, const std::string& object, std::uint32_t index) {
+std::string memories_of(const Unit& unit, const std::string& object, ir::StructureId index) {
     const ir::Structure& structure = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];
     std::string text;
@@ -242,7 +244,7 @@ void PipelinePrinter::replace(const Stmt& stmt) {
     whole.op = Op::structure_value;
     whole.place = stmt.place;
     const std::string member = base(whole);
-    const std::uint32_t index = unit.program.types[unit.program.locals[stmt.local].type].index;
+    const ir::StructureId index = unit.program.types[unit.program.locals[stmt.local].type].structure;
     p.out.line("commands.replace(" + member + ", std::move(" + p.local_names.at(stmt.local) + "), {" +
                memories_of(unit, member, index) + "});");
 }
@@ -251,7 +253,7 @@ void PipelinePrinter::replace(const Stmt& stmt) {
 /// the name `shown`. The domain of a structure without rows (has_rows), which may be sparse, may be too large to read
 /// address by address. For such a structure also prints the statements that, in that case, keep its memories and those
 /// stored members that the host can read.
-void PipelinePrinter::keep(const std::string& shown, const std::string& object, std::uint32_t index) {
+void PipelinePrinter::keep(const std::string& shown, const std::string& object, ir::StructureId index) {
     const ir::Structure& made = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];
     const std::string keeps =
@@ -276,11 +278,11 @@ void PipelinePrinter::keep(const std::string& shown, const std::string& object, 
 /// them, the statements that keep them to be compared between devices. Also prints the checks of translators that need
 /// the state of such structures, adaptors' members included.
 void PipelinePrinter::keep_all() {
-    std::vector<std::pair<std::string, std::uint32_t>> made;
+    std::vector<std::pair<std::string, ir::StructureId>> made;
     for (ir::StmtId id : pipeline.body) {
         const Stmt& stmt = unit.program.stmts[id];
         if (stmt.op != StmtOp::temp) continue;
-        const std::uint32_t index = unit.program.types[unit.program.locals[stmt.local].type].index;
+        const ir::StructureId index = unit.program.types[unit.program.locals[stmt.local].type].structure;
         const ir::Structure& structure = unit.program.structures[index];
         made.emplace_back(p.local_names.at(stmt.local), index);
         if (structure.kind == ir::StructureKind::stored && structure.copyable)
@@ -293,7 +295,7 @@ void PipelinePrinter::keep_all() {
 }
 
 /// Checks a structure, then the members that it made, the last one first: a member may have been given an earlier one.
-void PipelinePrinter::check_with_members(const std::string& object, std::uint32_t index) {
+void PipelinePrinter::check_with_members(const std::string& object, ir::StructureId index) {
     check_as_made(object, index);
     const ir::Structure& structure = unit.program.structures[index];
     for (std::size_t m = structure.members.size(); m-- > 0;)
@@ -302,7 +304,7 @@ void PipelinePrinter::check_with_members(const std::string& object, std::uint32_
                                structure.members[m].structure);
 }
 
-void PipelinePrinter::check_as_made(const std::string& object, std::uint32_t index) {
+void PipelinePrinter::check_as_made(const std::string& object, ir::StructureId index) {
     for (const TranslationCheck& check : unit.translation_checks) {
         if (check.structure != index || !check.of_extents.empty() || check.of_one.empty()) continue;
         p.out.open("test.check_as_made(" + quoted(check.title) + ", [&]");
@@ -348,13 +350,13 @@ bool calls_functions(const Unit& unit, const Pipeline& pipeline) {
     for (ir::StmtId id : pipeline.body) {
         const Stmt& stmt = unit.program.stmts[id];
         if (stmt.op != StmtOp::dispatch) continue;
-        ir::for_each_expression(unit.program, unit.program.kernels[stmt.slot].body,
+        ir::for_each_expression(unit.program, unit.program.kernels[stmt.kernel()].body,
                                 [&](ExprId node) { found = found || unit.program.exprs[node].op == Op::call; });
     }
     return found;
 }
 
-bool is_test(const Unit& unit, std::uint32_t pipeline) {
+bool is_test(const Unit& unit, ir::PipelineId pipeline) {
     for (const ir::Test& test : unit.program.tests) {
         if (test.pipeline == pipeline) return true;
     }
@@ -368,7 +370,7 @@ std::string param_type(const Unit& unit, const ir::PipelineParam& param, bool qu
     case ir::HostPattern::range: return "const " + unit.type(type, qualified) + "& ";
     case ir::HostPattern::structure: {
         const bool changes =
-            unit.program.structures[unit.program.types[type].index].kind == ir::StructureKind::adaptor &&
+            unit.program.structures[unit.program.types[type].structure].kind == ir::StructureKind::adaptor &&
             param.direction != ir::Direction::in;
         return (changes ? "" : "const ") + unit.type(type, qualified) + "& ";
     }
@@ -377,7 +379,7 @@ std::string param_type(const Unit& unit, const ir::PipelineParam& param, bool qu
 }
 
 /// `mark_of_commands` stands before the parameter `commands`.
-std::string signature(Unit& unit, std::uint32_t index, const Printer& names, const std::string& owner, bool qualified,
+std::string signature(Unit& unit, ir::PipelineId index, const Printer& names, const std::string& owner, bool qualified,
                       const std::string& mark_of_commands = {}) {
     const Pipeline& pipeline = unit.program.pipelines[index];
     std::string parameters = mark_of_commands + "const glift::Commands& commands";
@@ -392,12 +394,12 @@ std::string signature(Unit& unit, std::uint32_t index, const Printer& names, con
 
 }  // namespace
 
-std::string pipeline_signature(Unit& unit, std::uint32_t index, bool qualified) {
+std::string pipeline_signature(Unit& unit, ir::PipelineId index, bool qualified) {
     PipelinePrinter printer(unit, unit.program.pipelines[index]);
     return signature(unit, index, printer.p, "", qualified);
 }
 
-void print_pipeline(Unit& unit, Writer& out, std::uint32_t index) {
+void print_pipeline(Unit& unit, Writer& out, ir::PipelineId index) {
     const Pipeline& pipeline = unit.program.pipelines[index];
     PipelinePrinter printer(unit, pipeline);
     printer.tracks = is_test(unit, index);
@@ -409,7 +411,7 @@ void print_pipeline(Unit& unit, Writer& out, std::uint32_t index) {
     out.gap();
     out.line("// " + place_text(unit.sources, pipeline.span) + ": " +
              (is_test(unit, index) ? quoted(pipeline.display) : pipeline.display));
-    const std::string owner = pipeline.owner ? unit.own_name(*pipeline.owner) + "::" : "";
+    const std::string owner = pipeline.owner ? unit.own_name(pipeline.owner) + "::" : "";
     const std::string body = printer.p.out.take();
     const std::string mark = body.find("commands") == std::string::npos ? "[[maybe_unused]] " : "";
     out.open(unit.linkage(pipeline.key) + signature(unit, index, printer.p, owner, false, mark));

@@ -50,21 +50,21 @@ struct ClassNames {
     NameSet all;  ///< these and its other functions: within the class they hide names of the namespace
 };
 
-/// The names of all that a program declares, each in the namespace of its module. Each list is indexed as the table of
-/// ir::Program that its comment names. A name is made of the source's name and the generic arguments of what it names,
-/// so that all files and all runs of gliftc agree. Only where names would be equal do other declarations matter.
+/// The names of all that a program declares, each in the namespace of its module. A name is made of the source's name
+/// and the generic arguments of what it names, so that all files and all runs of gliftc agree. Only where names would
+/// be equal do other declarations matter.
 struct ProgramNames {
-    std::vector<std::string> spaces;                ///< of Program::modules: laplacian, std.array → std_array
-    std::vector<NameSet> types;                     ///< of Program::modules: names of structs, structures, aliases
-    std::vector<std::string> structs;               ///< of Program::structs
-    std::vector<std::vector<std::string>> fields;   ///< of Program::structs
-    std::vector<std::string> enums;                 ///< of Program::enums
-    std::vector<std::string> structures;            ///< of Program::structures: the classes
-    std::vector<std::vector<std::string>> aliases;  ///< of Program::structures: of their aliases
-    std::vector<ClassNames> classes;                ///< of Program::structures
-    std::vector<std::string> kernels;               ///< of Program::kernels: the functions that call them
-    std::vector<std::string> pipelines;             ///< of Program::pipelines
-    std::vector<Scopes> taken;                      ///< of Program::modules: all names in their namespaces
+    Table<std::string, ir::Module> spaces;  ///< laplacian, std.array → std_array
+    Table<NameSet, ir::Module> types;       ///< names of structs, structures, aliases
+    Table<std::string, ir::Struct> structs;
+    Table<std::vector<std::string>, ir::Struct> fields;
+    Table<std::string, ir::Enum> enums;
+    Table<std::string, ir::Structure> structures;            ///< the classes
+    Table<std::vector<std::string>, ir::Structure> aliases;  ///< of their aliases
+    Table<ClassNames, ir::Structure> classes;
+    Table<std::string, ir::Kernel> kernels;  ///< the functions that call them
+    Table<std::string, ir::Pipeline> pipelines;
+    Table<Scopes, ir::Module> taken;  ///< all names in their namespaces
 };
 
 ProgramNames program_names(const ir::Program& program);
@@ -75,24 +75,24 @@ bool is_held_by_handle(const ir::Structure& structure, std::size_t member);
 
 /// Whether code of a module may use the alias of a structure: one of its own, or a public one of a module that it
 /// imports.
-bool is_alias_seen(const ir::Program& program, const ir::Alias& alias, std::uint32_t module);
+bool is_alias_seen(const ir::Program& program, const ir::Alias& alias, ir::ModuleId module);
 
 /// Names that all code in one namespace shares. Names of another namespace are spelled with it: ::grid::Cell.
 struct Globals {
     const ir::Program& program;
     const Sources& sources;
-    std::string space;                                  ///< the namespace
-    Scopes names;                                       ///< of the namespace
-    NameSet type_names;                                 ///< of structs, structures, aliases: no other name hides them
-    NameSet kernel_symbols;                             ///< names of the code and data made for kernels
-    std::vector<std::string> struct_names;              ///< of Program::structs
-    std::vector<std::vector<std::string>> field_names;  ///< of Program::structs
-    std::vector<std::string> structure_names;           ///< of Program::structures
-    std::vector<ClassNames> class_names;                ///< of Program::structures
-    std::vector<std::string> kernel_names;              ///< of Program::kernels: the functions that call them
-    std::vector<std::string> pipeline_names;            ///< of Program::pipelines
+    std::string space;       ///< the namespace
+    Scopes names;            ///< of the namespace
+    NameSet type_names;      ///< of structs, structures, aliases: no other name hides them
+    NameSet kernel_symbols;  ///< names of the code and data made for kernels
+    Table<std::string, ir::Struct> struct_names;
+    Table<std::vector<std::string>, ir::Struct> field_names;
+    Table<std::string, ir::Structure> structure_names;
+    Table<ClassNames, ir::Structure> class_names;
+    Table<std::string, ir::Kernel> kernel_names;  ///< the functions that call them
+    Table<std::string, ir::Pipeline> pipeline_names;
     /// By kernel: the beginning of the names of the code and data made for it.
-    std::unordered_map<std::uint32_t, std::string> kernel_stems;
+    std::unordered_map<ir::KernelId, std::string> kernel_stems;
     std::unordered_map<const ir::KernelParam*, std::string> param_names;
     std::unordered_map<ir::FunctionId, std::string> function_names;
     std::string functions;  ///< the functions printed so far, callees first
@@ -103,7 +103,7 @@ struct Globals {
 /// Where generated code stands: in the namespace of the module `home`, in a file of the module `root`. If both are
 /// the same module, structures have the names that the module gives them (aliases).
 struct Surroundings {
-    std::uint32_t root, home;
+    ir::ModuleId root, home;
 };
 
 Globals make_globals(const ir::Program& program, const Sources& sources, const ProgramNames& names,
@@ -157,7 +157,7 @@ std::string wrap(Text&& text, Level least);
 // surroundings.cpp
 /// Spells a property of a structure that `object` reaches, `f->` or `table.` (empty: within its own class): the
 /// operations member, memory_extent, host_state, domain, structure_value.
-Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint32_t root_structure,
+Text structure_property(const Globals& globals, const ir::Expr& expr, ir::StructureId root_structure,
                         const std::string& object);
 /// A name of the module's namespace as the printed body must spell it: with the namespace where another name hides it.
 std::string visible(const Printer& p, const std::string& name);

@@ -135,7 +135,7 @@ ClassNames class_names(const ir::Program& program, const NameSet& types, const i
         if (name.empty()) name = scopes.declare(wanted);
         return name;
     };
-    for (std::uint32_t index : structure.pipelines) {
+    for (ir::PipelineId index : structure.pipelines) {
         const ir::Pipeline& pipeline = program.pipelines[index];
         names.pipelines.push_back(overloaded(name_of_instance((*program.names)[pipeline.name], pipeline.key)));
     }
@@ -183,7 +183,7 @@ struct Naming {
 
     const std::string& text(Name name) const { return (*program.names)[name]; }
 
-    std::string type(std::uint32_t module, const std::string& wanted) {
+    std::string type(ir::ModuleId module, const std::string& wanted) {
         std::string name = wanted;
         // Two underscores in a row are reserved in C++.
         if (not_for_types().contains(name)) name += name.ends_with('_') ? "2" : "_";
@@ -200,7 +200,7 @@ struct Naming {
             names.structures.push_back(type(each.module, name_of_instance(text(each.name), each.key)));
             names.aliases.emplace_back();
         }
-        for (std::size_t i = 0; i < program.structures.size(); ++i) {
+        for (ir::StructureId i : program.structures.ids()) {
             const ir::Structure& each = program.structures[i];
             for (const ir::Alias& alias : each.aliases) {
                 const bool is_its_name = alias.name == each.name && alias.module == each.module;
@@ -215,7 +215,7 @@ struct Naming {
             names.classes.push_back(class_names(program, names.types[each.module], each));
     }
 
-    std::string function(std::map<std::string, std::string>& known, std::uint32_t module, Name name,
+    std::string function(std::map<std::string, std::string>& known, ir::ModuleId module, Name name,
                          const std::string& key) {
         std::string& found = known[key.empty() ? ir::module_text(program, module) + text(name) : key];
         if (found.empty()) found = names.taken[module].declare(name_of_instance(text(name), key));
@@ -223,7 +223,7 @@ struct Naming {
     }
 
     void kernels_that_are(bool is_pub) {
-        for (std::size_t i = 0; i < program.kernels.size(); ++i) {
+        for (ir::KernelId i : program.kernels.ids()) {
             const ir::Kernel& each = program.kernels[i];
             if (each.is_pub == is_pub) names.kernels[i] = function(kernels, each.module, each.name, each.key);
         }
@@ -235,7 +235,7 @@ struct Naming {
         kernels_that_are(true);
         for (const ir::Pipeline& each : program.pipelines)
             names.pipelines.push_back(each.owner ? "" : function(pipelines, each.module, each.name, each.key));
-        for (std::size_t i = 0; i < program.structures.size(); ++i)
+        for (ir::StructureId i : program.structures.ids())
             for (std::size_t k = 0; k < program.structures[i].pipelines.size(); ++k)
                 names.pipelines[program.structures[i].pipelines[k]] = names.classes[i].pipelines[k];
         kernels_that_are(false);

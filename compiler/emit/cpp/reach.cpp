@@ -27,26 +27,26 @@ struct Devices {
 struct Collector {
     const ir::Program& program;
     Reach reach;
-    std::set<std::uint32_t> seen{};
+    std::set<ir::StructureId> seen{};
     std::set<ir::FunctionId> functions{};
-    Devices devices{};        ///< those on which the visited statement may run
-    bool moves_all = false;   ///< a test program, which may copy boxes of any structure to the host
-    std::uint32_t owner = 0;  ///< the visited pipeline's adaptor, at which Expr::place begins if Expr::local is absent
+    Devices devices{};       ///< those on which the visited statement may run
+    bool moves_all = false;  ///< a test program, which may copy boxes of any structure to the host
+    ir::StructureId owner;   ///< the visited pipeline's adaptor, at which Expr::place begins if Expr::local is absent
 
     void type(ir::TypeId id, bool visible);
-    void structure_type(std::uint32_t index);
+    void struct_(ir::StructId id);
     void code(const std::vector<ir::StmtId>& body);
     void value(ir::ExprId id);
     void function(ir::FunctionId id);
     void passes(const ir::Lowered::Forms& forms);
     void expression(const ir::Expr& expr);
-    void structure(std::uint32_t index, bool visible);
-    void kernel(std::uint32_t index, bool visible);
-    void pipeline(std::uint32_t index, bool visible);
+    void structure(ir::StructureId index, bool visible);
+    void kernel(ir::KernelId index, bool visible);
+    void pipeline(ir::PipelineId index, bool visible);
     void signature(const ir::Pipeline&, bool visible);
     void step(const ir::Stmt& stmt);
     Devices steps(const std::vector<ir::StmtId>& body, Devices come);
-    void transfers(std::uint32_t structure);
+    void transfers(ir::StructureId structure);
     void element_read(const ir::Expr& read);
 };
 
@@ -101,9 +101,9 @@ void Collector::type(ir::TypeId id, bool visible) {
     if (!id) return;
     const ir::Type& type = program.types[id];
     switch (type.kind) {
-    case ir::TypeKind::struct_: return structure_type(type.index);
-    case ir::TypeKind::enum_: reach.enums.insert(type.index); return;
-    case ir::TypeKind::structure: return structure(type.index, visible);
+    case ir::TypeKind::struct_: return struct_(type.struct_);
+    case ir::TypeKind::enum_: reach.enums.insert(type.enum_); return;
+    case ir::TypeKind::structure: return structure(type.structure, visible);
     case ir::TypeKind::vector:
     case ir::TypeKind::matrix:
     case ir::TypeKind::array:
@@ -123,10 +123,10 @@ void Collector::type(ir::TypeId id, bool visible) {
     }
 }
 
-void Collector::structure_type(std::uint32_t index) {
-    if (std::ranges::find(reach.structs, index) != reach.structs.end()) return;
-    for (const ir::StructField& field : program.structs[index].fields) type(field.type, true);
-    reach.structs.push_back(index);
+void Collector::struct_(ir::StructId id) {
+    if (std::ranges::find(reach.structs, id) != reach.structs.end()) return;
+    for (const ir::StructField& field : program.structs[id].fields) type(field.type, true);
+    reach.structs.push_back(id);
 }
 
 void Collector::expression(const ir::Expr& expr) {
@@ -169,7 +169,7 @@ void Collector::passes(const ir::Lowered::Forms& forms) {
 
 /// Adds the kernels and structures that move boxes of the structure between host and device, for all kinds of devices:
 /// the program calls them, on whatever device it made the structure on.
-void Collector::transfers(std::uint32_t structure) {
+void Collector::transfers(ir::StructureId structure) {
     if (!reach.moved.insert(structure).second) return;
     const Devices before = std::exchange(devices, {});
     for (const ir::Program::Transfer& transfer : program.transfers) {
@@ -178,8 +178,8 @@ void Collector::transfers(std::uint32_t structure) {
         kernel(transfer.read_kernel, false);
         kernel(transfer.write_kernel, false);
         kernel(transfer.fill_kernel, false);
-        if (transfer.list_kernel >= program.kernels.size()) continue;
-        for (std::uint32_t list : {transfer.addresses, transfer.places, transfer.values, transfer.counter})
+        if (!transfer.list_kernel) continue;
+        for (ir::StructureId list : {transfer.addresses, transfer.places, transfer.values, transfer.counter})
             this->structure(list, false);
         kernel(transfer.list_kernel, false);
     }
@@ -189,23 +189,23 @@ void Collector::transfers(std::uint32_t structure) {
 /// Adds what a read of one element as a value needs: nothing if the element can stay where it lies, else the kernels
 /// that move it as a box.
 void Collector::element_read(const ir::Expr& read) {
-    std::uint32_t root = owner;
+    ir::StructureId root = owner;
     if (read.local) {
         const ir::Type& type = program.types[program.locals[read.local].type];
-        root = type.kind == ir::TypeKind::slice ? program.types[type.element].index : type.index;
+        root = type.kind == ir::TypeKind::slice ? program.types[type.element].structure : type.structure;
     }
-    const std::uint32_t structure = structure_at(program, root, read.place);
+    const ir::StructureId structure = structure_at(program, root, read.place);
     const bool is_in_place = read.op == ir::Op::host_read || read.slot != 0;
     if (!is_in_place || !has_rows(program, program.structures[structure])) transfers(structure);
 }
 
-void Collector::structure(std::uint32_t index, bool visible) {
+void Collector::structure(ir::StructureId index, bool visible) {
     const ir::Structure& structure = program.structures[index];
     const bool newly_visible = visible && reach.in_header.insert(index).second;
     if (!seen.insert(index).second && !newly_visible) return;
     for (const ir::MemberStructure& member : structure.members) this->structure(member.structure, visible);
     // The class declares its pipelines, so that the structures in their signatures come before it.
-    for (std::uint32_t pipeline : structure.pipelines) signature(program.pipelines[pipeline], visible);
+    for (ir::PipelineId pipeline : structure.pipelines) signature(program.pipelines[pipeline], visible);
     if (std::ranges::find(reach.structures, index) == reach.structures.end()) reach.structures.push_back(index);
     for (ir::LocalId local : structure.constructor) type(program.locals[local].type, visible);
     type(structure.element, visible);
@@ -217,25 +217,25 @@ void Collector::structure(std::uint32_t index, bool visible) {
         for (ir::ExprId argument : member.arguments) value(argument);
     value(structure.domain);
     const Devices before = std::exchange(devices, {});
-    for (std::uint32_t pipeline : structure.pipelines) this->pipeline(pipeline, visible);
+    for (ir::PipelineId pipeline : structure.pipelines) this->pipeline(pipeline, visible);
     for (const ir::Method& method : structure.methods) {
         const ir::Function& called = program.functions[method.function];
         type(called.result, visible);
         for (ir::LocalId local : called.params) type(program.locals[local].type, visible);
-        if (method.pipeline) this->pipeline(*method.pipeline, false);
+        if (method.pipeline) this->pipeline(method.pipeline, false);
         else function(method.function);
     }
     devices = before;
     if (visible || moves_all) transfers(index);
 }
 
-void Collector::kernel(std::uint32_t index, bool visible) {
-    if (index >= program.kernels.size()) return;
+void Collector::kernel(ir::KernelId index, bool visible) {
+    if (!index) return;
     if (visible) reach.pub_kernels.insert(index);
     if (devices.host) reach.host_kernels.insert(index);
     if (devices.vulkan) reach.vulkan_kernels.insert(index);
     if (const ir::Blocks* blocks = visited_blocks(program, program.kernels[index]); blocks && blocks->counter)
-        pipeline(*blocks->counter, false);
+        pipeline(blocks->counter, false);
     const bool is_new = reach.kernels.insert(index).second;
     if (!is_new && !visible) return;
     for (const ir::KernelParam& param : program.kernels[index].params) {
@@ -250,17 +250,17 @@ void Collector::signature(const ir::Pipeline& pipeline, bool visible) {
     type(pipeline.result, visible);
 }
 
-void Collector::pipeline(std::uint32_t index, bool visible) {
+void Collector::pipeline(ir::PipelineId index, bool visible) {
     const bool is_new = reach.pipelines.insert(index).second;
     const bool is_new_on_host = devices.host && reach.host_pipelines.insert(index).second;
     const bool is_new_on_vulkan = devices.vulkan && reach.vulkan_pipelines.insert(index).second;
     const ir::Pipeline& pipeline = program.pipelines[index];
     if (visible || is_new) {
-        if (pipeline.owner) structure(*pipeline.owner, visible);
+        if (pipeline.owner) structure(pipeline.owner, visible);
         signature(pipeline, visible);
     }
     if (!is_new && !is_new_on_host && !is_new_on_vulkan) return;
-    const std::uint32_t before = std::exchange(owner, pipeline.owner.value_or(0));
+    const ir::StructureId before = std::exchange(owner, pipeline.owner);
     steps(pipeline.body, devices);
     owner = before;
 }
@@ -274,12 +274,12 @@ Devices Collector::steps(const std::vector<ir::StmtId>& body, Devices come) {
 }
 
 void Collector::step(const ir::Stmt& stmt) {
-    if (stmt.op == ir::StmtOp::dispatch) kernel(stmt.slot, false);
+    if (stmt.op == ir::StmtOp::dispatch) kernel(stmt.kernel(), false);
     if (stmt.local) type(program.locals[stmt.local].type, false);
     ir::for_each_root(stmt, [&](ir::ExprId root) {
         ir::for_each_node(program, root, [&](ir::ExprId node) {
             const ir::Expr& expr = program.exprs[node];
-            if (expr.op == ir::Op::pipeline_call) this->pipeline(expr.slot, false);
+            if (expr.op == ir::Op::pipeline_call) this->pipeline(expr.pipeline(), false);
             if (expr.op == ir::Op::device_read || expr.op == ir::Op::host_read) element_read(expr);
             expression(expr);
         });
@@ -307,18 +307,18 @@ void Collector::step(const ir::Stmt& stmt) {
 
 namespace {
 
-Reach reach_of_alone(const ir::Program& program, std::uint32_t module, const Options& options) {
+Reach reach_of_alone(const ir::Program& program, ir::ModuleId module, const Options& options) {
     Collector collector{.program = program, .reach = {}, .moves_all = options.tests};
-    for (std::uint32_t i = 0; i < program.structs.size(); ++i) {
-        if (program.structs[i].module == module && program.structs[i].is_pub) collector.structure_type(i);
+    for (ir::StructId i : program.structs.ids()) {
+        if (program.structs[i].module == module && program.structs[i].is_pub) collector.struct_(i);
     }
-    for (std::uint32_t i = 0; i < program.enums.size(); ++i) {
+    for (ir::EnumId i : program.enums.ids()) {
         if (program.enums[i].module == module && program.enums[i].is_pub) collector.reach.enums.insert(i);
     }
-    for (std::uint32_t i = 0; i < program.structures.size(); ++i) {
+    for (ir::StructureId i : program.structures.ids()) {
         if (ir::is_public(program.structures[i], module)) collector.structure(i, true);
     }
-    for (std::uint32_t i = 0; i < program.kernels.size(); ++i) {
+    for (ir::KernelId i : program.kernels.ids()) {
         if (program.kernels[i].module == module && program.kernels[i].is_pub) collector.kernel(i, true);
     }
     if (options.tests) {  // in a test program only tests call pipelines
@@ -327,7 +327,7 @@ Reach reach_of_alone(const ir::Program& program, std::uint32_t module, const Opt
         }
         return std::move(collector.reach);
     }
-    for (std::uint32_t i = 0; i < program.pipelines.size(); ++i) {
+    for (ir::PipelineId i : program.pipelines.ids()) {
         const ir::Pipeline& pipeline = program.pipelines[i];
         if (pipeline.module == module && pipeline.is_pub && !pipeline.owner) collector.pipeline(i, true);
     }
@@ -337,17 +337,16 @@ Reach reach_of_alone(const ir::Program& program, std::uint32_t module, const Opt
 }  // namespace
 
 /// Adds to `to` those of `theirs` that are among `known`.
-static void add_known(std::set<std::uint32_t>& to, const std::set<std::uint32_t>& known,
-                      const std::set<std::uint32_t>& theirs) {
+template <class T> static void add_known(std::set<T>& to, const std::set<T>& known, const std::set<T>& theirs) {
     std::ranges::set_intersection(known, theirs, std::inserter(to, to.end()));
 }
 
 /// What several modules of the run use is defined once, by one of them, with code for all kinds of devices on which any
 /// of them uses it.
-Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& options) {
+Reach reach_of(const ir::Program& program, ir::ModuleId module, const Options& options) {
     Reach reach = reach_of_alone(program, module, options);
     if (options.tests) return reach;
-    for (std::uint32_t other = 0; other < program.modules.size(); ++other) {
+    for (ir::ModuleId other : program.modules.ids()) {
         if (other == module || !program.modules[other].is_root) continue;
         const Reach theirs = reach_of_alone(program, other, options);
         add_known(reach.host_kernels, reach.kernels, theirs.host_kernels);
@@ -360,7 +359,7 @@ Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& 
 
 void add_inner_structs(Reach& reach, const ir::Program& program, const ir::Lowered& lowered) {
     constexpr std::size_t share = 64;  // kernels per thread: starting a thread for fewer takes longer than it saves
-    const std::vector<std::uint32_t> kernels(reach.kernels.begin(), reach.kernels.end());
+    const std::vector<ir::KernelId> kernels(reach.kernels.begin(), reach.kernels.end());
     std::vector<Reach> found(kernels.size());
     for_each_parallel(kernels.size(), share, [&](std::size_t i) {
         Collector inner{.program = program, .reach = {}};
@@ -369,17 +368,17 @@ void add_inner_structs(Reach& reach, const ir::Program& program, const ir::Lower
     });
     Collector collector{.program = program, .reach = std::move(reach)};
     for (const Reach& inner : found) {
-        for (std::uint32_t index : inner.structs) collector.structure_type(index);
-        for (std::uint32_t index : inner.structures) collector.structure(index, false);
+        for (ir::StructId index : inner.structs) collector.struct_(index);
+        for (ir::StructureId index : inner.structures) collector.structure(index, false);
         collector.reach.enums.insert(inner.enums.begin(), inner.enums.end());
     }
     reach = std::move(collector.reach);
 }
 
-std::vector<std::uint32_t> vulkan_kernels_of(const ir::Program& program, std::uint32_t module, const Options& options,
-                                             const Defined& defined) {
+std::vector<ir::KernelId> vulkan_kernels_of(const ir::Program& program, ir::ModuleId module, const Options& options,
+                                            const Defined& defined) {
     const Reach reach = reach_of(program, module, options);
-    std::vector<std::uint32_t> kernels;
+    std::vector<ir::KernelId> kernels;
     std::ranges::set_difference(reach.vulkan_kernels, defined.kernels, std::back_inserter(kernels));
     return kernels;
 }

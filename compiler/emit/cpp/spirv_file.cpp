@@ -18,14 +18,14 @@ std::string symbol_of(const std::vector<std::uint32_t>& words) {
 
 }  // namespace
 
-SpirvFile::SpirvFile(std::string name, const std::vector<KernelCode>& code, const std::vector<std::uint32_t>& kernels)
+SpirvFile::SpirvFile(std::string name, const KernelCodes& code, const std::vector<ir::KernelId>& kernels)
     : name_(std::move(name)) {
-    const auto add = [&](std::uint32_t kernel, ir::Form form, ir::Part part, const std::vector<std::uint32_t>& words) {
+    const auto add = [&](ir::KernelId kernel, ir::Form form, ir::Part part, const std::vector<std::uint32_t>& words) {
         places_[{kernel, form, part}] = {words_.size(), words.size()};
         words_.insert(words_.end(), words.begin(), words.end());
     };
-    for (std::uint32_t kernel : kernels) {
-        if (kernel >= code.size()) continue;
+    for (ir::KernelId kernel : kernels) {
+        if (!code.contains(kernel)) continue;
         const KernelCode& of = code[kernel];
         add(kernel, ir::Form::direct, ir::Part::vertex, of.direct.shader);
         add(kernel, ir::Form::direct, ir::Part::fragment, of.direct.fragment);
@@ -49,7 +49,7 @@ std::string SpirvFile::statement() const {
            "\");";
 }
 
-std::string SpirvFile::place_of(std::uint32_t kernel, ir::Form form, ir::Part part) const {
+std::string SpirvFile::place_of(ir::KernelId kernel, ir::Form form, ir::Part part) const {
     const Place& place = places_.at({kernel, form, part});
     return symbol_ + " + " + std::to_string(place.first) + ", " + std::to_string(place.count);
 }

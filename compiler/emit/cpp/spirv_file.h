@@ -14,7 +14,7 @@ namespace gliftc::cpp {
 class SpirvFile {
 public:
     /// The SPIR-V of those `kernels` that have any. `name`: of the file, which lies in the folder of the source.
-    SpirvFile(std::string name, const std::vector<KernelCode>& code, const std::vector<std::uint32_t>& kernels);
+    SpirvFile(std::string name, const KernelCodes& code, const std::vector<ir::KernelId>& kernels);
 
     bool empty() const { return words_.empty(); }
     const std::string& name() const { return name_; }
@@ -23,7 +23,7 @@ public:
     std::string statement() const;
     /// The arguments of the glift::Spirv for a kernel's form: `glift_spirv_0f0e… + 120, 567`. Not for a general
     /// form whose words equal those of the direct form: the file has them once.
-    std::string place_of(std::uint32_t kernel, ir::Form form, ir::Part part) const;
+    std::string place_of(ir::KernelId kernel, ir::Form form, ir::Part part) const;
 
 private:
     std::string name_, symbol_;
@@ -31,7 +31,7 @@ private:
     struct Place {
         std::size_t first, count;
     };
-    std::map<std::tuple<std::uint32_t, ir::Form, ir::Part>, Place> places_;
+    std::map<std::tuple<ir::KernelId, ir::Form, ir::Part>, Place> places_;
 };
 
 }  // namespace gliftc::cpp

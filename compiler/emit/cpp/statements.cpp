@@ -51,7 +51,7 @@ std::string print_target(Printer& p, ExprId id) {
     const ir::TypeId whole = p.program.exprs[expr.operands[0]].type;
     const std::string base = print_target(p, expr.operands[0]);
     if (expr.op == Op::field) {
-        return base + "." + p.globals.field_names[p.program.types[whole].index][expr.slot];
+        return base + "." + p.globals.field_names[p.program.types[whole].struct_][expr.slot];
     }
     if (!p.program.types.is_vector(whole) && expr.op == Op::swizzle) return print_any(p, id);
     if (expr.op == Op::swizzle) return base + "." + "xyzw"[expr.lanes[0]];
@@ -312,7 +312,7 @@ void require_function(Globals& globals, ir::FunctionId id) {
     Printer p(globals);
     std::string parameters;
     std::vector<std::string> structures;
-    for (std::uint32_t structure : function.structures) {
+    for (ir::StructureId structure : function.structures) {
         structures.push_back(p.names.declare("self"));
         parameters += (parameters.empty() ? "" : ", ") + ("const " + globals.structure_names[structure]) + "& " +
                       structures.back();

@@ -7,12 +7,12 @@
 
 namespace gliftc::cpp {
 
-void print_enum(const Unit& unit, Writer& out, std::uint32_t index) {
-    const ir::Enum& type = unit.program.enums[index];
+void print_enum(const Unit& unit, Writer& out, ir::EnumId id) {
+    const ir::Enum& type = unit.program.enums[id];
     write_doc(out, type.doc);
-    out.open("struct " + unit.own.enums[index]);
+    out.open("struct " + unit.own.enums[id]);
     std::string list;
-    const NameSet type_name{unit.own.enums[index]};
+    const NameSet type_name{unit.own.enums[id]};
     Scopes names;
     names.avoid(type_name);
     for (std::size_t i = 0; i < type.enumerators.size(); ++i)
@@ -23,10 +23,10 @@ void print_enum(const Unit& unit, Writer& out, std::uint32_t index) {
     out.gap();
 }
 
-void print_struct(const Unit& unit, Writer& out, std::uint32_t index) {
-    const ir::Struct& type = unit.program.structs[index];
-    const std::string name = type.extern_header.empty() ? unit.own.structs[index] : "::" + type.extern_name;
-    const std::vector<std::string>& fields = unit.globals.field_names[index];
+void print_struct(const Unit& unit, Writer& out, ir::StructId id) {
+    const ir::Struct& type = unit.program.structs[id];
+    const std::string name = type.extern_header.empty() ? unit.own.structs[id] : "::" + type.extern_name;
+    const std::vector<std::string>& fields = unit.globals.field_names[id];
     const std::vector<std::uint32_t> offsets = layout::offsets_of(unit.program, type);
     if (type.extern_header.empty()) {
         write_doc(out, type.doc);

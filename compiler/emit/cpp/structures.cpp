@@ -23,7 +23,7 @@ struct Constructor {
     }
 };
 
-Constructor constructor_of(const Unit& unit, std::uint32_t index, const ClassNames& names, bool qualified) {
+Constructor constructor_of(const Unit& unit, ir::StructureId index, const ClassNames& names, bool qualified) {
     const Structure& structure = unit.program.structures[index];
     Constructor result;
     if (ir::makes_memory(unit.program, structure)) result.parameters.push_back("const glift::Commands& commands");
@@ -38,7 +38,7 @@ Constructor constructor_of(const Unit& unit, std::uint32_t index, const ClassNam
     return result;
 }
 
-std::string base_of(const Unit& unit, std::uint32_t index) {
+std::string base_of(const Unit& unit, ir::StructureId index) {
     const Structure& structure = unit.program.structures[index];
     const std::string arguments = "<" + unit.own_name(index) + ", " + unit.type(structure.domain_type, true) + ", " +
                                   storage_text(unit.globals, structure.element, true) + ">";
@@ -87,20 +87,20 @@ bool is_written_as(const Structure& structure, std::size_t member) {
 }
 
 /// The accessors of a memory that is a member with another name: `memory frames = pool;`.
-void print_base(const Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
+void print_base(const Unit& unit, Writer& out, ir::StructureId index, const ClassNames& names) {
     if (names.base.empty()) return;
     const Structure& structure = unit.program.structures[index];
     ir::Expr whole;
     whole.op = ir::Op::structure_value;
     whole.place.members = structure.base;
-    std::uint32_t base = index;
+    ir::StructureId base = index;
     for (std::uint32_t member : structure.base) base = unit.program.structures[base].members[member].structure;
     const std::string where = "return " + structure_property(unit.globals, whole, index, "").text + "; }";
     out.line("const " + unit.class_name(base) + "& " + names.base + "() const { " + where);
     if (structure.base.size() == 1) out.line(unit.class_name(base) + "& " + names.base + "() { " + where);
 }
 
-void print_accessors(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
+void print_accessors(Unit& unit, Writer& out, ir::StructureId index, const ClassNames& names) {
     constexpr bool qualified = true;
     const Structure& structure = unit.program.structures[index];
     for (std::size_t i = 0; i < structure.constructor.size(); ++i)
@@ -129,7 +129,7 @@ std::string field_type(const Unit& unit, const Structure& structure, std::size_t
     return is_held_by_handle(structure, member) ? "glift::Shared<" + type + ">" : type;
 }
 
-void print_fields(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
+void print_fields(Unit& unit, Writer& out, ir::StructureId index, const ClassNames& names) {
     constexpr bool qualified = true;
     const Structure& structure = unit.program.structures[index];
     if (structure.kind == StructureKind::adaptor) out.line("glift::Device device_;");
@@ -146,7 +146,7 @@ void print_fields(Unit& unit, Writer& out, std::uint32_t index, const ClassNames
         out.line("glift::Shared<" + unit.type(structure.host[i].type, qualified) + "> " + names.host_fields[i] + ";");
 }
 
-std::string memory_parameters(const Unit& unit, std::uint32_t index, const ClassNames& names) {
+std::string memory_parameters(const Unit& unit, ir::StructureId index, const ClassNames& names) {
     std::string text;
     const Structure& structure = unit.program.structures[index];
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
@@ -178,7 +178,7 @@ std::string parts_text(const Structure& structure) {
 }
 
 /// The glift::MemoryDescription of a memory.
-std::string memory_description(Unit& unit, Printer& p, std::uint32_t index, std::size_t i, const ClassNames& names) {
+std::string memory_description(Unit& unit, Printer& p, ir::StructureId index, std::size_t i, const ClassNames& names) {
     const ir::Memory& memory = unit.program.structures[index].memories[i];
     const std::string& extent = names.extent_fields[i];
     std::string text = "{.name = " + quoted(unit.program.structures[index].display + "." + unit.name(memory.name));
@@ -199,7 +199,7 @@ std::string memory_description(Unit& unit, Printer& p, std::uint32_t index, std:
 }
 
 /// A printer for expressions over the structure itself, within its class.
-Printer own_printer(Unit& unit, std::uint32_t index) {
+Printer own_printer(Unit& unit, ir::StructureId index) {
     Printer p(unit.globals);
     p.class_names = &unit.globals.class_names[index].all;
     p.outer_expression = [&unit, index](const ir::Expr& expr) {
@@ -210,7 +210,7 @@ Printer own_printer(Unit& unit, std::uint32_t index) {
 
 /// The expression for a memory of a structure that is being made: a new memory, one that exists already, or a part of
 /// another structure's.
-std::string memory_value(Unit& unit, Printer& p, std::uint32_t index, std::size_t i, const ClassNames& names,
+std::string memory_value(Unit& unit, Printer& p, ir::StructureId index, std::size_t i, const ClassNames& names,
                          bool adopts) {
     const ir::Memory& memory = unit.program.structures[index].memories[i];
     if (!memory.part)
@@ -219,7 +219,7 @@ std::string memory_value(Unit& unit, Printer& p, std::uint32_t index, std::size_
     ir::Expr whole;
     whole.op = ir::Op::structure_value;
     whole.place = memory.part->of;
-    std::uint32_t of = index;
+    ir::StructureId of = index;
     for (std::uint32_t member : whole.place.members) of = unit.program.structures[of].members[member].structure;
     const char* const part = memory.part->kind == ir::ImagePart::Kind::mip ? "mip" : "layer";
     return p.outer_expression(whole).text + "." + unit.globals.class_names[of].memories[memory.part->slot] + "()." +
@@ -238,7 +238,7 @@ std::string argument_of_part(Unit& unit, Printer& p, const ir::MemberStructure& 
 }
 
 /// Like own_printer, for functions of the class whose parameters have names from the source.
-Printer method_printer(Unit& unit, std::uint32_t index) {
+Printer method_printer(Unit& unit, ir::StructureId index) {
     Printer p = own_printer(unit, index);
     p.names.reserve({"commands"});
     p.names.avoid(unit.globals.class_names[index].own);
@@ -263,7 +263,7 @@ std::string member_value(Unit& unit, Printer& p, const std::string& owner, const
 
 /// The value of a member that is given to the constructor, with the check that it was made with the values that the
 /// structure would have given it; structures that it was made with are not compared.
-std::string adopted_part(Unit& unit, Printer& p, std::uint32_t index, std::size_t i, const ClassNames& names) {
+std::string adopted_part(Unit& unit, Printer& p, ir::StructureId index, std::size_t i, const ClassNames& names) {
     const ir::MemberStructure& member = unit.program.structures[index].members[i];
     const ClassNames& made = unit.globals.class_names[member.structure];
     std::string alike;
@@ -274,7 +274,7 @@ std::string adopted_part(Unit& unit, Printer& p, std::uint32_t index, std::size_
            quoted(unit.program.structures[index].display + "." + names.members[i]) + ")";
 }
 
-void print_constructors(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
+void print_constructors(Unit& unit, Writer& out, ir::StructureId index, const ClassNames& names) {
     const Structure& structure = unit.program.structures[index];
     const std::string& type = unit.own_name(index);
     Printer p = own_printer(unit, index);
@@ -313,7 +313,7 @@ void print_constructors(Unit& unit, Writer& out, std::uint32_t index, const Clas
     if (has_parts(structure)) head(memory_parameters(unit, index, names), true);
 }
 
-void print_same_state(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
+void print_same_state(Unit& unit, Writer& out, ir::StructureId index, const ClassNames& names) {
     std::string condition;
     const auto also = [&](const std::string& text) { condition += (condition.empty() ? "" : " && ") + text; };
     for (const std::string& field : names.argument_fields) also(field + " == other." + field);
@@ -341,7 +341,7 @@ static std::string method_parameters(Unit& unit, Printer& p, const ir::Method& m
     return text;
 }
 
-static void print_methods(Unit& unit, Writer& out, std::uint32_t index) {
+static void print_methods(Unit& unit, Writer& out, ir::StructureId index) {
     const Structure& structure = unit.program.structures[index];
     for (std::size_t i = 0; i < structure.methods.size(); ++i) {
         const ir::Method& method = structure.methods[i];
@@ -353,7 +353,7 @@ static void print_methods(Unit& unit, Writer& out, std::uint32_t index) {
         std::string arguments = method.pipeline ? "commands, *this" : "*this";
         for (ir::LocalId local : function.params) arguments += ", " + p.local_names.at(local);
         if (!method.pipeline) require_function(unit.globals, method.function);
-        const std::string& called = method.pipeline ? unit.globals.pipeline_names.at(*method.pipeline)
+        const std::string& called = method.pipeline ? unit.globals.pipeline_names[method.pipeline]
                                                     : unit.globals.function_names.at(method.function);
         out.line("return " + visible(p, called) + "(" + arguments + ")" +
                  (method.pipeline ? ".await(commands);" : ";"));
@@ -362,7 +362,7 @@ static void print_methods(Unit& unit, Writer& out, std::uint32_t index) {
     }
 }
 // long: the members of a generated class, in their order
-void print_class(Unit& unit, Writer& out, std::uint32_t index) {
+void print_class(Unit& unit, Writer& out, ir::StructureId index) {
     const Structure& structure = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];
     const std::string& type = unit.own_name(index);
@@ -414,7 +414,7 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index) {
         print_list_declaration(unit, out, index);
     }
     print_description(unit, out, index);
-    for (std::uint32_t pipeline : structure.pipelines) {
+    for (ir::PipelineId pipeline : structure.pipelines) {
         out.gap();
         write_doc(out, unit.program.pipelines[pipeline].doc);
         out.line(pipeline_signature(unit, pipeline, true) + ";");
@@ -436,7 +436,7 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index) {
     out.gap();
 }
 
-void print_class_members(Unit& unit, Writer& out, std::uint32_t index) {
+void print_class_members(Unit& unit, Writer& out, ir::StructureId index) {
     const Structure& structure = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];
     print_constructors(unit, out, index, names);

@@ -14,9 +14,9 @@ bool is_held_by_handle(const ir::Structure& structure, std::size_t member) {
 }
 
 // long: a case for each operation
-Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint32_t root_structure,
+Text structure_property(const Globals& globals, const ir::Expr& expr, ir::StructureId root_structure,
                         const std::string& object) {
-    std::uint32_t structure = root_structure;
+    ir::StructureId structure = root_structure;
     std::string prefix = object;
     bool own = object.empty();  // the fields themselves, not their accessors
     for (std::uint32_t member : expr.place.members) {

@@ -34,18 +34,18 @@ bool filters_bytes(const ir::Pass& pass) {
 }
 
 /// That of all passes that the pipeline runs. Pipelines in `seen` are left out: they have been looked at already.
-Agreement agreement_of(const Unit& unit, std::uint32_t index, std::set<std::uint32_t>& seen) {
+Agreement agreement_of(const Unit& unit, ir::PipelineId index, std::set<ir::PipelineId>& seen) {
     Agreement all = Agreement::exact;
     if (!seen.insert(index).second) return all;
     const ir::Pipeline& pipeline = unit.program.pipelines[index];
     ir::for_each_statement(unit.program, pipeline.body, [&](const ir::Stmt& stmt) {
         if (stmt.op != ir::StmtOp::dispatch) return;
-        const ir::Pass& pass = unit.lowered.passes[stmt.slot].direct;
+        const ir::Pass& pass = unit.lowered.passes[stmt.kernel()].direct;
         if (!pass.exact) all = std::max(all, filters_bytes(pass) ? Agreement::of_bytes : Agreement::inexact);
     });
     ir::for_each_expression(unit.program, pipeline.body, [&](ir::ExprId node) {
         const ir::Expr& expr = unit.program.exprs[node];
-        if (expr.op == ir::Op::pipeline_call) all = std::max(all, agreement_of(unit, expr.slot, seen));
+        if (expr.op == ir::Op::pipeline_call) all = std::max(all, agreement_of(unit, expr.pipeline(), seen));
     });
     return all;
 }
@@ -74,7 +74,7 @@ std::string scalars_of(const ir::Program& program, ir::TypeId id) {
         return all;
     }
     case TypeKind::struct_: {
-        const ir::Struct& declared = program.structs[type.index];
+        const ir::Struct& declared = program.structs[type.struct_];
         const std::vector<std::uint32_t> offsets = layout::offsets_of(program, declared);
         std::string all;
         std::uint32_t end = 0;
@@ -97,7 +97,7 @@ std::string scalars_of(const ir::Program& program, ir::TypeId id) {
     return "";
 }
 
-std::string kept_scalars(const ir::Program& program, std::uint32_t index) {
+std::string kept_scalars(const ir::Program& program, ir::StructureId index) {
     const ir::Structure& structure = program.structures[index];
     std::string scalars = scalars_of(program, structure.element);
     const auto draws = [&](const ir::Kernel& kernel) {
@@ -122,9 +122,9 @@ void print_tests(Unit& unit, Writer& out) {
             check.of_extents.empty() ? "nullptr, " + quoted(check.why_not_alone) : "&" + check.of_extents);
     for (const ir::Test& test : unit.program.tests) {
         if (test.module != unit.module) continue;
-        std::set<std::uint32_t> seen;
+        std::set<ir::PipelineId> seen;
         row(test.title, test.span, agreement_of(unit, test.pipeline, seen),
-            "&" + unit.globals.pipeline_names.at(test.pipeline));
+            "&" + unit.globals.pipeline_names[test.pipeline]);
     }
     if (rows.empty()) return;
     unit.tests = unit.globals.names.declare("tests");

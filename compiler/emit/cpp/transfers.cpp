@@ -6,14 +6,12 @@ namespace gliftc::cpp {
 
 namespace {
 
-const ir::Program::Transfer* transfer_of(const ir::Program& program, std::uint32_t structure) {
+const ir::Program::Transfer* transfer_of(const ir::Program& program, ir::StructureId structure) {
     for (const ir::Program::Transfer& transfer : program.transfers) {
         if (transfer.structure == structure) return &transfer;
     }
     return nullptr;
 }
-
-bool is_kernel(const Unit& unit, std::uint32_t kernel) { return kernel < unit.program.kernels.size(); }
 
 /// The parameters of the function that lists the resident elements of a box.
 std::string list_parameters(const std::string& type) {
@@ -31,9 +29,9 @@ std::string place_type(const Unit& unit, const ir::Structure& structure, bool qu
 }
 
 /// The structure that translates addresses to places, within the class.
-std::string translated_text(const Unit& unit, std::uint32_t index) {
+std::string translated_text(const Unit& unit, ir::StructureId index) {
     std::string text;
-    std::uint32_t at = index;
+    ir::StructureId at = index;
     for (std::uint32_t member : ir::translated_by(unit.program, unit.program.structures[index])) {
         text += (text.empty() ? "" : ".") + unit.globals.class_names[at].members[member] + "()";
         at = unit.program.structures[at].members[member].structure;
@@ -43,7 +41,7 @@ std::string translated_text(const Unit& unit, std::uint32_t index) {
 
 }  // namespace
 
-void print_list_declaration(const Unit& unit, Writer& out, std::uint32_t index) {
+void print_list_declaration(const Unit& unit, Writer& out, ir::StructureId index) {
     const ir::Structure& structure = unit.program.structures[index];
     if (!ir::has_resident_part(unit.program, structure)) return;
     const bool has_blocks = ir::blocks_of(unit.program, structure, {}).has_value();
@@ -57,7 +55,7 @@ void print_list_declaration(const Unit& unit, Writer& out, std::uint32_t index) 
     out.line("void list" + list_parameters(unit.own_name(index)) + ";");
 }
 
-void print_transfers(Unit& unit, Writer& out, std::uint32_t index) {
+void print_transfers(Unit& unit, Writer& out, ir::StructureId index) {
     const ir::Program::Transfer* transfer = transfer_of(unit.program, index);
     if (!transfer) return;
     const std::string& type = unit.own_name(index);
@@ -68,14 +66,14 @@ void print_transfers(Unit& unit, Writer& out, std::uint32_t index) {
     const std::string made = box + "(commands, range.size(), box)";
     Printer p(unit.globals);
     p.class_names = &unit.globals.class_names[index].all;
-    const auto kernel = [&](std::uint32_t called) { return visible(p, unit.globals.kernel_names.at(called)); };
+    const auto kernel = [&](ir::KernelId called) { return visible(p, unit.globals.kernel_names[called]); };
     out.open(linkage + ("void " + type) + "::copy_out" + parameters);
     out.line(kernel(transfer->read_kernel) + "(commands, range, " + made + ");");
     out.close();
     out.gap();
-    if (is_kernel(unit, transfer->list_kernel)) {
+    if (transfer->list_kernel) {
         out.open(linkage + ("void " + type) + "::list" + list_parameters(type));
-        const auto list = [&](std::uint32_t made, const std::string& length, const std::string& memory) {
+        const auto list = [&](ir::StructureId made, const std::string& length, const std::string& memory) {
             return unit.class_name(made) + "(commands, " + length + ", " + memory + ")";
         };
         out.line(kernel(transfer->list_kernel) + "(commands, range, *this, " + translated_text(unit, index) + ", " +
@@ -85,13 +83,13 @@ void print_transfers(Unit& unit, Writer& out, std::uint32_t index) {
         out.close();
         out.gap();
     }
-    if (is_kernel(unit, transfer->write_kernel)) {
+    if (transfer->write_kernel) {
         out.open(linkage + ("void " + type) + "::copy_in" + parameters);
         out.line(kernel(transfer->write_kernel) + "(commands, " + made + ", range);");
         out.close();
         out.gap();
     }
-    if (is_kernel(unit, transfer->fill_kernel)) {
+    if (transfer->fill_kernel) {
         const std::string element = unit.type(unit.program.structures[index].element);
         out.open(linkage + ("void " + type) + "::fill(" + element + " value, const glift::Range<" + type + ">& range)");
         out.line(kernel(transfer->fill_kernel) + "(device(), range, value);");

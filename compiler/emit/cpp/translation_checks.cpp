@@ -135,7 +135,7 @@ const char* mapping_text(ir::Mapping mapping, bool reads_tables) {
 /// Prints the translators of one structure as lambdas, and the calls that check them.
 class CheckPrinter {
 public:
-    CheckPrinter(Unit& unit, Writer& out, std::uint32_t index)
+    CheckPrinter(Unit& unit, Writer& out, ir::StructureId index)
         : unit_(unit), out_(out), index_(index), structure_(unit.program.structures[index]) {}
 
     void print(const std::string& name, const std::string& title) {
@@ -198,7 +198,7 @@ private:
         const std::string last = "reached_" + std::to_string(structure_.via.size() - 1);
         const std::string value = sample_value(unit_, structure_);
         const bool is_moved = std::ranges::any_of(unit_.program.transfers, [&](const ir::Program::Transfer& transfer) {
-            return transfer.structure == index_ && transfer.write_kernel < unit_.program.kernels.size();
+            return transfer.structure == index_ && transfer.write_kernel;
         });
         // If the memory (or that one's memory, and so on) is a structure that does not map all its addresses, writes to
         // the others are lost.
@@ -232,7 +232,7 @@ private:
 
     Unit& unit_;
     Writer& out_;
-    std::uint32_t index_;
+    ir::StructureId index_;
     const Structure& structure_;
 };
 
@@ -265,7 +265,7 @@ std::string why_never(const ir::Program& program, const Structure& structure) {
 }
 
 /// Prints the function that makes structures of several extents and checks each.
-void print_check_of_extents(Unit& unit, Writer& out, std::uint32_t index, const std::string& name,
+void print_check_of_extents(Unit& unit, Writer& out, ir::StructureId index, const std::string& name,
                             const std::string& check) {
     const Structure& structure = unit.program.structures[index];
     out.open("void " + name + "(glift::Test& test, const glift::Commands& commands)");
@@ -284,7 +284,7 @@ void print_check_of_extents(Unit& unit, Writer& out, std::uint32_t index, const 
 
 std::vector<TranslationCheck> print_translation_checks(Unit& unit, Writer& out) {
     std::vector<TranslationCheck> checks;
-    for (std::uint32_t index : unit.reach.structures) {
+    for (ir::StructureId index : unit.reach.structures) {
         const Structure& structure = unit.program.structures[index];
         if (structure.kind != ir::StructureKind::stored || structure.via.empty()) continue;
         TranslationCheck& check = checks.emplace_back();
@@ -304,8 +304,8 @@ std::vector<TranslationCheck> print_translation_checks(Unit& unit, Writer& out) 
         }
     }
     // Structures that no code of the module uses are not in its C++.
-    const std::set<std::uint32_t> reached(unit.reach.structures.begin(), unit.reach.structures.end());
-    for (std::uint32_t index = 0; index < unit.program.structures.size(); ++index) {
+    const std::set<ir::StructureId> reached(unit.reach.structures.begin(), unit.reach.structures.end());
+    for (ir::StructureId index : unit.program.structures.ids()) {
         const Structure& structure = unit.program.structures[index];
         if (structure.module != unit.module || structure.via.empty() || reached.contains(index)) continue;
         checks.push_back({.structure = index,

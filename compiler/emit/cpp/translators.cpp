@@ -18,7 +18,7 @@ bool uses_state_elsewhere(const ir::Program& program, ir::FunctionId id) {
     return found;
 }
 
-std::vector<std::string> print_state(Unit& unit, Writer& out, std::uint32_t structure, const ir::Stage& stage,
+std::vector<std::string> print_state(Unit& unit, Writer& out, ir::StructureId structure, const ir::Stage& stage,
                                      const std::string& object, std::initializer_list<const char*> taken,
                                      const NameSet* hiding) {
     const ir::Translator& translator = unit.program.translators[stage.translator];
@@ -85,7 +85,7 @@ bool has_rows(const ir::Program& program, const ir::Structure& structure) {
     return memory.shape == ir::MemoryShape::buffer && memory.element == structure.element && is_number;
 }
 
-std::string rows_of(const Unit& unit, std::uint32_t index) {
+std::string rows_of(const Unit& unit, ir::StructureId index) {
     const ir::Structure& structure = unit.program.structures[index];
     if (structure.base.empty()) return unit.globals.class_names[index].memory_fields[structure.via_memory];
     ir::Expr base;
@@ -94,7 +94,7 @@ std::string rows_of(const Unit& unit, std::uint32_t index) {
     return structure_property(unit.globals, base, index, "").text + ".row_memory()";
 }
 
-void print_place(Unit& unit, Writer& out, std::uint32_t index) {
+void print_place(Unit& unit, Writer& out, ir::StructureId index) {
     const ir::Structure& structure = unit.program.structures[index];
     out.open(unit.linkage(structure.key) + ("std::uint64_t " + unit.own_name(index)) + "::place(" +
              unit.type(structure.domain_type) + " address) const");

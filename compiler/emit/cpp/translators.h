@@ -13,7 +13,7 @@ bool uses_state_elsewhere(const ir::Program& program, ir::FunctionId function);
 /// ("structure.", or "" for this), and gives the names. None of them is one of `taken`, a type's name, or one that the
 /// class's own functions use. `hiding`: within a class, the names that hide those of the namespace
 /// (Printer::class_names).
-std::vector<std::string> print_state(Unit& unit, Writer& out, std::uint32_t structure, const ir::Stage& stage,
+std::vector<std::string> print_state(Unit& unit, Writer& out, ir::StructureId structure, const ir::Stage& stage,
                                      const std::string& object, std::initializer_list<const char*> taken,
                                      const NameSet* hiding = nullptr);
 
@@ -33,10 +33,10 @@ void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, 
 bool has_rows(const ir::Program& program, const ir::Structure& structure);
 
 /// The C++ expression, within the class, of the memory that holds the elements of a structure which has rows.
-std::string rows_of(const Unit& unit, std::uint32_t structure);
+std::string rows_of(const Unit& unit, ir::StructureId structure);
 
 /// `std::uint64_t place(uint4 address) const`: the index, in the memory of rows_of, of an element of a structure that
 /// has rows.
-void print_place(Unit& unit, Writer& out, std::uint32_t structure);
+void print_place(Unit& unit, Writer& out, ir::StructureId structure);
 
 }  // namespace gliftc::cpp

@@ -75,10 +75,10 @@ std::string Spelling::of(ir::TypeId id) const {
         const Spelling element{globals, prefix, true};
         return "glift::array<" + element.of(type.element) + ", " + std::to_string(type.count) + ">";
     }
-    case TypeKind::struct_: return globals.struct_names[type.index];
+    case TypeKind::struct_: return globals.struct_names[type.struct_];
     case TypeKind::enum_: return glift + "uint";
     case TypeKind::optional: return "std::optional<" + of(type.element) + ">";
-    case TypeKind::structure: return globals.structure_names[type.index];
+    case TypeKind::structure: return globals.structure_names[type.structure];
     case TypeKind::slice: return "glift::Range<" + of(type.element) + ">";
     case TypeKind::device:  // the value lies in memory
         return "glift::DeviceScalar<" + Spelling{globals, prefix, true}.of(type.element) + ">";

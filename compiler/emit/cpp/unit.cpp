@@ -30,7 +30,7 @@ void name_symbols(Unit& unit) {
         "_general_rows", "_general_spirv",    "_general_vertex",         "_kernel",        "_other_files",
         "_parameters"};
     Globals& globals = unit.globals;
-    for (std::uint32_t kernel : unit.reach.kernels) {
+    for (ir::KernelId kernel : unit.reach.kernels) {
         if (unit.program.kernels[kernel].module != unit.home) continue;
         const std::string stem = globals.names.declare_stem(unit.own.kernels[kernel], suffixes);
         for (const char* suffix : suffixes) globals.kernel_symbols.insert(stem + suffix);
@@ -44,12 +44,12 @@ const char* Unit::linkage(const std::string& key) const {
     return home == module && key.find('<') == std::string::npos ? "" : "GLIFT_SHARED ";
 }
 
-std::uint32_t structure_at(const ir::Program& program, std::uint32_t structure, const ir::Place& place) {
+ir::StructureId structure_at(const ir::Program& program, ir::StructureId structure, const ir::Place& place) {
     for (std::uint32_t member : place.members) structure = program.structures[structure].members[member].structure;
     return structure;
 }
 
-Unit make_unit(const ModuleParts& parts, std::uint32_t home) {
+Unit make_unit(const ModuleParts& parts, ir::ModuleId home) {
     Unit unit{parts.program,
               parts.lowered,
               parts.sources,
@@ -62,14 +62,14 @@ Unit make_unit(const ModuleParts& parts, std::uint32_t home) {
               make_globals(parts.program, parts.sources, parts.names, {parts.module, home}),
               {}};
     name_symbols(unit);
-    for (std::uint32_t kernel : parts.reach.kernels)
+    for (ir::KernelId kernel : parts.reach.kernels)
         if (parts.program.kernels[kernel].module == home) name_parameters(unit, parts.program.kernels[kernel]);
     return unit;
 }
 
-std::vector<std::string> printed_kernels(Unit& unit, const std::vector<std::uint32_t>& kernels,
-                                         bool (&adds_functions)(const Unit&, std::uint32_t),
-                                         std::string (&print)(Unit&, std::uint32_t)) {
+std::vector<std::string> printed_kernels(Unit& unit, const std::vector<ir::KernelId>& kernels,
+                                         bool (&adds_functions)(const Unit&, ir::KernelId),
+                                         std::string (&print)(Unit&, ir::KernelId)) {
     std::vector<std::string> texts(kernels.size());
     std::vector<std::size_t> others;
     for (std::size_t i = 0; i < kernels.size(); ++i) {
@@ -81,7 +81,7 @@ std::vector<std::string> printed_kernels(Unit& unit, const std::vector<std::uint
     return texts;
 }
 
-std::string file_stem(const ir::Program& program, const Sources& sources, std::uint32_t module) {
+std::string file_stem(const ir::Program& program, const Sources& sources, ir::ModuleId module) {
     const std::string& path = sources[program.modules[module].file].path;
     if (path != "<stdin>") return std::filesystem::path(path).stem().string();
     const std::string& name = (*program.names)[program.modules[module].name];

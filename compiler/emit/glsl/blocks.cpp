@@ -20,9 +20,9 @@ using PartOf = std::function<void(const std::string& selector, TypeId type)>;
 void for_each_part(const Printer& p, TypeId id, const PartOf& visit) {
     const ir::Type type = p.program.types[id];
     if (type.kind == TypeKind::struct_) {
-        const auto& fields = p.program.structs[type.index].fields;
+        const auto& fields = p.program.structs[type.struct_].fields;
         for (std::size_t i = 0; i < fields.size(); ++i)
-            if (!is_empty(p.program, fields[i].type)) visit("." + p.field_names[type.index][i], fields[i].type);
+            if (!is_empty(p.program, fields[i].type)) visit("." + p.field_names[type.struct_][i], fields[i].type);
     } else if (type.kind == TypeKind::array) {
         for (std::uint32_t i = 0; i < type.count; ++i) visit("[" + std::to_string(i) + "]", type.element);
     } else if (type.kind == TypeKind::optional) {
@@ -51,7 +51,7 @@ bool holds_bool(const ir::Program& program, TypeId id) {
     const ir::Type& type = program.types[id];
     if (type.kind == TypeKind::array || type.kind == TypeKind::optional) return holds_bool(program, type.element);
     if (type.kind != TypeKind::struct_) return program.types.scalar_of(id) == program.types.bool_;
-    return std::ranges::any_of(program.structs[type.index].fields,
+    return std::ranges::any_of(program.structs[type.struct_].fields,
                                [&](const ir::StructField& field) { return holds_bool(program, field.type); });
 }
 
@@ -63,7 +63,7 @@ bool holds_bool_array(const ir::Program& program, TypeId id) {
         return program.types.scalar_of(element) == program.types.bool_ || may_hold_bool_array(program, element);
     }
     if (type.kind != TypeKind::struct_) return false;
-    return std::ranges::any_of(program.structs[type.index].fields,
+    return std::ranges::any_of(program.structs[type.struct_].fields,
                                [&](const ir::StructField& field) { return may_hold_bool_array(program, field.type); });
 }
 

@@ -335,7 +335,7 @@ Text print_node(Printer& p, ExprId id) {
     case Op::index: return print_index(p, expr);
     case Op::field: {
         const ir::Type& of = p.program.types[p.program.exprs[expr.operands[0]].type];
-        return {print_whole(p, expr.operands[0]) + "." + p.field_names[of.index][expr.slot]};
+        return {print_whole(p, expr.operands[0]) + "." + p.field_names[of.struct_][expr.slot]};
     }
     case Op::call: return {p.function_names.at(expr.function) + "(" + join_arguments(p, expr.operands) + ")"};
     case Op::intrinsic: return print_intrinsic(p, expr);

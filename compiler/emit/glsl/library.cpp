@@ -30,7 +30,7 @@ std::vector<bool> used_parameters(const Program& program, const Pass& pass) {
 /// What all functions of the library share: the union of their memories (the same place and index: the same memory),
 /// and of the parameters that are their state (the same name: the same parameter).
 struct Interface {
-    Pass all{.kernel = no_kernel};
+    Pass all;
     Scopes names;
     std::map<std::string, std::string> declared_parameters;  ///< by the names that the functions have for them
 
@@ -113,7 +113,7 @@ std::string state_text(Printer& p, const std::string& name, const std::string& m
            "#endif\n\n";
 }
 
-std::string heading(const Program& program, const Sources& sources, std::uint32_t structure, const std::string& macro) {
+std::string heading(const Program& program, const Sources& sources, StructureId structure, const std::string& macro) {
     const Structure& s = program.structures[structure];
     std::string text = "// " + s.display;
     if (s.span) text += ", " + file_name(sources[s.span.file].path) + ":" + std::to_string(sources.line_of(s.span));

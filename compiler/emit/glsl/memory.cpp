@@ -69,7 +69,7 @@ std::string image_prefix(const Printer& p, TypeId element) {
 /// and has a group and barriers. What one invocation writes and another reads after a barrier must not stay in a cache.
 bool is_coherent(const Printer& p, const PassBinding& binding) {
     if (binding.coherent) return true;
-    const bool is_grouped = p.pass.kernel != ir::no_kernel && p.program.kernels[p.pass.kernel].grouped();
+    const bool is_grouped = p.pass.kernel && p.program.kernels[p.pass.kernel].grouped();
     return is_grouped && binding.access == ir::Access::read_write && ir::has_any_barrier(p.program, p.body());
 }
 

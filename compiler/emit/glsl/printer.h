@@ -113,7 +113,7 @@ struct Printer {
 
     /// The description of the draw; null: the pass does not draw.
     const ir::Raster* raster() const {
-        const bool draws = pass.kernel != ir::no_kernel && program.kernels[pass.kernel].raster;
+        const bool draws = pass.kernel && program.kernels[pass.kernel].raster;
         return draws ? &*program.kernels[pass.kernel].raster : nullptr;
     }
     /// The statements of the shader's main function.
@@ -138,8 +138,8 @@ struct Printer {
     StatusNames status;                     ///< named only where the pass has a status record
     OrderNames order, image_order;          ///< named only where atomic operations order coherent memory
     std::string fences;                     ///< name of specialisation constant 102 (order.cpp); empty: not needed
-    std::vector<std::string> struct_names;  ///< of Program::structs
-    std::vector<std::vector<std::string>> field_names;
+    Table<std::string, ir::Struct> struct_names;
+    Table<std::vector<std::string>, ir::Struct> field_names;
     std::unordered_map<ir::FunctionId, std::string> function_names;
     std::string function_prefix;  ///< put before these names, in files that shaders include beside others
     std::unordered_map<ir::LocalId, std::string> local_names;
@@ -151,7 +151,7 @@ struct Printer {
     std::vector<ir::TypeId> struct_types;  ///< structs and optionals used, each after those in it
     std::vector<HelperUse> helpers;        ///< each after those it calls
     std::vector<AtomicUse> atomics;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> enumerators;  ///< used: (enum, index) → name
+    std::map<std::pair<ir::EnumId, std::uint32_t>, std::string> enumerators;  ///< used: (enum, index) → name
 
     std::string out;  ///< statements being printed
     int indent = 0;

@@ -97,9 +97,9 @@ std::vector<Part> parts_of(const Printer& p, TypeId id) {
     if (type.kind == TypeKind::array) parts = {{"[i]", type.element}};
     if (type.kind == TypeKind::optional) parts = {{".has", p.program.types.bool_}, {".value", type.element}};
     if (type.kind == TypeKind::struct_) {
-        const auto& fields = p.program.structs[type.index].fields;
+        const auto& fields = p.program.structs[type.struct_].fields;
         for (std::size_t i = 0; i < fields.size(); ++i)
-            parts.push_back({"." + p.field_names[type.index][i], fields[i].type});
+            parts.push_back({"." + p.field_names[type.struct_][i], fields[i].type});
     }
     std::erase_if(parts, [&](const Part& part) { return is_empty(p.program, part.type); });
     return parts;

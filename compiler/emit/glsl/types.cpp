@@ -63,7 +63,7 @@ void use_struct(Printer& p, TypeId type) {
     std::vector<TypeId> parts;
     if (t.kind == TypeKind::optional) parts.push_back(t.element);
     else
-        for (const ir::StructField& field : p.program.structs[t.index].fields) parts.push_back(field.type);
+        for (const ir::StructField& field : p.program.structs[t.struct_].fields) parts.push_back(field.type);
     for (TypeId part : parts)
         if (!is_empty(p.program, part)) type_text(p, part);
     p.struct_types.push_back(type);
@@ -93,11 +93,11 @@ std::string not_finite(Printer& p, TypeId type, double number) {
     return p.program.types.kind(type) == TypeKind::float_ ? text : type_text(p, type) + "(" + text + ")";
 }
 
-std::string enumerator(Printer& p, std::uint32_t index, std::uint64_t value) {
-    const ir::Enum& e = p.program.enums[index];
+std::string enumerator(Printer& p, ir::EnumId id, std::uint64_t value) {
+    const ir::Enum& e = p.program.enums[id];
     for (std::uint32_t i = 0; i < e.values.size(); ++i) {
         if (e.values[i] != value) continue;
-        auto [place, fresh] = p.enumerators.try_emplace({index, i});
+        auto [place, fresh] = p.enumerators.try_emplace({id, i});
         if (fresh) {
             const std::string name = (*p.program.names)[e.name] + "_" + (*p.program.names)[e.enumerators[i]];
             place->second = p.names.declare_outermost(name);
@@ -109,7 +109,7 @@ std::string enumerator(Printer& p, std::uint32_t index, std::uint64_t value) {
 
 /// Bytes that a struct has behind its last field.
 std::uint32_t padding_of(const Printer& p, TypeId type) {
-    const ir::Struct& declared = p.program.structs[p.program.types[type].index];
+    const ir::Struct& declared = p.program.structs[p.program.types[type].struct_];
     const std::vector<std::uint32_t> offsets = layout::offsets_of(p.program, declared);
     std::uint32_t end = 0;
     for (std::size_t i = 0; i < offsets.size(); ++i)
@@ -121,7 +121,7 @@ std::uint32_t padding_of(const Printer& p, TypeId type) {
 /// which C++ does not.
 std::string padding_members(Printer& p, TypeId type) {
     const std::uint32_t bytes = padding_of(p, type);
-    const std::vector<std::string>& fields = p.field_names[p.program.types[type].index];
+    const std::vector<std::string>& fields = p.field_names[p.program.types[type].struct_];
     std::string name = "padding", text;
     while (std::ranges::find(fields, name) != fields.end() || std::ranges::find(fields, "half_" + name) != fields.end())
         name += "_0";
@@ -163,7 +163,7 @@ std::string type_text(Printer& p, TypeId type) {
         TypeId element = without_arrays(p, type, extents);
         return type_text(p, element) + extents;
     }
-    case TypeKind::struct_: use_struct(p, type); return p.struct_names[t.index];
+    case TypeKind::struct_: use_struct(p, type); return p.struct_names[t.struct_];
     case TypeKind::optional: use_struct(p, type); return optional_name(p, type);
     case TypeKind::error:
     case TypeKind::void_:
@@ -212,7 +212,7 @@ std::string zero(Printer& p, TypeId type) {
     case TypeKind::struct_: {
         std::string text = type_text(p, type) + "(";
         bool first = true;
-        for (const ir::StructField& field : p.program.structs[p.program.types[type].index].fields) {
+        for (const ir::StructField& field : p.program.structs[p.program.types[type].struct_].fields) {
             if (is_empty(p.program, field.type)) continue;
             text += (first ? "" : ", ") + zero(p, field.type);
             first = false;
@@ -253,7 +253,7 @@ std::string literal(Printer& p, TypeId type, std::uint64_t bits, double number) 
         return std::isfinite(number) ? float_text(number, false) + "hf" : not_finite(p, type, number);
     case TypeKind::double_:
         return std::isfinite(number) ? float_text(number, true) + "lf" : not_finite(p, type, number);
-    case TypeKind::enum_: return enumerator(p, t.index, bits);
+    case TypeKind::enum_: return enumerator(p, t.enum_, bits);
     default: break;
     }
     throw std::logic_error("emit/glsl: a constant that is not a scalar");
@@ -266,11 +266,11 @@ std::string struct_definition(Printer& p, ir::TypeId type) {
         if (!is_empty(p.program, t.element)) text += "    " + declaration(p, t.element, "value") + ";\n";
         return text + "};\n";
     }
-    const ir::Struct& s = p.program.structs[t.index];
-    std::string text = "struct " + p.struct_names[t.index] + " {\n";
+    const ir::Struct& s = p.program.structs[t.struct_];
+    std::string text = "struct " + p.struct_names[t.struct_] + " {\n";
     for (std::size_t i = 0; i < s.fields.size(); ++i)
         if (!is_empty(p.program, s.fields[i].type))
-            text += "    " + declaration(p, s.fields[i].type, p.field_names[t.index][i]) + ";\n";
+            text += "    " + declaration(p, s.fields[i].type, p.field_names[t.struct_][i]) + ";\n";
     return text + padding_members(p, type) + "};\n";
 }
 

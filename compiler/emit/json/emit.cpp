@@ -18,14 +18,14 @@ struct Writer {
     const ir::Program& program;
     const ir::Lowered& lowered;
     const Sources& sources;
-    std::uint32_t module;
+    ir::ModuleId module;
     Text out;
 
     const std::string& name(Name name) const { return (*program.names)[name]; }
     std::string type(ir::TypeId id) const { return ir::to_text(program, id); }
     std::uint32_t line(Span span) const { return span ? sources.line_of(span) : 0; }
 
-    std::string structure_name(std::uint32_t index) const {
+    std::string structure_name(ir::StructureId index) const {
         const ir::Structure& s = program.structures[index];
         const Name alias = ir::name_in(program, s, module);
         return alias ? name(alias) : s.display;
@@ -52,12 +52,12 @@ struct Writer {
     void memory(const ir::Memory& m, const std::vector<Root>& roots);
     void member(const ir::MemberStructure& m, const std::vector<Root>& roots);
     void function(const ir::Function& f, const std::vector<Root>& roots);
-    void functions(std::uint32_t structure, const std::vector<Root>& roots);
-    void structure(std::uint32_t index);
+    void functions(ir::StructureId structure, const std::vector<Root>& roots);
+    void structure(ir::StructureId index);
     void struct_(const ir::Struct& s);
     void enum_(const ir::Enum& e);
     void kernel_param(const ir::KernelParam& p);
-    void kernel(std::uint32_t index);
+    void kernel(ir::KernelId index);
     void draw(const ir::Kernel& k);
     void form(const ir::Pass& pass, const std::vector<Root>& roots);
     void parameters(const ir::Pass& pass, const std::vector<Root>& roots);
@@ -148,12 +148,12 @@ void Writer::function(const ir::Function& f, const std::vector<Root>& roots) {
     });
 }
 
-void Writer::functions(std::uint32_t structure, const std::vector<Root>& roots) {
+void Writer::functions(ir::StructureId structure, const std::vector<Root>& roots) {
     const std::vector<ir::FunctionId> found = ir::public_functions(program, structure);
     if (!found.empty()) list("functions", found, [&](ir::FunctionId id) { function(program.functions[id], roots); });
 }
 
-void Writer::structure(std::uint32_t index) {
+void Writer::structure(ir::StructureId index) {
     const ir::Structure& s = program.structures[index];
     const std::vector<Root> self = {{"", index}};
     out.object([&] {
@@ -337,7 +337,7 @@ void Writer::draw(const ir::Kernel& k) {
     });
 }
 
-void Writer::kernel(std::uint32_t index) {
+void Writer::kernel(ir::KernelId index) {
     const ir::Kernel& k = program.kernels[index];
     std::vector<Root> roots;
     for (const ir::KernelParam& p : k.params) roots.push_back({name(p.name), p.structure});
@@ -353,7 +353,7 @@ void Writer::kernel(std::uint32_t index) {
             out.key("draw");
             draw(k);
         }
-        if (index < lowered.passes.size()) {
+        if (lowered.passes.contains(index)) {
             const ir::Lowered::Forms& forms = lowered.passes[index];
             out.key("forms");
             out.object([&] {
@@ -385,7 +385,7 @@ void Writer::pipeline(const ir::Pipeline& p) {
         out.field("name", p.display.empty() ? name(p.name) : p.display);
         out.field("line", line(p.span));
         out.field("public", p.is_pub);
-        if (p.owner) out.field("owner", structure_name(*p.owner));
+        if (p.owner) out.field("owner", structure_name(p.owner));
         list("params", p.params, [&](const ir::PipelineParam& param) { pipeline_param(param); });
         out.field("result", type(p.result));
         document(p.doc);
@@ -395,8 +395,8 @@ void Writer::pipeline(const ir::Pipeline& p) {
 std::string file_name(std::string_view path) { return std::string(path.substr(path.find_last_of('/') + 1)); }
 
 /// The pipelines that tests consist of, which programs do not call.
-std::set<std::uint32_t> pipelines_of_tests(const ir::Program& program) {
-    std::set<std::uint32_t> found;
+std::set<ir::PipelineId> pipelines_of_tests(const ir::Program& program) {
+    std::set<ir::PipelineId> found;
     for (const ir::Test& test : program.tests) found.insert(test.pipeline);
     return found;
 }
@@ -404,27 +404,28 @@ std::set<std::uint32_t> pipelines_of_tests(const ir::Program& program) {
 }  // namespace
 
 std::string reflection_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources,
-                          std::uint32_t module) {
+                          ir::ModuleId module) {
     Writer writer{program, lowered, sources, module, {}};
     Text& out = writer.out;
     const ir::Module& m = program.modules[module];
     const Reached reached = reach(program, module);
-    const std::set<std::uint32_t> of_tests = pipelines_of_tests(program);
-    std::vector<std::uint32_t> kernels, pipelines;
-    for (std::uint32_t i = 0; i < program.kernels.size(); ++i)
+    const std::set<ir::PipelineId> of_tests = pipelines_of_tests(program);
+    std::vector<ir::KernelId> kernels;
+    std::vector<ir::PipelineId> pipelines;
+    for (ir::KernelId i : program.kernels.ids())
         if (program.kernels[i].module == module) kernels.push_back(i);
-    for (std::uint32_t i = 0; i < program.pipelines.size(); ++i)
+    for (ir::PipelineId i : program.pipelines.ids())
         if (program.pipelines[i].module == module && !of_tests.contains(i)) pipelines.push_back(i);
     out.object([&] {
         out.field("schema", schema_version);
         out.field("module", writer.name(m.name));
         out.field("source", file_name(sources[m.file].path));
         writer.document(m.doc);
-        writer.list("structs", reached.structs, [&](std::uint32_t i) { writer.struct_(program.structs[i]); });
-        writer.list("enums", reached.enums, [&](std::uint32_t i) { writer.enum_(program.enums[i]); });
-        writer.list("structures", reached.structures, [&](std::uint32_t i) { writer.structure(i); });
-        writer.list("kernels", kernels, [&](std::uint32_t i) { writer.kernel(i); });
-        writer.list("pipelines", pipelines, [&](std::uint32_t i) { writer.pipeline(program.pipelines[i]); });
+        writer.list("structs", reached.structs, [&](ir::StructId i) { writer.struct_(program.structs[i]); });
+        writer.list("enums", reached.enums, [&](ir::EnumId i) { writer.enum_(program.enums[i]); });
+        writer.list("structures", reached.structures, [&](ir::StructureId i) { writer.structure(i); });
+        writer.list("kernels", kernels, [&](ir::KernelId i) { writer.kernel(i); });
+        writer.list("pipelines", pipelines, [&](ir::PipelineId i) { writer.pipeline(program.pipelines[i]); });
         writer.list("tests", program.tests, [&](const ir::Test& test) {
             if (test.module != module) return;
             out.object([&] {

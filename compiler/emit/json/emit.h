@@ -16,6 +16,6 @@ inline constexpr unsigned schema_version = 1;
 /// structs and enums that are public in it, or that its kernels and pipelines take or give, and those that these
 /// consist of. The same program gives the same bytes.
 std::string reflection_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources,
-                          std::uint32_t module);
+                          ir::ModuleId module);
 
 }  // namespace gliftc::json

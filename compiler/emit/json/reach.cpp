@@ -14,19 +14,19 @@ struct Walk {
         if (!id) return;
         const ir::Type& t = program.types[id];
         if (t.element) type(t.element);
-        if (t.kind == ir::TypeKind::enum_) reached.enums.insert(t.index);
-        if (t.kind == ir::TypeKind::structure) structure(t.index);
-        if (t.kind == ir::TypeKind::struct_) struct_(t.index);
+        if (t.kind == ir::TypeKind::enum_) reached.enums.insert(t.enum_);
+        if (t.kind == ir::TypeKind::structure) structure(t.structure);
+        if (t.kind == ir::TypeKind::struct_) struct_(t.struct_);
     }
 
-    void struct_(std::uint32_t index) {
-        if (!reached.structs.insert(index).second) return;
-        for (const ir::StructField& field : program.structs[index].fields) type(field.type);
+    void struct_(ir::StructId id) {
+        if (!reached.structs.insert(id).second) return;
+        for (const ir::StructField& field : program.structs[id].fields) type(field.type);
     }
 
-    void structure(std::uint32_t index) {
-        if (!reached.structures.insert(index).second) return;
-        const ir::Structure& s = program.structures[index];
+    void structure(ir::StructureId id) {
+        if (!reached.structures.insert(id).second) return;
+        const ir::Structure& s = program.structures[id];
         type(s.domain_type);
         type(s.element);
         for (ir::LocalId local : s.constructor) type(program.locals[local].type);
@@ -35,7 +35,7 @@ struct Walk {
         for (const ir::HostField& field : s.host) type(field.type);
         for (const ir::Stage& stage : s.via)
             for (const ir::StructField& field : program.translators[stage.translator].scalars) type(field.type);
-        for (ir::FunctionId id : ir::public_functions(program, index)) {
+        for (ir::FunctionId id : ir::public_functions(program, id)) {
             for (ir::LocalId local : program.functions[id].params) type(program.locals[local].type);
             type(program.functions[id].result);
         }
@@ -52,9 +52,9 @@ struct Walk {
 
 }  // namespace
 
-Reached reach(const ir::Program& program, std::uint32_t module) {
+Reached reach(const ir::Program& program, ir::ModuleId module) {
     Walk walk{program, {}};
-    for (std::uint32_t i = 0; i < program.structures.size(); ++i)
+    for (ir::StructureId i : program.structures.ids())
         if (ir::is_public(program.structures[i], module)) walk.structure(i);
     for (const ir::Kernel& kernel : program.kernels) {
         if (kernel.module != module) continue;
@@ -65,9 +65,9 @@ Reached reach(const ir::Program& program, std::uint32_t module) {
     }
     for (const ir::Pipeline& pipeline : program.pipelines)
         if (pipeline.module == module) walk.pipeline(pipeline);
-    for (std::uint32_t i = 0; i < program.structs.size(); ++i)
+    for (ir::StructId i : program.structs.ids())
         if (program.structs[i].is_pub && program.structs[i].module == module) walk.struct_(i);
-    for (std::uint32_t i = 0; i < program.enums.size(); ++i)
+    for (ir::EnumId i : program.enums.ids())
         if (program.enums[i].is_pub && program.enums[i].module == module) walk.reached.enums.insert(i);
     return walk.reached;
 }

@@ -7,13 +7,14 @@
 
 namespace gliftc::json {
 
-/// Indices into the program's tables.
 struct Reached {
-    std::set<std::uint32_t> structures, structs, enums;
+    std::set<ir::StructureId> structures;
+    std::set<ir::StructId> structs;
+    std::set<ir::EnumId> enums;
 };
 
 /// The structures, structs and enums that the kernels and pipelines of `module` take or give, those that are public in
 /// it, and all that these consist of.
-Reached reach(const ir::Program& program, std::uint32_t module);
+Reached reach(const ir::Program& program, ir::ModuleId module);
 
 }  // namespace gliftc::json

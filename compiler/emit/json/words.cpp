@@ -170,7 +170,7 @@ struct Speller {
         return where.empty() ? member : where + "." + member;
     }
 
-    std::uint32_t structure_of(const ir::Place& place) const { return structure_at(program, roots, place); }
+    ir::StructureId structure_of(const ir::Place& place) const { return structure_at(program, roots, place); }
 
     std::string swizzled(const Expr& expr) const {
         std::string text = grouped(expr.operands[0]) + ".";
@@ -210,7 +210,7 @@ std::string Speller::spell(ExprId id) const {
     case Op::domain: return dotted(expr.place, "domain");
     case Op::field: {
         const ir::Type& of = program.types[program.exprs[expr.operands[0]].type];
-        return grouped(expr.operands[0]) + "." + name(program.structs[of.index].fields[expr.slot].name);
+        return grouped(expr.operands[0]) + "." + name(program.structs[of.struct_].fields[expr.slot].name);
     }
     case Op::none: return "none";
     case Op::some:
@@ -230,15 +230,15 @@ std::string Speller::spell(ExprId id) const {
 
 }  // namespace
 
-std::uint32_t structure_at(const ir::Program& program, const std::vector<Root>& roots, const ir::Place& place) {
-    std::uint32_t structure = roots.at(place.root).structure;
+ir::StructureId structure_at(const ir::Program& program, const std::vector<Root>& roots, const ir::Place& place) {
+    ir::StructureId structure = roots.at(place.root).structure;
     for (std::uint32_t member : place.members) structure = program.structures[structure].members[member].structure;
     return structure;
 }
 
 std::string place_text(const ir::Program& program, const std::vector<Root>& roots, const ir::Place& place) {
     std::string text = roots.at(place.root).name;
-    std::uint32_t structure = roots.at(place.root).structure;
+    ir::StructureId structure = roots.at(place.root).structure;
     for (std::uint32_t member : place.members) {
         const ir::MemberStructure& m = program.structures[structure].members[member];
         text += (text.empty() ? "" : ".") + (*program.names)[m.name];

@@ -23,14 +23,14 @@ const char* word(ir::Mapping mapping);
 /// name.
 struct Root {
     std::string name;
-    std::uint32_t structure = 0;
+    ir::StructureId structure;
 };
 
 /// An expression over structures' state, much as the language writes it: div_ceil(extent, 8), f.data.extent.x.
 std::string expression_text(const ir::Program& program, ir::ExprId expr, const std::vector<Root>& roots);
 
 /// The index of the structure at a place, and the place as the source spells it: f.table.
-std::uint32_t structure_at(const ir::Program& program, const std::vector<Root>& roots, const ir::Place& place);
+ir::StructureId structure_at(const ir::Program& program, const std::vector<Root>& roots, const ir::Place& place);
 std::string place_text(const ir::Program& program, const std::vector<Root>& roots, const ir::Place& place);
 
 }  // namespace gliftc::json

@@ -42,7 +42,7 @@ inline std::uint32_t operation_of(ir::Intrinsic intrinsic) { return 100 + static
 /// says what they are.
 class BoundsInterpreter {
 public:
-    BoundsInterpreter(const ir::Program& program, std::uint32_t structure)
+    BoundsInterpreter(const ir::Program& program, ir::StructureId structure)
         : p(program), whole_(&program.structures[structure]), s(whole_) {}
 
     /// The value of an expression over the structure (Place::root 0 is the structure), such as a memory's extent.

@@ -27,7 +27,7 @@ TypeId BoundsInterpreter::scalar_at(TypeId type, std::size_t lane) const {
     if (of.kind == TypeKind::array)
         return scalar_at(of.element, lane % std::max<std::size_t>(1, lane_count(p, of.element)));
     if (of.kind == TypeKind::struct_) {
-        for (const StructField& field : p.structs[of.index].fields) {
+        for (const StructField& field : p.structs[of.struct_].fields) {
             const std::size_t count = lane_count(p, field.type);
             if (lane < count) return scalar_at(field.type, lane);
             lane -= count;

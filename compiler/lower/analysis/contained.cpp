@@ -21,7 +21,7 @@ struct Argument {
 
 /// The constructor arguments' components that are the extents of the domain, one per axis; empty if the domain is
 /// anything else.
-std::vector<Argument> extents_of(const Program& p, std::uint32_t index) {
+std::vector<Argument> extents_of(const Program& p, StructureId index) {
     const Structure& s = p.structures[index];
     BoundsInterpreter following(p, index);
     const Parts domain = following.of_structure(s.domain);
@@ -55,7 +55,7 @@ constexpr std::uint8_t all_axes = 0xff;
 
 /// The axes (a bit for each) along which every physical address lies in the memory, provided that the domain is not
 /// empty.
-std::uint8_t axes_inside(const Program& p, std::uint32_t index, const std::vector<Argument>& extents) {
+std::uint8_t axes_inside(const Program& p, StructureId index, const std::vector<Argument>& extents) {
     const Structure& s = p.structures[index];
     BoundsInterpreter following(p, index);
     for (const Argument& each : extents) following.set_member(each.slot, each.lane, following.symbols.size(1));
@@ -71,7 +71,7 @@ std::uint8_t axes_inside(const Program& p, std::uint32_t index, const std::vecto
 /// Whether accesses need no check even if the constructor argument `none`, an extent of the domain, is 0: every address
 /// is unmapped, or leads to physical address 0 of a buffer or image. Buffers and images always have room for one
 /// element, which reads as zero (so there must be no `otherwise`); a memory that is a structure may have no elements.
-bool is_harmless_empty(const Program& p, std::uint32_t index, const Argument& none) {
+bool is_harmless_empty(const Program& p, StructureId index, const Argument& none) {
     const Structure& s = p.structures[index];
     BoundsInterpreter following(p, index);
     following.set_member(none.slot, none.lane, number(0));
@@ -91,7 +91,7 @@ bool has_domain_of_base(const Program& p, const Structure& s) {
     return domain.op == Op::domain && domain.place.members == s.base;
 }
 
-std::uint8_t contained_axes(const Program& p, std::uint32_t index) {
+std::uint8_t contained_axes(const Program& p, StructureId index) {
     const Structure& s = p.structures[index];
     if (!has_memory(s) || !s.domain) return 0;
     if (has_domain_of_base(p, s)) return all_axes;
@@ -108,7 +108,7 @@ std::uint8_t contained_axes(const Program& p, std::uint32_t index) {
 }  // namespace
 
 void mark_contained(Program& program) {
-    for (std::uint32_t i = 0; i < program.structures.size(); ++i) {
+    for (StructureId i : program.structures.ids()) {
         Structure& s = program.structures[i];
         const TypeId type = physical_type(program, s);
         const std::uint32_t axes = type ? program.types.components(type) : 0;

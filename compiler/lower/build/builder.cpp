@@ -52,7 +52,7 @@ ExprId Builder::zero(TypeId id) {
         node.operands.assign(type.count, zero(type.element));
     } else if (type.kind == TypeKind::struct_) {
         std::vector<TypeId> fields;
-        for (const StructField& part : p.structs[type.index].fields) fields.push_back(part.type);
+        for (const StructField& part : p.structs[type.struct_].fields) fields.push_back(part.type);
         for (TypeId part : fields) node.operands.push_back(zero(part));
     }
     return make(std::move(node));
@@ -142,7 +142,7 @@ ExprId Builder::index(ExprId whole, ExprId at) {
 ExprId Builder::field(ExprId whole, std::uint32_t slot) {
     Expr node;
     node.op = Op::field;
-    node.type = p.structs[p.types[type(whole)].index].fields[slot].type;
+    node.type = p.structs[p.types[type(whole)].struct_].fields[slot].type;
     node.slot = slot;
     return again(node, {whole});
 }

@@ -259,7 +259,7 @@ ExprId Expander::without_empty(ExprId whole) {
     if (is_empty(p, id)) return build.zero(id);
     if (!holds_empty(p, id) || type.kind == TypeKind::optional) return whole;
     Operands parts;
-    std::size_t count = type.kind == TypeKind::array ? type.count : p.structs[type.index].fields.size();
+    std::size_t count = type.kind == TypeKind::array ? type.count : p.structs[type.struct_].fields.size();
     for (std::uint32_t i = 0; i < count; ++i)
         parts.push_back(
             without_empty(type.kind == TypeKind::array ? build.index(whole, build.uint(i)) : build.field(whole, i)));

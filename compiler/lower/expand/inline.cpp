@@ -293,7 +293,7 @@ ExprId Expander::replaced(ExprId target, ExprId value) {
     TypeId type = build.type(whole);
     Operands parts;
     if (node.op == Op::field) {
-        std::size_t count = p.structs[p.types[type].index].fields.size();
+        std::size_t count = p.structs[p.types[type].struct_].fields.size();
         for (std::uint32_t i = 0; i < count; ++i) parts.push_back(i == node.slot ? value : build.field(whole, i));
     } else if (node.op == Op::swizzle) {
         for (std::uint32_t i = 0; i < p.types.components(type); ++i) {

@@ -35,7 +35,7 @@ bool is_returned(const Program& p, const std::vector<StmtId>& body, LocalId loca
 /// Whether the expression is a value that a pass computes into memory of its own, so that it keeps no operand alive.
 bool is_computed(const Program& p, ExprId id) {
     const Expr& expr = p.exprs[id];
-    return expr.op == Op::pipeline_call && p.pipelines[expr.slot].is_value;
+    return expr.op == Op::pipeline_call && p.pipelines[expr.pipeline()].is_value;
 }
 
 /// The temporary and all locals that may refer to its memory: slices, structures and device values made from it, and
@@ -95,7 +95,7 @@ void mark_last_reads(Program& p, const std::vector<StmtId>& body, std::size_t at
 /// Whether the structure stores its elements in memory that it makes. The elements that are accessed through a view or
 /// an adaptor, or through a structure whose memory is another one that it was given, lie in other structures.
 bool has_own_memory(const Program& p, LocalId local) {
-    const Structure* structure = &p.structures[p.types[p.locals[local].type].index];
+    const Structure* structure = &p.structures[p.types[p.locals[local].type].structure];
     if (structure->kind != StructureKind::stored) return false;
     for (; !structure->base.empty(); structure = &structure_at(p, *structure, structure->base))
         if (structure->members[structure->base[0]].by_reference) return false;
@@ -112,7 +112,7 @@ bool may_write(const Program& p, const Stmt& stmt, const std::vector<LocalId>& n
         return std::ranges::find(list, local) != list.end();
     };
     if (stmt.op == StmtOp::dispatch) {
-        const Kernel& kernel = p.kernels[stmt.slot];
+        const Kernel& kernel = p.kernels[stmt.kernel()];
         for (std::size_t i = 0; i < kernel.params.size(); ++i) {
             if (kernel.params[i].direction == Direction::in) continue;
             const LocalId written = p.exprs[stmt.arguments[i]].local;
@@ -127,7 +127,7 @@ bool may_write(const Program& p, const Stmt& stmt, const std::vector<LocalId>& n
     for_each_root(stmt, [&](ExprId root) {
         for_each_node(p, root, [&](ExprId node) {
             const Expr& expr = p.exprs[node];
-            calls = calls || (expr.op == Op::pipeline_call && !p.pipelines[expr.slot].is_value);
+            calls = calls || (expr.op == Op::pipeline_call && !p.pipelines[expr.pipeline()].is_value);
         });
     });
     return calls;

@@ -202,7 +202,7 @@ std::string Uniforms::name_of(ExprId id) {
     case Op::local: return text(cx.p.locals[node.local].name);
     case Op::field:
         return name_of(node.operands[0]) + "_" +
-               text(cx.p.structs[cx.p.types[cx.build.type(node.operands[0])].index].fields[node.slot].name);
+               text(cx.p.structs[cx.p.types[cx.build.type(node.operands[0])].struct_].fields[node.slot].name);
     case Op::swizzle: {
         std::string name = name_of(node.operands[0]) + "_";
         for (std::uint32_t i = 0; i < cx.p.types.components(node.type); ++i) name += "xyzw"[node.lanes[i]];

@@ -44,12 +44,12 @@ struct Writing {
 /// The meaning of a name in scope. The comment of a field begins with the kinds for which it is set.
 struct Symbol {
     SymbolKind kind = SymbolKind::local;
-    Span span;                    ///< all kinds: where the name is declared
-    ir::TypeId type;              ///< local, state, member, host_state
-    ir::LocalId local;            ///< local
-    ir::Place place;              ///< structure, iterator: the path to it; member, memory, host_state: root 0, the
-                                  ///< container, whose value or memory it is
-    std::uint32_t structure = 0;  ///< structure, iterator, memory (the one that has it): index in Program::structures
+    Span span;                  ///< all kinds: where the name is declared
+    ir::TypeId type;            ///< local, state, member, host_state
+    ir::LocalId local;          ///< local
+    ir::Place place;            ///< structure, iterator: the path to it; member, memory, host_state: root 0, the
+                                ///< container, whose value or memory it is
+    ir::StructureId structure;  ///< structure, iterator, memory (the one that has it)
     /// state: index in the scalar fields of the translator (the code that maps addresses) whose function this is.
     /// member: in the structure's constructor values. memory: in its memories. host_state: in its fields that live on
     /// the host. iterator (a parameter such as `each` or `at`, whose name means the current invocation's element or
@@ -74,17 +74,17 @@ struct RangeResult {
 struct Operand {
     OperandKind kind = OperandKind::error;
     Span span;
-    ir::ExprId expr;              ///< value
-    ir::TypeId type;              ///< value; structure, where it is a local of a pipeline
-    Meta meta;                    ///< meta
-    ir::Place place;              ///< structure, memory, iterator
-    ir::LocalId local;            ///< structure, memory, in pipelines: the local (a temporary, a parameter, a slice) at
-                                  ///< which `place` starts; none: it starts at the container that owns the pipeline
-    std::uint32_t structure = 0;  ///< structure, iterator, memory (the one that has it): index in Program::structures
-    std::uint32_t slot = 0;       ///< memory: index in the structure's memories; iterator: in the kernel's parameters
-    std::uint32_t window = 0;  ///< structure: the radius, if it is a `near` parameter of a kernel or function; else 0
-    bool is_slice = false;     ///< structure: it is the slice `local`, not a member of that
-    Writing writing;           ///< structure: how it may be accessed
+    ir::ExprId expr;            ///< value
+    ir::TypeId type;            ///< value; structure, where it is a local of a pipeline
+    Meta meta;                  ///< meta
+    ir::Place place;            ///< structure, memory, iterator
+    ir::LocalId local;          ///< structure, memory, in pipelines: the local (a temporary, a parameter, a slice) at
+                                ///< which `place` starts; none: it starts at the container that owns the pipeline
+    ir::StructureId structure;  ///< structure, iterator, memory (the one that has it)
+    std::uint32_t slot = 0;     ///< memory: index in the structure's memories; iterator: in the kernel's parameters
+    std::uint32_t window = 0;   ///< structure: the radius, if it is a `near` parameter of a kernel or function; else 0
+    bool is_slice = false;      ///< structure: it is the slice `local`, not a member of that
+    Writing writing;            ///< structure: how it may be accessed
 };
 
 /// A node of the expression being checked for which it matters when it is evaluated (sema/bodies/order.h).
@@ -117,16 +117,16 @@ struct Body {
     ir::Part part = ir::Part::whole;  ///< the part of a draw that is being checked; whole: the code is in neither part
     /// The structure, view or adaptor that declares this function or pipeline, or whose declaration is checked, if any.
     /// Its members are in scope; their Place::root is 0.
-    std::optional<std::uint32_t> container;
+    ir::StructureId container;
     std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< the workgroup size that the declaration gives; all 0: none
     std::vector<ir::LocalId>* shared = nullptr;      ///< the locals in workgroup memory (`shared`) declared so far
     /// Functions with a workgroup: the last statement of the body, or of the branch of a constant `if` that is being
     /// checked and that no other `if` or loop encloses. Only it may be a return, since all invocations must reach every
     /// barrier. Kernels with a workgroup: empty, so that no statement may.
     Span last;
-    unsigned enclosing = 0;                 ///< how many blocks and `if`s that are not constant enclose the statement
-    std::vector<std::uint32_t> structures;  ///< functions: the structures that calls pass, by Place::root
-    std::vector<ir::Place> coherent;        ///< the places that are accessed by the pattern coherent
+    unsigned enclosing = 0;                   ///< how many blocks and `if`s that are not constant enclose the statement
+    std::vector<ir::StructureId> structures;  ///< functions: the structures that calls pass, by Place::root
+    std::vector<ir::Place> coherent;          ///< the places that are accessed by the pattern coherent
     /// Functions: what they and called functions write; kernels: what called functions write; null: calls of functions
     /// that write are errors.
     std::vector<ir::Effect>* effects = nullptr;

@@ -97,7 +97,7 @@ static std::optional<std::vector<std::size_t>> written_order(Body& body, ir::Typ
     for (std::size_t i = 0; i < count; ++i) {
         std::size_t at = i;
         if (!call.labels.empty() && type.kind == ir::TypeKind::struct_) {
-            const ir::StructField& field = body.program().structs[type.index].fields[i];
+            const ir::StructField& field = body.program().structs[type.struct_].fields[i];
             at = static_cast<std::size_t>(std::ranges::find(call.labels, field.name, &ast::Identifier::name) -
                                           call.labels.begin());
             if (at == call.labels.size()) {
@@ -124,7 +124,7 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
         std::vector<ir::TypeId> parts;
         if (type.kind == ir::TypeKind::array) parts.assign(type.count, type.element);
         else
-            for (const auto& field : body.program().structs[type.index].fields) parts.push_back(field.type);
+            for (const auto& field : body.program().structs[type.struct_].fields) parts.push_back(field.type);
         if (parts.size() != written.size()) {
             c.error(Diag::argument_count, call.span,
                     {c.text(id), std::to_string(parts.size()), std::to_string(written.size())});
@@ -279,7 +279,7 @@ static ast::DeclId conditional_method(const Context& c, const std::vector<ast::I
 static bool has_method_of_base(Context& c, const ir::Structure& structure, Name name) {
     for (const ir::Structure* link = &structure; !link->base.empty();) {
         link = &ir::structure_at(c.program, *link, link->base);
-        const auto index = static_cast<std::uint32_t>(link - c.program.structures.data());
+        const auto index = c.program.structures.id_of(*link);
         const auto is_it = [&](const ast::Item* item) { return item->decl && c[item->decl].name.name == name; };
         if (std::ranges::any_of(items_of(c, index), is_it)) return true;
     }
@@ -396,7 +396,7 @@ static void note_functions(const Context& c, Diagnostic& diagnostic, const Meta&
 }
 
 /// Whether the container itself declares a function or pipeline of that name with this number of parameters.
-static bool has_method(Context& c, std::uint32_t container, Name name, std::size_t arguments) {
+static bool has_method(Context& c, ir::StructureId container, Name name, std::size_t arguments) {
     return std::ranges::any_of(items_of(c, container), [&](const ast::Item* item) {
         if (!item->decl || c[item->decl].name.name != name) return false;
         const auto* function = std::get_if<ast::Function>(&c[item->decl].body);
@@ -420,10 +420,10 @@ static bool is_uncallable(const Body& body, const Meta& meta) {
 static Operand call_named(Body& body, ast::Identifier name, const std::vector<ast::ExprId>& generics,
                           const ast::Expr& call, ir::TypeId wanted) {
     Context& c = body.context;
-    if (body.container && has_method(c, *body.container, name.name, call.operands.size() - 1)) {
+    if (body.container && has_method(c, body.container, name.name, call.operands.size() - 1)) {
         Operand self;
         self.kind = OperandKind::structure;
-        self.structure = *body.container;
+        self.structure = body.container;
         self.span = name.span;
         return call_method(body, self, name, generics, call, wanted);
     }

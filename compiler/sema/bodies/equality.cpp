@@ -12,7 +12,7 @@ std::uint64_t comparisons(const ir::Program& p, ir::TypeId id) {
     switch (type.kind) {
     case ir::TypeKind::struct_: {
         std::uint64_t count = 0;
-        for (const ir::StructField& field : p.structs[type.index].fields) count += comparisons(p, field.type);
+        for (const ir::StructField& field : p.structs[type.struct_].fields) count += comparisons(p, field.type);
         return count;
     }
     case ir::TypeKind::array: return type.count * comparisons(p, type.element);
@@ -34,8 +34,8 @@ ir::ExprId make_equal(ir::Program& p, ir::ExprId left, ir::ExprId right, Span sp
     auto part = [&](ir::Op op, ir::TypeId of, ir::ExprId whole) { return add(p, op, of, span, {whole}); };
     switch (type.kind) {
     case ir::TypeKind::struct_:
-        for (std::uint32_t i = 0; i < p.structs[type.index].fields.size(); ++i) {
-            ir::TypeId field = p.structs[type.index].fields[i].type;
+        for (std::uint32_t i = 0; i < p.structs[type.struct_].fields.size(); ++i) {
+            ir::TypeId field = p.structs[type.struct_].fields[i].type;
             ir::ExprId a = part(ir::Op::field, field, left), b = part(ir::Op::field, field, right);
             p.exprs[a].slot = p.exprs[b].slot = i;
             all = make_both(p, all, make_equal(p, a, b, span), span);

@@ -90,7 +90,7 @@ Operand symbol_operand(Body& body, Symbol& symbol, const ast::Expr& name) {
             operand.local = symbol.local;
             operand.is_slice = body.types().kind(symbol.type) == ir::TypeKind::slice;
             const ir::Type& type = body.types()[symbol.type];
-            operand.structure = operand.is_slice ? body.types()[type.element].index : type.index;
+            operand.structure = operand.is_slice ? body.types()[type.element].structure : type.structure;
             operand.type = symbol.type;
             return operand;
         }

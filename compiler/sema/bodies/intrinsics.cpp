@@ -196,7 +196,7 @@ std::optional<ir::Intrinsic> find_intrinsic(std::string_view name) {
 
 /// The element type of the structure at a place in a kernel or a function.
 static ir::TypeId element_at(const Body& body, const ir::Place& place) {
-    const std::uint32_t structure =
+    const ir::StructureId structure =
         body.kernel ? body.kernel->params[place.root].structure : body.structures[place.root];
     const ir::Program& p = body.context.program;
     return ir::structure_at(p, p.structures[structure], place.members).element;

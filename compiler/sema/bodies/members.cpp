@@ -40,7 +40,7 @@ int lane_of(char letter) {
 Operand struct_field(Body& body, ir::ExprId value, ast::Identifier member) {
     Context& c = body.context;
     ir::TypeId type = body.program().exprs[value].type;
-    const ir::Struct& record = body.program().structs[body.types()[type].index];
+    const ir::Struct& record = body.program().structs[body.types()[type].struct_];
     std::vector<std::string_view> known;
     for (std::uint32_t i = 0; i < record.fields.size(); ++i) {
         if (record.fields[i].name == member.name) {
@@ -55,7 +55,7 @@ Operand struct_field(Body& body, ir::ExprId value, ast::Identifier member) {
 }
 
 Operand enumerator(Body& body, const ir::Type& type, ir::TypeId id, ast::Identifier member) {
-    const ir::Enum& declared = body.program().enums[type.index];
+    const ir::Enum& declared = body.program().enums[type.enum_];
     std::vector<std::string_view> known;
     for (std::size_t i = 0; i < declared.enumerators.size(); ++i) {
         if (declared.enumerators[i] == member.name) {
@@ -69,11 +69,11 @@ Operand enumerator(Body& body, const ir::Type& type, ir::TypeId id, ast::Identif
 }
 
 /// The imported module that `a.b.c` names, unless `a` is declared in the body.
-std::optional<std::uint32_t> module_of_chain(Body& body, ast::ExprId id) {
-    const auto module = module_by_whole_name(body.context, body.env, id);
-    if (!module) return std::nullopt;
+ir::ModuleId module_of_chain(Body& body, ast::ExprId id) {
+    const ir::ModuleId module = module_by_whole_name(body.context, body.env, id);
+    if (!module) return {};
     while (body.context[id].kind == ast::ExprKind::member) id = body.context[id].operands[0];
-    return find_symbol(body, body.context[id].name) ? std::nullopt : module;
+    return find_symbol(body, body.context[id].name) ? ir::ModuleId{} : module;
 }
 
 Operand meta_member(Body& body, const Operand& left, const ast::Expr& expr) {
@@ -181,7 +181,7 @@ Operand index_part(Body& body, ir::ExprId value, const ast::Expr& expr) {
 }
 
 /// `window[offset]`: the element at the current address plus a constant offset.
-Operand index_window(Body& body, const Operand& window, std::uint32_t structure, const ast::Expr& expr) {
+Operand index_window(Body& body, const Operand& window, ir::StructureId structure, const ast::Expr& expr) {
     Context& c = body.context;
     ir::TypeId element = body.program().structures[structure].element;
     ir::TypeId offset_type = signed_address(body.types(), body.program().structures[structure].domain_type);
@@ -320,12 +320,12 @@ Operand check_member(Body& body, ast::ExprId id) {
     const ast::Expr& expr = body.context[id];
     ast::Identifier member{expr.name, expr.name_span};
     if (auto property = check_device_member(body, expr)) return *property;
-    if (const auto module = module_of_chain(body, id)) {
+    if (const ir::ModuleId module = module_of_chain(body, id)) {
         Operand operand;
         operand.kind = OperandKind::meta;
         operand.span = expr.span;
         operand.meta.kind = MetaKind::module;
-        operand.meta.module = *module;
+        operand.meta.module = module;
         return operand;
     }
     const Parts parts(body);

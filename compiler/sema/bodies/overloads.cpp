@@ -195,9 +195,9 @@ Operand call_as_pass(Body& body, ir::FunctionId function, const std::vector<Oper
     if (!pipeline) return error_operand(span);
     for (const Operand& structure : structures) arguments.push_back(to_value(body, structure));
     for (ir::ExprId value : values) arguments.push_back(closed(body, value));
-    ir::ExprId result = add(body.program(), ir::Op::pipeline_call, body.program().pipelines[*pipeline].result, span,
+    ir::ExprId result = add(body.program(), ir::Op::pipeline_call, body.program().pipelines[pipeline].result, span,
                             std::move(arguments));
-    body.program().exprs[result].slot = *pipeline;
+    body.program().exprs[result].slot = pipeline.index;
     add_read(body, result);
     return value_operand(body, result, span);
 }
@@ -227,7 +227,7 @@ Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments
     const auto& function = std::get<ast::Function>(c[id].body);
     const Parts parts(body);
     ir::Operands values;
-    std::vector<std::uint32_t> structures;
+    std::vector<ir::StructureId> structures;
     std::vector<Operand> given;
     if (self) {
         structures.push_back(self->structure);

@@ -25,7 +25,7 @@ bool follow_given(Body& body, Whole& whole) {
     const ir::Program& p = body.program();
     if (!whole.local || whole.place.members.empty()) return false;  // without a local: a member of the adaptor itself
     const auto made = body.made.find(whole.local);
-    const ir::Structure& structure = p.structures[p.types[p.locals[whole.local].type].index];
+    const ir::Structure& structure = p.structures[p.types[p.locals[whole.local].type].structure];
     whole.place.members = ir::made_at(p, structure, whole.place.members);
     const std::uint32_t member = whole.place.members[0];
     if (made == body.made.end() || !structure.members[member].by_reference) return false;
@@ -50,7 +50,7 @@ std::optional<Whole> root_of(Body& body, const ir::Expr& argument) {
     const ir::Program& p = body.program();
     if (argument.op != ir::Op::structure_value || p.types.kind(argument.type) != ir::TypeKind::structure)
         return std::nullopt;
-    const ir::Structure& structure = p.structures[p.types[argument.type].index];
+    const ir::Structure& structure = p.structures[p.types[argument.type].structure];
     Whole whole{argument.local, ir::root_of(p, structure, argument.place)};
     while (follow_given(body, whole)) {}
     return whole;

@@ -84,7 +84,7 @@ bool is_touched(Context& c, const ast::Param& param, ir::Pattern pattern, ir::Ty
         if (type != c.types().error) c.error(Diag::pattern_needs_structure, c[param.type].span, {c.text(type)});
         return false;
     }
-    const ir::Structure& structure = c.program.structures[c.types()[type].index];
+    const ir::Structure& structure = c.program.structures[c.types()[type].structure];
     if (structure.kind != ir::StructureKind::adaptor || pattern == ir::Pattern::any || pattern == ir::Pattern::calls)
         return true;
     c.error(Diag::adaptor_in_kernel, c[param.type].span, {structure.display});
@@ -119,7 +119,7 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
         if (is_structure)
             note(c.error(Diag::structure_needs_pattern, c[param.type].span, {c.text(param.name.name)}),
                  c[param.type].span,
-                 c.program.structures[c.types()[type].index].kind == ir::StructureKind::adaptor
+                 c.program.structures[c.types()[type].structure].kind == ir::StructureKind::adaptor
                      ? "say how the kernel calls its functions: calls<…>, or any<…> if they only read"
                      : "say how the kernel accesses it: each<…>, near<…, r>, any<…>, at<…>, scatter<…> or coherent<…>");
         if (type && !is_structure && holds_optional(c.program, type)) {
@@ -133,7 +133,7 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
     }
     if (!is_touched(c, param, made.pattern, type) || !is_at_home(c, param, made.pattern, kernel.raster.has_value()))
         return add_broken(body, param, std::move(made), kernel);
-    made.structure = c.types()[type].index;
+    made.structure = c.types()[type].structure;
     const ir::Structure structure = c.program.structures[made.structure];
     check_direction(c, param, made);
     check_extra(c, body.env, param, made);
@@ -331,14 +331,13 @@ static void check_body(Body& body, const ast::Kernel& written) {
     close_scope(body);
 }
 
-std::optional<std::uint32_t> instantiate_kernel(Context& c, ast::DeclId id, const Env& env, Span use) {
+ir::KernelId instantiate_kernel(Context& c, ast::DeclId id, const Env& env, Span use) {
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Kernel>(decl.body);
     std::string key = key_of(c, id, env);
-    if (auto found = c.instances.find(key); found != c.instances.end())
-        return found->second.state == Instance::State::done ? std::optional(found->second.index) : std::nullopt;
+    if (auto found = c.instances.find(key); found != c.instances.end()) return {found->second.index};
     InstantiationScope scope(c, display_of(c, decl, env), use);
-    if (scope.too_deep()) return std::nullopt;
+    if (scope.too_deep()) return {};
     c.instances[key] = {};
     std::size_t errors = c.diagnostics.own_error_count();
     ir::Kernel kernel;
@@ -372,10 +371,10 @@ std::optional<std::uint32_t> instantiate_kernel(Context& c, ast::DeclId id, cons
     if (kernel.raster && c.diagnostics.own_error_count() == errors) check_derivatives(c, kernel);
     Instance& instance = c.instances[key];
     instance.state = c.diagnostics.own_error_count() == errors ? Instance::State::done : Instance::State::failed;
-    if (instance.state == Instance::State::failed) return std::nullopt;
-    instance.index = static_cast<std::uint32_t>(c.program.kernels.size());
-    c.program.kernels.push_back(std::move(kernel));
-    return instance.index;
+    if (instance.state == Instance::State::failed) return {};
+    const ir::KernelId made = c.program.kernels.add(std::move(kernel));
+    instance.index = made.index;
+    return made;
 }
 
 }  // namespace gliftc::sema

@@ -43,7 +43,7 @@ std::string pattern_text(ir::Pattern pattern, ir::Combine combine, const std::st
 }
 
 /// The source text of a path of members from a name: `grid.wanted`.
-std::string path_text(const Context& c, std::string name, std::uint32_t structure, const ir::Place& place) {
+std::string path_text(const Context& c, std::string name, ir::StructureId structure, const ir::Place& place) {
     for (std::uint32_t member : place.members) {
         const ir::MemberStructure& next = c.program.structures[structure].members[member];
         if (!name.empty()) name += ".";
@@ -107,7 +107,7 @@ void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made)
 namespace {
 
 /// Reports an image as the target of combined writes if devices have no atomic operations on its texels.
-void check_combined_image(Context& c, const ast::Expr& op, std::uint32_t index) {
+void check_combined_image(Context& c, const ast::Expr& op, ir::StructureId index) {
     const ir::Structure& structure = c.program.structures[index];
     if (structure.kind != ir::StructureKind::stored) return;  // a view: check_stored() reports it
     const ir::Memory& memory = ir::root_memory(c.program, structure);
@@ -119,7 +119,7 @@ void check_combined_image(Context& c, const ast::Expr& op, std::uint32_t index) 
 
 }  // namespace
 
-ir::Combine check_combine(Context& c, ast::ExprId operation, std::uint32_t structure) {
+ir::Combine check_combine(Context& c, ast::ExprId operation, ir::StructureId structure) {
     const ast::Expr& op = c[operation];
     const auto combine = op.kind == ast::ExprKind::name ? combine_of(c.text(op.name)) : std::nullopt;
     if (!combine) {
@@ -135,7 +135,7 @@ ir::Combine check_combine(Context& c, ast::ExprId operation, std::uint32_t struc
     return *combine;
 }
 
-void check_coherent(Context& c, ast::Identifier name, std::uint32_t index) {
+void check_coherent(Context& c, ast::Identifier name, ir::StructureId index) {
     const ir::Structure& structure = c.program.structures[index];
     if (structure.kind != ir::StructureKind::stored) return;  // a view: check_stored() reports it
     const ir::Memory& memory = ir::root_memory(c.program, structure);
@@ -146,7 +146,7 @@ void check_coherent(Context& c, ast::Identifier name, std::uint32_t index) {
          name.span, "invocations share buffers, and images of r32i and r32ui");
 }
 
-void check_stored(Context& c, Span span, std::uint32_t index) {
+void check_stored(Context& c, Span span, ir::StructureId index) {
     const ir::Structure& structure = c.program.structures[index];
     if (structure.kind != ir::StructureKind::view) return;
     Diagnostic& diagnostic = c.error(Diag::view_written, span, {structure.display});
@@ -155,7 +155,7 @@ void check_stored(Context& c, Span span, std::uint32_t index) {
              "its memory is the view " + ir::root_structure(c.program, structure).display + ", which is computed");
 }
 
-void check_depth_written(Context& c, ast::Identifier name, std::uint32_t index) {
+void check_depth_written(Context& c, ast::Identifier name, ir::StructureId index) {
     if (!ir::has_depth_format(c.program, c.program.structures[index])) return;
     note(c.error(Diag::depth_written, name.span, {c.text(name.name)}), name.span,
          "a raster writes depths, to an 'inout target<S, always>' for instance; clear_depth of std.image fills all");
@@ -249,7 +249,7 @@ bool fits_writing(Body& body, const Env& env, const ast::Param& param, const Ope
     Writing wanted{written_pattern(param.pattern), ir::Combine::replace, param.name.span};
     const ir::TypeId type = type_of(c, env, param.type);
     if (wanted.is(ir::Pattern::scatter) && !param.extra.empty())
-        wanted.combine = check_combine(c, param.extra[0], c.types()[type].index);
+        wanted.combine = check_combine(c, param.extra[0], c.types()[type].structure);
     if (argument.writing.is(wanted.pattern) && argument.writing.combine == wanted.combine) return true;
     const std::string text =
         pattern_text(wanted.pattern, wanted.combine, c.program.structures[argument.structure].display);
@@ -274,7 +274,7 @@ bool may_have(Body& body, const ir::Function& called, const ir::Effect& effect, 
         return false;
     }
     if (has_effect(*body.effects, effect) || through.writing.is(ir::Pattern::calls)) return true;
-    const std::uint32_t structure = through.structure;
+    const ir::StructureId structure = through.structure;
     ir::Place from_there = effect.place;
     from_there.members = {effect.place.members.begin() + static_cast<std::ptrdiff_t>(through.place.members.size()),
                           effect.place.members.end()};

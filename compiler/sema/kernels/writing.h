@@ -13,17 +13,17 @@ ir::Pattern written_pattern(ast::Pattern);
 void check_direction(Context&, const ast::Param&, ir::KernelParam&);
 
 /// The operation named by `scatter<…, op>`; reports one that cannot combine the structure's elements.
-ir::Combine check_combine(Context&, ast::ExprId operation, std::uint32_t structure);
+ir::Combine check_combine(Context&, ast::ExprId operation, ir::StructureId structure);
 
 /// Reports a structure for `coherent` whose elements are neither in a buffer nor in an image of r32i or r32ui:
 /// workgroups can share no others.
-void check_coherent(Context&, ast::Identifier name, std::uint32_t structure);
+void check_coherent(Context&, ast::Identifier name, ir::StructureId structure);
 
 /// Reports a view, which has no elements to write.
-void check_stored(Context&, Span, std::uint32_t structure);
+void check_stored(Context&, Span, ir::StructureId structure);
 
 /// Reports a written structure whose memory has the format d32: shaders cannot store depths.
-void check_depth_written(Context&, ast::Identifier name, std::uint32_t structure);
+void check_depth_written(Context&, ast::Identifier name, ir::StructureId structure);
 
 /// Declares a parameter of a function with a pattern that writes, and adds the effect that this gives the function
 /// (`calls` gives none).

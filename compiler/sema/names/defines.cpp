@@ -41,7 +41,7 @@ std::optional<ir::Lane> lane_of(Context& c, ir::TypeId type, std::string_view te
         return ir::Lane{.bits = text == "true"};
     }
     if (types.kind(type) == ir::TypeKind::enum_) {
-        const ir::Enum& declared = c.program.enums[types[type].index];
+        const ir::Enum& declared = c.program.enums[types[type].enum_];
         for (std::size_t i = 0; i < declared.enumerators.size(); ++i)
             if (c.text(declared.enumerators[i]) == text) return ir::Lane{.bits = declared.values[i]};
         return std::nullopt;
@@ -55,7 +55,7 @@ std::optional<ir::Lane> lane_of(Context& c, ir::TypeId type, std::string_view te
 }
 
 bool is_root_constant(const Context& c, const std::string& name) {
-    for (std::size_t i = 0; i < c.modules.size(); ++i) {
+    for (ir::ModuleId i : c.modules.ids()) {
         if (!c.modules[i].is_root) continue;
         auto found = c.scopes[i].names.find(c.names.intern(name));
         if (found != c.scopes[i].names.end() && std::holds_alternative<ast::Const>(c[found->second[0]].body))

@@ -14,11 +14,11 @@ bool contains(const std::vector<ast::DeclId>& list, ast::DeclId decl) {
 }
 
 /// The module that declares the struct or enum that the type is, or is an array or optional of.
-std::optional<std::uint32_t> home_of(const Context& c, ir::TypeId id) {
+ir::ModuleId home_of(const Context& c, ir::TypeId id) {
     const ir::Type& type = c.program.types[id];
     switch (type.kind) {
-    case ir::TypeKind::struct_: return c.program.structs[type.index].module;
-    case ir::TypeKind::enum_: return c.program.enums[type.index].module;
+    case ir::TypeKind::struct_: return c.program.structs[type.struct_].module;
+    case ir::TypeKind::enum_: return c.program.enums[type.enum_].module;
     case ir::TypeKind::array:
     case ir::TypeKind::optional: return home_of(c, type.element);
     case ir::TypeKind::error:
@@ -37,7 +37,7 @@ std::optional<std::uint32_t> home_of(const Context& c, ir::TypeId id) {
     case ir::TypeKind::slice:
     case ir::TypeKind::device: break;
     }
-    return std::nullopt;
+    return {};
 }
 
 /// Reports that two imports declare the name; the message does not depend on the order of the imports. Returns the
@@ -83,12 +83,12 @@ bool some_module_has_function(const Context& c, Name name) {
     return false;
 }
 
-Visible look_up(Context& c, std::uint32_t module, ast::Identifier name) {
+Visible look_up(Context& c, ir::ModuleId module, ast::Identifier name) {
     const ModuleScope& scope = c.scopes[module];
     if (auto own = scope.names.find(name.name); own != scope.names.end()) return {own->second, {}};
     Visible visible;
-    std::uint32_t from = 0xffffffffu;
-    for (std::uint32_t import : scope.imports) {
+    ir::ModuleId from;
+    for (ir::ModuleId import : scope.imports) {
         auto names = c.scopes[import].names.find(name.name);
         if (names == c.scopes[import].names.end()) continue;
         for (ast::DeclId decl : names->second) {
@@ -116,10 +116,10 @@ Visible look_up(Context& c, std::uint32_t module, ast::Identifier name) {
 void add_functions_of_types(Context& c, Name name, const std::vector<ir::TypeId>& types,
                             std::vector<ast::DeclId>& functions) {
     for (ir::TypeId type : types) {
-        auto home = home_of(c, type);
+        const ir::ModuleId home = home_of(c, type);
         if (!home) continue;
-        auto found = c.scopes[*home].names.find(name);
-        if (found == c.scopes[*home].names.end() || !is_function(c, found->second)) continue;
+        auto found = c.scopes[home].names.find(name);
+        if (found == c.scopes[home].names.end() || !is_function(c, found->second)) continue;
         for (ast::DeclId decl : found->second)
             if (!contains(functions, decl)) functions.push_back(decl);
     }

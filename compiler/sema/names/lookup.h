@@ -13,7 +13,7 @@ struct Visible {
 
 /// The declarations of the name that the module can see. Reports a name that several imports declare as public, unless
 /// all declare functions, or all declare kernels or pipelines.
-Visible look_up(Context&, std::uint32_t module, ast::Identifier name);
+Visible look_up(Context&, ir::ModuleId module, ast::Identifier name);
 
 /// Reports a use of a declaration that is not public, in another module.
 void report_private(Context&, ast::Identifier name, ast::DeclId declared);

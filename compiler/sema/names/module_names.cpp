@@ -5,20 +5,20 @@
 
 namespace gliftc::sema {
 
-std::optional<std::uint32_t> module_by_whole_name(Context& c, const Env& env, ast::ExprId id) {
+ir::ModuleId module_by_whole_name(Context& c, const Env& env, ast::ExprId id) {
     std::string text;
     for (; c[id].kind == ast::ExprKind::member; id = c[id].operands[0]) text = "." + c.text(c[id].name) + text;
-    if (c[id].kind != ast::ExprKind::name) return std::nullopt;
+    if (c[id].kind != ast::ExprKind::name) return {};
     text = c.text(c[id].name) + text;
-    for (std::uint32_t import : c.scopes[env.module].imports) {
+    for (ir::ModuleId import : c.scopes[env.module].imports) {
         if (c.text(c.modules[import].tree->name.name) != text) continue;
         const MetaKind first = find_meta(c, env, {c[id].name, c[id].span}).kind;
         if (first == MetaKind::none || first == MetaKind::module) return import;
     }
-    return std::nullopt;
+    return {};
 }
 
-Meta find_in_module(Context& c, const Env& env, std::uint32_t module, ast::Identifier name) {
+Meta find_in_module(Context& c, const Env& env, ir::ModuleId module, ast::Identifier name) {
     Meta meta;
     const auto& names = c.scopes[module].names;
     const auto found = names.find(name.name);

@@ -9,9 +9,9 @@ namespace gliftc::sema {
 
 namespace {
 
-void own_members(Context& c, ast::DeclId id, std::uint32_t module);
+void own_members(Context& c, ast::DeclId id, ir::ModuleId module);
 
-void own_items(Context& c, const std::vector<ast::Item>& items, std::uint32_t module) {
+void own_items(Context& c, const std::vector<ast::Item>& items, ir::ModuleId module) {
     for (const ast::Item& item : items) {
         if (item.decl) own_members(c, item.decl, module);
         own_items(c, item.body, module);
@@ -38,7 +38,7 @@ void report_attributes(Context& c, const ast::Decl& decl) {
              "only translators and kernels have attributes");
 }
 
-void own_members(Context& c, ast::DeclId id, std::uint32_t module) {
+void own_members(Context& c, ast::DeclId id, ir::ModuleId module) {
     c.module_of[id] = module;
     report_attributes(c, c[id]);
     report_duplicates(c, c[id].generics);
@@ -73,14 +73,14 @@ void declare(Context& c, ModuleScope& scope, ast::DeclId id) {
 }
 
 /// The modules that a module uses, transitively; sorted.
-std::vector<std::uint32_t> reached_from(const std::vector<LoadedModule>& modules, std::uint32_t from) {
-    std::set<std::uint32_t> reached;
-    std::vector<std::uint32_t> next = {from};
+std::vector<ir::ModuleId> reached_from(const ModuleTable& modules, ir::ModuleId from) {
+    std::set<ir::ModuleId> reached;
+    std::vector<ir::ModuleId> next = {from};
     while (!next.empty()) {
-        const std::uint32_t module = next.back();
+        const ir::ModuleId module = next.back();
         next.pop_back();
-        for (std::uint32_t use : modules[module].uses)
-            if (use != ~0u && reached.insert(use).second) next.push_back(use);
+        for (ir::ModuleId use : modules[module].uses)
+            if (use && reached.insert(use).second) next.push_back(use);
     }
     return {reached.begin(), reached.end()};
 }
@@ -89,7 +89,7 @@ std::vector<std::uint32_t> reached_from(const std::vector<LoadedModule>& modules
 
 void collect_modules(Context& c) {
     c.scopes.resize(c.modules.size());
-    for (std::uint32_t i = 0; i < c.modules.size(); ++i) {
+    for (ir::ModuleId i : c.modules.ids()) {
         const LoadedModule& loaded = c.modules[i];
         ir::Module module;
         module.name = loaded.tree->name.name;
@@ -98,8 +98,8 @@ void collect_modules(Context& c) {
         module.doc = loaded.tree->doc;
         module.imports = reached_from(c.modules, i);
         c.program.modules.push_back(std::move(module));
-        for (std::uint32_t use : loaded.uses)
-            if (use != ~0u) c.scopes[i].imports.push_back(use);
+        for (ir::ModuleId use : loaded.uses)
+            if (use) c.scopes[i].imports.push_back(use);
         for (ast::DeclId decl : loaded.tree->decls) {
             own_members(c, decl, i);
             declare(c, c.scopes[i], decl);

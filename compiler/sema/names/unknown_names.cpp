@@ -12,7 +12,7 @@ std::string suggestion_for(Context& c, const Env& env, std::string_view name,
     std::vector<std::string_view> candidates = more;
     for (const auto& [bound, meta] : env.bindings) candidates.push_back(c.text(bound));
     for (const auto& [declared, decls] : c.scopes[env.module].names) candidates.push_back(c.text(declared));
-    for (std::uint32_t import : c.scopes[env.module].imports)
+    for (ir::ModuleId import : c.scopes[env.module].imports)
         for (const auto& [declared, decls] : c.scopes[import].names)
             if (c[decls[0]].is_pub) candidates.push_back(c.text(declared));
 #define INTRINSIC(name, signature, exactness) candidates.push_back(#name);
@@ -27,7 +27,7 @@ std::string suggestion_for(Context& c, const Env& env, std::string_view name,
 
 /// A module that declares the name as public: a loaded one, else one that could be imported. Empty if there is none.
 static std::string module_with(const Context& c, Name name) {
-    for (std::uint32_t i = 0; i < c.scopes.size(); ++i) {
+    for (ir::ModuleId i : c.scopes.ids()) {
         auto found = c.scopes[i].names.find(name);
         if (found != c.scopes[i].names.end() && c[found->second[0]].is_pub) return c.text(c.modules[i].tree->name.name);
     }

@@ -49,7 +49,7 @@ void return_element(Context& c, ir::Pipeline& pipeline, const ir::Structure& own
         p.exprs[made].local = pipeline.params[0].local;
         return made;
     };
-    std::uint32_t stored = 0;
+    ir::StructureId stored;
     for (const ir::Structure* at = &owner; std::uint32_t member : read.place.members) {
         stored = at->members[member].structure;
         at = &p.structures[stored];
@@ -74,14 +74,14 @@ void return_element(Context& c, ir::Pipeline& pipeline, const ir::Structure& own
 // pipeline gives the element itself, not a copy: the dispatch that follows uses it at once, and applies the bound.
 // Kernels over the same blocks then share the pass that prepares their dispatches, as long as nothing writes the
 // element between them.
-std::optional<std::uint32_t> counter_of_blocks(Context& c, std::uint32_t index, Span use) {
+ir::PipelineId counter_of_blocks(Context& c, ir::StructureId index, Span use) {
     const ir::FunctionId count = c.program.structures[index].blocks->count;
     const auto general = pipeline_of_function(c, count, use);
     const ir::Structure owner = c.program.structures[index];
     const ir::ExprId element = counted_element(c.program, owner);
     if (!general || !element) return general;
     ir::Pipeline pipeline;
-    const ir::Pipeline& called = c.program.pipelines[*general];
+    const ir::Pipeline& called = c.program.pipelines[general];
     pipeline.name = c.names.intern("block_count");
     pipeline.display = owner.display + ".blocks, the element";
     pipeline.key = owner.key + ".block_count<" + owner.key + ">";
@@ -92,12 +92,11 @@ std::optional<std::uint32_t> counter_of_blocks(Context& c, std::uint32_t index, 
     return_element(c, pipeline, owner, element);
     const ir::ExprId call = add(c.program, ir::Op::pipeline_call, pipeline.result, pipeline.span,
                                 {structure_argument(c, pipeline.params[0].local, pipeline.span)});
-    c.program.exprs[call].slot = *general;
+    c.program.exprs[call].slot = general.index;
     const ir::StmtId give = add(c.program, ir::StmtOp::return_, pipeline.span);
     c.program.stmts[give].value = call;
     pipeline.body.push_back(give);
-    c.program.pipelines.push_back(std::move(pipeline));
-    return static_cast<std::uint32_t>(c.program.pipelines.size() - 1);
+    return c.program.pipelines.add(std::move(pipeline));
 }
 
 }  // namespace gliftc::sema

@@ -20,13 +20,13 @@ bool takes(Body& body, const Env& env, const ast::Param& param, const PassArgume
     Context& c = body.context;
     if (param.pattern == ast::Pattern::range) {
         if (!argument.structure || param.extra.size() != 1) return false;
-        const ir::Structure structure = c.program.structures[*argument.structure];
+        const ir::Structure structure = c.program.structures[argument.structure];
         const auto axes = count_of(c, env, param.type);
         return axes && structure.domain_type == c.types().vector(c.types().uint, *axes) &&
                structure.element == type_of(c, env, param.extra[0]);
     }
     const ir::TypeId wanted = type_of(c, env, param.type);
-    if (argument.structure) return wanted == c.types().of_structure(*argument.structure);
+    if (argument.structure) return wanted == c.types().of_structure(argument.structure);
     if (!argument.waits) return argument.type && becomes(c.types(), argument.type, wanted);
     if (!is_flexible(c, argument.written)) return true;
     const ir::TypeId taken = operand_hint(c.types(), wanted), own = own_type(c, argument.written);
@@ -79,12 +79,12 @@ void infer_arguments(Body& body, Arguments& generics, const std::vector<ast::Par
     for (std::size_t i = 0; i < params.size() && i < arguments.size(); ++i) {
         if (arguments[i].waits) continue;
         if (params[i].pattern == ast::Pattern::range && arguments[i].structure) {
-            const ir::Structure structure = body.program().structures[*arguments[i].structure];
+            const ir::Structure structure = body.program().structures[arguments[i].structure];
             generics.infer_value(params[i].type, {body.types().uint,
                                                   {ir::Lane{.bits = body.types().components(structure.domain_type)}}});
             if (!params[i].extra.empty()) generics.infer(params[i].extra[0], structure.element);
         } else if (arguments[i].structure) {
-            generics.infer_structure(params[i].type, *arguments[i].structure);
+            generics.infer_structure(params[i].type, arguments[i].structure);
         } else if (arguments[i].type) {
             generics.infer(params[i].type, arguments[i].type);
         }

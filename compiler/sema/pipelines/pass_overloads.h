@@ -9,8 +9,8 @@ namespace gliftc::sema {
 /// What overload resolution looks at in an argument.
 struct PassArgument {
     ast::ExprId written;
-    ir::TypeId type;                         ///< of a value: its type, without TypeKind::device
-    std::optional<std::uint32_t> structure;  ///< of a structure or slice: the instance
+    ir::TypeId type;            ///< of a value: its type, without TypeKind::device
+    ir::StructureId structure;  ///< of a structure or slice: the instance
     bool waits = false;  ///< it is made of literals, `none` or a braced list: it takes the parameter's type and is
                          ///< checked once that is known
 };

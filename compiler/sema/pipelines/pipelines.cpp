@@ -25,7 +25,7 @@ ir::TypeId range_domain(Context& c, const Env& env, ast::ExprId dimensions) {
 
 /// Whether the structure has addresses of type `domain` and elements of type `element`; reports an error at `span` if
 /// not.
-bool check_range(Context& c, std::uint32_t structure, ir::TypeId domain, ir::TypeId element, Span span) {
+bool check_range(Context& c, ir::StructureId structure, ir::TypeId domain, ir::TypeId element, Span span) {
     if (domain == c.types().error || element == c.types().error) return true;  // reported before
     const ir::Structure& instance = c.program.structures[structure];
     if (instance.domain_type == domain && instance.element == element) return true;
@@ -33,7 +33,7 @@ bool check_range(Context& c, std::uint32_t structure, ir::TypeId domain, ir::Typ
     return false;
 }
 
-void add_param(Body& body, const ast::Param& param, std::uint32_t passed, ir::Pipeline& pipeline) {
+void add_param(Body& body, const ast::Param& param, const Passed& passed, ir::Pipeline& pipeline) {
     Context& c = body.context;
     ir::PipelineParam made;
     made.name = param.name.name;
@@ -44,12 +44,13 @@ void add_param(Body& body, const ast::Param& param, std::uint32_t passed, ir::Pi
     ir::TypeId type = c.types().error;
     if (param.pattern == ast::Pattern::range) {
         made.pattern = ir::HostPattern::range;
-        made.structure = passed;
-        type = c.types().slice(c.types().of_structure(passed));
+        made.structure = passed.structure;
+        type = c.types().slice(c.types().of_structure(passed.structure));
         if (param.extra.size() != 1) c.error(Diag::range_form, param.pattern_span);
         else {
             ir::TypeId domain = range_domain(c, body.env, param.type), element = type_of(c, body.env, param.extra[0]);
-            check_range(c, passed, domain, element, c.requests.empty() ? param.name.span : c.requests.back().span);
+            check_range(c, passed.structure, domain, element,
+                        c.requests.empty() ? param.name.span : c.requests.back().span);
         }
     } else if (param.pattern != ast::Pattern::none) {
         c.error(Diag::pattern_in_pipeline, param.pattern_span);
@@ -57,10 +58,10 @@ void add_param(Body& body, const ast::Param& param, std::uint32_t passed, ir::Pi
         type = type_of(c, body.env, param);
         if (c.types().kind(type) == ir::TypeKind::structure) {
             made.pattern = ir::HostPattern::structure;
-            made.structure = c.types()[type].index;
+            made.structure = c.types()[type].structure;
         } else if (param.direction == ast::Direction::out || param.direction == ast::Direction::inout) {
             if (type != c.types().error) c.error(Diag::function_out, param.direction_span);
-        } else if (passed == lies_on_device) {
+        } else if (passed.on_device) {
             type = c.types().device(type);
         }
     }
@@ -122,7 +123,7 @@ void check_range_return(Body& body, const ast::Stmt& stmt) {
                 {result.slice ? c.text(result.slice) : "a range", c.text(type)});
         return;
     }
-    const std::uint32_t structure = c.types()[c.types()[type].element].index;
+    const ir::StructureId structure = c.types()[c.types()[type].element].structure;
     if (!check_range(c, structure, result.domain, result.element, c[stmt.value].span)) return;
     result.slice = type;
     body.program().stmts[id].value = value;
@@ -130,43 +131,42 @@ void check_range_return(Body& body, const ast::Stmt& stmt) {
 }
 
 /// All declarations with the name of the pipeline, in its container or in its module.
-static std::vector<ast::DeclId> overloads_of(Context& c, ast::DeclId id, std::optional<std::uint32_t> owner) {
+static std::vector<ast::DeclId> overloads_of(Context& c, ast::DeclId id, ir::StructureId owner) {
     std::vector<ast::DeclId> all;
     if (!owner) {
         const auto& names = c.scopes[c.module_of.at(id)].names;
         const auto found = names.find(c[id].name.name);
         return found == names.end() ? all : found->second;
     }
-    for (const ast::Item* item : items_of(c, *owner))
+    for (const ast::Item* item : items_of(c, owner))
         if (item->decl && c[item->decl].name.name == c[id].name.name) all.push_back(item->decl);
     return all;
 }
 
 /// The name of the declaration with its module and its container, the same for all instances; then, unless it is the
 /// first of its overloads, its number among them.
-static std::string name_of_declaration(Context& c, ast::DeclId id, std::optional<std::uint32_t> owner) {
+static std::string name_of_declaration(Context& c, ast::DeclId id, ir::StructureId owner) {
     const std::vector<ast::DeclId> all = overloads_of(c, id, owner);
     const auto place = std::ranges::find(all, id) - all.begin();
     return ir::module_text(c.program, c.module_of.at(id)) +
-           (owner ? c.text(c.program.structures[*owner].name) + "." : "") + c.text(c[id].name.name) +
+           (owner ? c.text(c.program.structures[owner].name) + "." : "") + c.text(c[id].name.name) +
            (place == 0 ? "" : "<overload " + std::to_string(place + 1) + ">");
 }
 
 // If the declared result is T, the instance's result is T or T on the device, depending on the returned values.
-std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, const Env& env,
-                                                  const std::vector<std::uint32_t>& passed,
-                                                  std::optional<std::uint32_t> owner, Span use) {
+ir::PipelineId instantiate_pipeline(Context& c, ast::DeclId id, const Env& env, const std::vector<Passed>& passed,
+                                    ir::StructureId owner, Span use) {
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Pipeline>(decl.body);
-    std::string key = key_of(c, id, env) + (owner ? "!" + std::to_string(*owner) : "");
-    for (std::uint32_t each : passed) key += "@" + std::to_string(each);
+    std::string key = key_of(c, id, env) + (owner ? "!" + std::to_string(owner.index) : "");
+    for (const Passed& each : passed) key += "@" + (each.on_device ? "device" : std::to_string(each.structure.index));
     if (auto found = c.instances.find(key); found != c.instances.end()) {
         if (found->second.state == Instance::State::in_progress)
             c.error(Diag::recursion, use, {c.text(decl.name.name)});
-        return found->second.state == Instance::State::done ? std::optional(found->second.index) : std::nullopt;
+        return {found->second.index};
     }
     InstantiationScope scope(c, display_of(c, decl, env), use);
-    if (scope.too_deep()) return std::nullopt;
+    if (scope.too_deep()) return {};
     c.instances[key] = {};
     std::size_t errors = c.diagnostics.own_error_count();
     ir::Pipeline pipeline;
@@ -175,7 +175,7 @@ std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, co
     pipeline.key = qualified_display_of(c, id, env);
     pipeline.span = decl.name.span;
     pipeline.module = c.module_of.at(id);
-    pipeline.is_pub = decl.is_pub && std::ranges::find(passed, lies_on_device) == passed.end();
+    pipeline.is_pub = decl.is_pub && std::ranges::none_of(passed, &Passed::on_device);
     pipeline.owner = owner;
     pipeline.doc = decl.doc;
     Body body{.context = c,
@@ -183,10 +183,10 @@ std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, co
               .kind = BodyKind::pipeline,
               .block = &pipeline.body,
               .key = name_of_declaration(c, id, owner)};
-    if (owner) bring_members_into_scope(body, *owner);
+    if (owner) bring_members_into_scope(body, owner);
     open_scope(body);
     for (std::size_t i = 0; i < written.params.size(); ++i)
-        add_param(body, written.params[i], i < passed.size() ? passed[i] : 0, pipeline);
+        add_param(body, written.params[i], i < passed.size() ? passed[i] : Passed{}, pipeline);
     pipeline.result = declared_result(body, written);
     body.result = pipeline.result;
     open_scope(body);
@@ -202,11 +202,11 @@ std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, co
                 {c.text(decl.name.name), body.range_result ? "a range" : c.text(pipeline.result)});
     Instance& instance = c.instances[key];
     instance.state = c.diagnostics.own_error_count() == errors ? Instance::State::done : Instance::State::failed;
-    if (instance.state == Instance::State::failed) return std::nullopt;
-    instance.index = static_cast<std::uint32_t>(c.program.pipelines.size());
-    c.program.pipelines.push_back(std::move(pipeline));
-    if (owner) c.program.structures[*owner].pipelines.push_back(c.instances[key].index);
-    return c.instances[key].index;
+    if (instance.state == Instance::State::failed) return {};
+    const ir::PipelineId made = c.program.pipelines.add(std::move(pipeline));
+    instance.index = made.index;
+    if (owner) c.program.structures[owner].pipelines.push_back(made);
+    return made;
 }
 
 void instantiate_test(Context& c, ast::DeclId id) {
@@ -231,9 +231,8 @@ void instantiate_test(Context& c, ast::DeclId id) {
     check_pipeline_body(body, written.body, pipeline);
     close_scope(body);
     if (c.diagnostics.own_error_count() != errors) return;
-    c.program.pipelines.push_back(std::move(pipeline));
     c.program.tests.push_back(
-        {written.title, decl.span, c.module_of.at(id), static_cast<std::uint32_t>(c.program.pipelines.size() - 1)});
+        {written.title, decl.span, c.module_of.at(id), c.program.pipelines.add(std::move(pipeline))});
 }
 
 }  // namespace gliftc::sema

@@ -27,13 +27,13 @@ namespace {
 /// The function's key, then the keys of the structures that it is called for. Overloads have the same key.
 std::string key_of(const Context& c, const ir::Function& function) {
     std::string key = function.key;
-    for (std::uint32_t structure : function.structures) key += "<" + c.program.structures[structure].key + ">";
+    for (ir::StructureId structure : function.structures) key += "<" + c.program.structures[structure].key + ">";
     return key;
 }
 
 /// A kernel that assigns a call of the function to the parameter `result: out each<Box>`. Its other parameters are the
 /// function's structures and values.
-ir::Kernel kernel_of(Context& c, ir::FunctionId id, std::uint32_t box) {
+ir::Kernel kernel_of(Context& c, ir::FunctionId id, ir::StructureId box) {
     ir::Program& program = c.program;
     const ir::Function function = program.functions[id];
     ir::Kernel kernel;
@@ -50,7 +50,7 @@ ir::Kernel kernel_of(Context& c, ir::FunctionId id, std::uint32_t box) {
     };
     ir::Operands values;
     std::vector<ir::Place> places;
-    for (std::uint32_t structure : function.structures) {
+    for (ir::StructureId structure : function.structures) {
         places.push_back({static_cast<std::uint32_t>(kernel.params.size()), {}});
         add_param({.name = c.names.intern("self"), .pattern = ir::Pattern::any, .structure = structure});
     }
@@ -83,7 +83,7 @@ std::optional<ir::TypeId> type_not_for_passes(const ir::Program& program, const 
     return found == types.end() ? std::nullopt : std::optional(*found);
 }
 
-ir::PipelineParam structure_param(Context& c, std::uint32_t structure, Span span) {
+ir::PipelineParam structure_param(Context& c, ir::StructureId structure, Span span) {
     const ir::TypeId type = c.types().of_structure(structure);
     const bool is_adaptor = c.program.structures[structure].kind == ir::StructureKind::adaptor;
     ir::PipelineParam param;
@@ -102,8 +102,8 @@ ir::ExprId structure_argument(Context& c, ir::LocalId local, Span span) {
     return argument;
 }
 
-std::uint32_t pipeline_of_kernel(Context& c, ir::Kernel kernel, ir::Pipeline pipeline, ir::Operands arguments,
-                                 std::uint32_t box) {
+ir::PipelineId pipeline_of_kernel(Context& c, ir::Kernel kernel, ir::Pipeline pipeline, ir::Operands arguments,
+                                  ir::StructureId box) {
     const Span span = kernel.span;
     const ir::LocalId result = add_local(c.program, c.names.intern("result"), c.types().of_structure(box), span);
     arguments.push_back(structure_argument(c, result, span));
@@ -112,9 +112,8 @@ std::uint32_t pipeline_of_kernel(Context& c, ir::Kernel kernel, ir::Pipeline pip
     c.program.stmts[temp].arguments = {make_uint(c.program, 1, span)};
     c.program.stmts[temp].uninitialized = true;
     const ir::StmtId dispatch = add(c.program, ir::StmtOp::dispatch, span);
-    c.program.stmts[dispatch].slot = static_cast<std::uint32_t>(c.program.kernels.size());
+    c.program.stmts[dispatch].slot = c.program.kernels.add(std::move(kernel)).index;
     c.program.stmts[dispatch].arguments = std::move(arguments);
-    c.program.kernels.push_back(std::move(kernel));
     pipeline.result = c.types().device(c.program.structures[box].element);
     const ir::ExprId element =
         add(c.program, ir::Op::device_read, pipeline.result, span, {make_uint(c.program, 0, span)});
@@ -122,21 +121,18 @@ std::uint32_t pipeline_of_kernel(Context& c, ir::Kernel kernel, ir::Pipeline pip
     const ir::StmtId give = add(c.program, ir::StmtOp::return_, span);
     c.program.stmts[give].value = element;
     pipeline.body = {temp, dispatch, give};
-    const auto index = static_cast<std::uint32_t>(c.program.pipelines.size());
-    c.program.pipelines.push_back(std::move(pipeline));
-    return index;
+    return c.program.pipelines.add(std::move(pipeline));
 }
 
-std::optional<std::uint32_t> pipeline_of_function(Context& c, ir::FunctionId id, Span use,
-                                                  const std::vector<bool>& on_device) {
+ir::PipelineId pipeline_of_function(Context& c, ir::FunctionId id, Span use, const std::vector<bool>& on_device) {
     std::string key = "pass of " + std::to_string(id.index);
     for (std::size_t i = 0; i < on_device.size(); ++i) key += on_device[i] ? " " + std::to_string(i) : "";
     Instance& instance = c.instances[key];
-    if (instance.state == Instance::State::done) return instance.index;
+    if (instance.state == Instance::State::done) return {instance.index};
     const ir::Function function = c.program.functions[id];
-    const std::optional<std::uint32_t> box = box_of(c, 1, function.result, use);
-    if (!box) return std::nullopt;
-    require_transfers(c, *box, use);
+    const ir::StructureId box = box_of(c, 1, function.result, use);
+    if (!box) return {};
+    require_transfers(c, box, use);
     ir::Pipeline pipeline;
     pipeline.name = function.name;
     pipeline.display = function.display;
@@ -144,11 +140,11 @@ std::optional<std::uint32_t> pipeline_of_function(Context& c, ir::FunctionId id,
     pipeline.span = function.span;
     pipeline.module = function.module;
     ir::Operands arguments;
-    for (std::uint32_t structure : function.structures) {
+    for (ir::StructureId structure : function.structures) {
         pipeline.params.push_back(structure_param(c, structure, function.span));
         arguments.push_back(structure_argument(c, pipeline.params.back().local, function.span));
     }
-    ir::Kernel kernel = kernel_of(c, id, *box);
+    ir::Kernel kernel = kernel_of(c, id, box);
     for (std::size_t i = 0; i < function.params.size(); ++i) {
         const ir::Local local = c.program.locals[function.params[i]];
         const bool is_argument = i < on_device.size() && on_device[i];
@@ -158,13 +154,13 @@ std::optional<std::uint32_t> pipeline_of_function(Context& c, ir::FunctionId id,
         pipeline.params.push_back({.name = local.name, .span = local.span, .local = value});
         arguments.push_back(make_local(c.program, value, function.span));
     }
-    const std::uint32_t index =
-        pipeline_of_kernel(c, std::move(kernel), std::move(pipeline), std::move(arguments), *box);
-    c.instances[key] = {.state = Instance::State::done, .index = index};
-    return index;
+    const ir::PipelineId made =
+        pipeline_of_kernel(c, std::move(kernel), std::move(pipeline), std::move(arguments), box);
+    c.instances[key] = {.state = Instance::State::done, .index = made.index};
+    return made;
 }
 
-void check_methods(Context& c, std::uint32_t index) {
+void check_methods(Context& c, ir::StructureId index) {
     const auto& adaptor = std::get<ast::Adaptor>(c[c.structure_decl.at(index)].body);
     const Env& env = *c.structure_env.at(index);
     for_each_item(c, env, adaptor.items, [&](const ast::Item& item) {
@@ -184,7 +180,7 @@ void check_methods(Context& c, std::uint32_t index) {
         // return optionals.
         if (!made.effects.empty() || c.types().kind(made.result) == ir::TypeKind::optional) return;
         if (made.reads_memory && type_not_for_passes(c.program, made)) return;
-        ir::Method method{*function, std::nullopt};
+        ir::Method method{*function, {}};
         if (made.reads_memory) {
             method.pipeline = pipeline_of_function(c, *function, decl.name.span);
             if (!method.pipeline) return;

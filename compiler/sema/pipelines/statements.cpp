@@ -23,13 +23,13 @@ std::vector<ast::ExprId> arguments_of(const ast::Expr& call) {
     return {call.operands.begin() + 1, call.operands.end()};
 }
 
-/// The instance (an index in Program::structures) of an operand that is a structure, a slice of one, or a value of
-/// slice type; absent for any other operand.
-std::optional<std::uint32_t> structure_of(Body& body, const Operand& operand) {
+/// The instance of an operand that is a structure, a slice of one, or a value of slice type; empty for any other
+/// operand.
+ir::StructureId structure_of(Body& body, const Operand& operand) {
     if (operand.kind == OperandKind::structure) return operand.structure;
     if (operand.kind == OperandKind::value && body.types().kind(operand.type) == ir::TypeKind::slice)
-        return body.types()[body.types()[operand.type].element].index;
-    return std::nullopt;
+        return body.types()[body.types()[operand.type].element].structure;
+    return {};
 }
 
 Operand operand_of_local(Body& body, ir::LocalId local, ir::TypeId type, Span span) {
@@ -38,7 +38,7 @@ Operand operand_of_local(Body& body, ir::LocalId local, ir::TypeId type, Span sp
     structure.span = span;
     structure.local = local;
     structure.is_slice = body.types().kind(type) == ir::TypeKind::slice;
-    structure.structure = body.types()[structure.is_slice ? body.types()[type].element : type].index;
+    structure.structure = body.types()[structure.is_slice ? body.types()[type].element : type].structure;
     structure.type = type;
     return structure;
 }
@@ -50,7 +50,7 @@ void emit_temp(Body& body, ir::LocalId local, ir::Operands arguments, Span span)
     body.made.emplace(local, arguments);
     body.program().stmts[id].arguments = std::move(arguments);
     emit(body, id);
-    require_transfers(body.context, body.types()[body.program().locals[local].type].index, span);
+    require_transfers(body.context, body.types()[body.program().locals[local].type].structure, span);
 }
 
 }  // namespace
@@ -109,7 +109,7 @@ Operand no_value(Body& body, Span span) {
     return value_operand(body, add(body.program(), ir::Op::constant, body.types().void_, span), span);
 }
 
-std::optional<ir::Operands> kernel_arguments(Body& body, std::uint32_t kernel_index, std::vector<Argument>& arguments) {
+std::optional<ir::Operands> kernel_arguments(Body& body, ir::KernelId kernel_index, std::vector<Argument>& arguments) {
     Context& c = body.context;
     ir::Operands values;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -128,8 +128,8 @@ std::optional<ir::Operands> kernel_arguments(Body& body, std::uint32_t kernel_in
                 to_value(body, arguments[i].operand);  // reports what is no value
                 return std::nullopt;
             }
-            if (!arguments[i].structure || *arguments[i].structure != param.structure) {
-                std::string have = arguments[i].structure ? body.program().structures[*arguments[i].structure].display
+            if (!arguments[i].structure || arguments[i].structure != param.structure) {
+                std::string have = arguments[i].structure ? body.program().structures[arguments[i].structure].display
                                    : arguments[i].waits   ? "a number"
                                                           : c.text(arguments[i].operand.type);
                 note(c.error(Diag::type_mismatch, span, {body.program().structures[param.structure].display, have}),
@@ -167,7 +167,7 @@ std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector
     if (!generics.finish()) return std::nullopt;
     auto kernel = instantiate_kernel(c, id, env, call.span);
     if (!kernel) return std::nullopt;
-    const std::vector<ir::KernelParam> params = body.program().kernels[*kernel].params;
+    const std::vector<ir::KernelParam> params = body.program().kernels[kernel].params;
     if (left_out) insert_address(params, *left_out, arguments);
     if (arguments.size() != params.size()) {
         note(c.error(Diag::argument_count, call.span,
@@ -175,15 +175,15 @@ std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector
              c[id].name.span, "declared here");
         return std::nullopt;
     }
-    auto values = kernel_arguments(body, *kernel, arguments);
+    auto values = kernel_arguments(body, kernel, arguments);
     if (!values) return std::nullopt;
-    check_one_memory(body, body.program().kernels[*kernel], *values);
+    check_one_memory(body, body.program().kernels[kernel], *values);
     std::vector<bool> on_device;
     for (ir::ExprId value : *values) on_device.push_back(is_on_device(body, value));
     if (std::ranges::find(on_device, true) != on_device.end())
-        kernel = kernel_with_arguments(c, *kernel, on_device, call.span);
+        kernel = kernel_with_arguments(c, kernel, on_device, call.span);
     ir::StmtId stmt = add(body.program(), ir::StmtOp::dispatch, call.span);
-    body.program().stmts[stmt].slot = *kernel;
+    body.program().stmts[stmt].slot = kernel.index;
     body.program().stmts[stmt].arguments = std::move(*values);
     emit(body, stmt);
     return no_value(body, call.span);
@@ -226,28 +226,29 @@ std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vect
     if (!generics.give(env_for(body, explicit_generics), explicit_generics)) return std::nullopt;
     infer_arguments(body, generics, written.params, {arguments.begin(), arguments.end()});
     if (!generics.finish()) return std::nullopt;
-    std::vector<std::uint32_t> passed;
+    std::vector<Passed> passed;
     ir::Operands values;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         append(body, std::move(arguments[i].steps));
         auto value = pipeline_argument(body, arguments[i], written.params[i], env);
         if (!value) return std::nullopt;
         const bool is_range = written.params[i].pattern == ast::Pattern::range;
-        passed.push_back(is_range ? *arguments[i].structure : is_on_device(body, *value) ? lies_on_device : 0);
+        if (is_range) passed.push_back({.structure = arguments[i].structure});
+        else passed.push_back({.on_device = is_on_device(body, *value)});
         values.push_back(*value);
     }
-    auto pipeline =
-        instantiate_pipeline(c, id, env, passed, owner ? std::optional(owner->structure) : std::nullopt, call.span);
+    const ir::PipelineId pipeline =
+        instantiate_pipeline(c, id, env, passed, owner ? owner->structure : ir::StructureId{}, call.span);
     if (!pipeline) return std::nullopt;
-    if (const Span at = body.program().pipelines[*pipeline].host_needed) {
+    if (const Span at = body.program().pipelines[pipeline].host_needed) {
         const std::string what = "a call of '" + c.text(c[id].name.name) + "'";
         if (is_refused_in_arm(body, what, call.span, "call it outside of the condition: the host takes part in it"))
             return std::nullopt;
         needs_host(body, at);
     }
-    ir::ExprId result = add(body.program(), ir::Op::pipeline_call, body.program().pipelines[*pipeline].result,
-                            call.span, std::move(values));
-    body.program().exprs[result].slot = *pipeline;
+    ir::ExprId result = add(body.program(), ir::Op::pipeline_call, body.program().pipelines[pipeline].result, call.span,
+                            std::move(values));
+    body.program().exprs[result].slot = pipeline.index;
     if (owner) body.program().exprs[result].place = owner->place, body.program().exprs[result].local = owner->local;
     add_effect(body, result);
     return value_operand(body, result, call.span);
@@ -372,19 +373,19 @@ Operand check_expect_near(Body& body, const std::vector<ast::ExprId>& arguments,
 Operand check_expect_same(Body& body, const std::vector<ast::ExprId>& arguments, const ast::Expr& call) {
     Context& c = body.context;
     ir::Operands values;
-    std::vector<std::uint32_t> structures;
+    std::vector<ir::StructureId> structures;
     for (std::size_t i = 0; i < 2; ++i) {
         Operand operand = declared(body, check(body, arguments[i]));
         auto structure = structure_of(body, operand);
         if (operand.kind == OperandKind::error) return operand;
-        if (!structure || body.program().structures[*structure].kind != ir::StructureKind::stored) {
+        if (!structure || body.program().structures[structure].kind != ir::StructureKind::stored) {
             Diagnostic& diagnostic = c.error(Diag::structure_wanted, c[arguments[i]].span, {"expect_same"});
-            if (structure && body.program().structures[*structure].kind == ir::StructureKind::view)
+            if (structure && body.program().structures[structure].kind == ir::StructureKind::view)
                 note(diagnostic, c[arguments[i]].span, "a view has no elements in memory: copy it into a structure");
             return error_operand(call.span);
         }
-        require_transfers(c, *structure, call.span);
-        structures.push_back(*structure);
+        require_transfers(c, structure, call.span);
+        structures.push_back(structure);
         values.push_back(to_value(body, operand));
     }
     const ir::Structure &a = body.program().structures[structures[0]], &b = body.program().structures[structures[1]];
@@ -447,7 +448,7 @@ bool check_structure_declaration(Body& body, const ast::Stmt& stmt) {
         return true;
     }
     if (stmt.is_uninitialized &&
-        body.program().structures[body.types()[node.type].index].kind == ir::StructureKind::view)
+        body.program().structures[body.types()[node.type].structure].kind == ir::StructureKind::view)
         c.error(Diag::uninitialized_view, c[stmt.value].span, {c.text(node.type)});
     const bool is_mutable = stmt.binding == ast::Binding::var;
     if (!made) value = as_declared(body, value, stmt.name.span);
@@ -491,7 +492,7 @@ Operand construct_structure(Body& body, ir::TypeId type, const ast::Expr& call) 
              "structures are made by 'temp' in a pipeline, by 'structure' in another structure, or in C++");
         return error_operand(call.span);
     }
-    std::uint32_t index = body.types()[type].index;
+    const ir::StructureId index = body.types()[type].structure;
     ast::DeclId decl = c.structure_decl.at(index);
     const std::vector<ast::Param>* params = constructor_of(c[decl]);
     std::vector<ast::ExprId> written = arguments_of(call);

@@ -11,7 +11,7 @@ namespace gliftc::sema {
 namespace {
 
 std::optional<ast::DeclId> find_transfer(Context& c, std::string_view name) {
-    for (std::uint32_t i = 0; i < c.modules.size(); ++i) {
+    for (ir::ModuleId i : c.modules.ids()) {
         if (c.text(c.modules[i].tree->name.name) != transfer_module) continue;
         auto found = c.scopes[i].names.find(c.names.intern(name));
         if (found != c.scopes[i].names.end()) return found->second[0];
@@ -19,28 +19,28 @@ std::optional<ast::DeclId> find_transfer(Context& c, std::string_view name) {
     return std::nullopt;
 }
 
-Meta of_structure(Context& c, std::uint32_t index) {
+Meta of_structure(Context& c, ir::StructureId index) {
     Meta meta;
     meta.kind = MetaKind::type;
     meta.type = c.types().of_structure(index);
     return meta;
 }
 
-std::optional<std::uint32_t> transfer_kernel(Context& c, std::string_view name, std::vector<Meta> metas, Span use) {
+ir::KernelId transfer_kernel(Context& c, std::string_view name, std::vector<Meta> metas, Span use) {
     auto decl = find_transfer(c, name);
-    if (!decl) return std::nullopt;
+    if (!decl) return {};
     Env& env = c.new_env(c.module_of.at(*decl));
     Arguments arguments(c, c[*decl], env, use);
     arguments.give(std::move(metas));
-    if (!arguments.finish()) return std::nullopt;
+    if (!arguments.finish()) return {};
     return instantiate_kernel(c, *decl, env, use);
 }
 
 }  // namespace
 
-std::optional<std::uint32_t> box_of(Context& c, std::uint32_t axes, ir::TypeId of, Span use) {
+ir::StructureId box_of(Context& c, std::uint32_t axes, ir::TypeId of, Span use) {
     auto decl = find_transfer(c, "Box");
-    if (!decl) return std::nullopt;
+    if (!decl) return {};
     Env& env = c.new_env(c.module_of.at(*decl));
     Arguments arguments(c, c[*decl], env, use);
     Meta dimensions, element;
@@ -49,10 +49,10 @@ std::optional<std::uint32_t> box_of(Context& c, std::uint32_t axes, ir::TypeId o
     element.kind = MetaKind::type;
     element.type = of;
     arguments.give({dimensions, element});
-    if (!arguments.finish()) return std::nullopt;
+    if (!arguments.finish()) return {};
     ir::TypeId type = instantiate_type(c, *decl, env, use);
-    if (type == c.types().error) return std::nullopt;
-    return c.types()[type].index;
+    if (type == c.types().error) return {};
+    return c.types()[type].structure;
 }
 
 /// Adds the kernel by which C++ lists the elements that are there (read_resident), and the types of the boxes that it
@@ -61,28 +61,28 @@ std::optional<std::uint32_t> box_of(Context& c, std::uint32_t axes, ir::TypeId o
 static void list_of(Context& c, ir::Program::Transfer& transfer, Span use) {
     const ir::Structure structure = c.program.structures[transfer.structure];
     if (!ir::has_resident_part(c.program, structure)) return;
-    std::uint32_t translator = transfer.structure;
+    ir::StructureId translated = transfer.structure;
     for (std::uint32_t member : ir::translated_by(c.program, structure))
-        translator = c.program.structures[translator].members[member].structure;
-    const ir::TypeId place = ir::physical_type(c.program, c.program.structures[translator]);
+        translated = c.program.structures[translated].members[member].structure;
+    const ir::TypeId place = ir::physical_type(c.program, c.program.structures[translated]);
     const auto addresses = box_of(c, 1, structure.domain_type, use);
     const auto places = box_of(c, 1, place ? place : structure.domain_type, use);
     const auto values = box_of(c, 1, structure.element, use);
     const auto counter = box_of(c, 1, c.types().uint, use);
     if (!addresses || !places || !values || !counter) return;
-    const auto of = [&](std::uint32_t index) { return of_structure(c, index); };
+    const auto of = [&](ir::StructureId index) { return of_structure(c, index); };
     const auto list = transfer_kernel(
-        c, "list_there",
-        {of(transfer.structure), of(translator), of(*addresses), of(*places), of(*values), of(*counter)}, use);
+        c, "list_there", {of(transfer.structure), of(translated), of(addresses), of(places), of(values), of(counter)},
+        use);
     if (!list) return;
-    transfer.list_kernel = *list;
-    transfer.addresses = *addresses;
-    transfer.places = *places;
-    transfer.values = *values;
-    transfer.counter = *counter;
+    transfer.list_kernel = list;
+    transfer.addresses = addresses;
+    transfer.places = places;
+    transfer.values = values;
+    transfer.counter = counter;
 }
 
-void require_transfers(Context& c, std::uint32_t index, Span use) {
+void require_transfers(Context& c, ir::StructureId index, Span use) {
     for (const auto& transfer : c.program.transfers)
         if (transfer.structure == index) return;
     const ir::Structure structure = c.program.structures[index];
@@ -99,24 +99,22 @@ void require_transfers(Context& c, std::uint32_t index, Span use) {
     }
     auto box = box_of(c, c.types().components(structure.domain_type), structure.element, use);
     if (!box) return;
-    Meta self = of_structure(c, index), linear = of_structure(c, *box);
+    Meta self = of_structure(c, index), linear = of_structure(c, box);
     auto read = transfer_kernel(c, "read_box", {self, linear}, use);
     if (!read) return;
-    constexpr std::uint32_t none = 0xffffffffu;
-    std::uint32_t write = none, fill = none;
+    ir::KernelId write, fill;
     if (ir::is_written_in_boxes(c.program, index)) {
         Meta element;
         element.kind = MetaKind::type;
         element.type = structure.element;
-        if (auto kernel = transfer_kernel(c, "write_box", {linear, self}, use)) {
-            write = *kernel;
-            // The kernel visits all elements of the box, not the structure's blocks (docs/language.md, "What a kernel
-            // visits").
-            c.program.kernels[write].space.reset();
-        }
-        if (auto kernel = transfer_kernel(c, "fill_box", {self, element}, use)) fill = *kernel;
+        write = transfer_kernel(c, "write_box", {linear, self}, use);
+        // The kernel visits all elements of the box, not the structure's blocks (docs/language.md, "What a kernel
+        // visits").
+        if (write) c.program.kernels[write].space.reset();
+        fill = transfer_kernel(c, "fill_box", {self, element}, use);
     }
-    ir::Program::Transfer transfer{index, *read, write, fill, *box, none, none, none, none, none};
+    ir::Program::Transfer transfer{
+        .structure = index, .read_kernel = read, .write_kernel = write, .fill_kernel = fill, .box_structure = box};
     // `gliftc test` reads elements by their addresses, and needs no lists of them.
     if (!c.settings.looks_into_tables) list_of(c, transfer, use);
     c.program.transfers.push_back(transfer);

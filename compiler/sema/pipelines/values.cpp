@@ -27,7 +27,7 @@ public:
         kernel_.domain_type = p_.types.uint;
     }
 
-    ir::ExprId call(ir::ExprId expr, std::uint32_t box);
+    ir::ExprId call(ir::ExprId expr, ir::StructureId box);
 
 private:
     void add_param(ir::KernelParam param);
@@ -63,7 +63,7 @@ ir::LocalId Maker::passed(ir::Pattern pattern, std::string_view name, ir::TypeId
     param.name = c_.names.intern(unique);
     param.pattern = pattern;
     param.local = add_local(p_, param.name, type, span_);
-    if (pattern == ir::Pattern::argument) param.structure = box_of(c_, 1, type, span_).value_or(0);
+    if (pattern == ir::Pattern::argument) param.structure = box_of(c_, 1, type, span_);
     const ir::LocalId local = param.local;
     add_param(std::move(param));
     arguments_.push_back(argument);
@@ -125,7 +125,7 @@ std::string Maker::key_for(ir::ExprId value) const {
     return key + ">";
 }
 
-ir::ExprId Maker::call(ir::ExprId expr, std::uint32_t box) {
+ir::ExprId Maker::call(ir::ExprId expr, ir::StructureId box) {
     const ir::TypeId type = p_.exprs[expr].type;
     const ir::StmtId set = add(p_, ir::StmtOp::set_element, span_);
     const ir::ExprId value = rewritten(expr);
@@ -155,7 +155,7 @@ ir::ExprId Maker::call(ir::ExprId expr, std::uint32_t box) {
     }
     Instance& known = c_.instances["value " + kernel_.key];
     if (known.state != Instance::State::done) {
-        known.index = pipeline_of_kernel(c_, std::move(kernel_), std::move(pipeline), std::move(passed_on), box);
+        known.index = pipeline_of_kernel(c_, std::move(kernel_), std::move(pipeline), std::move(passed_on), box).index;
         known.state = Instance::State::done;
     }
     const ir::ExprId call = add(p_, ir::Op::pipeline_call, c_.types().device(type), span_, std::move(arguments_));
@@ -214,8 +214,8 @@ ir::ExprId on_device(Body& body, ir::ExprId id) {
     }
     const auto box = box_of(body.context, 1, type, span);
     if (!box) return error_value(body, span);
-    require_transfers(body.context, *box, span);
-    const ir::ExprId value = Maker(body, span).call(id, *box);
+    require_transfers(body.context, box, span);
+    const ir::ExprId value = Maker(body, span).call(id, box);
     add_read(body, value);
     return value;
 }
@@ -237,21 +237,21 @@ Operand closed(Body& body, Operand operand) {
 void make_argument(Context& c, ir::Kernel& kernel, std::size_t index, Span use) {
     ir::KernelParam& param = kernel.params[index];
     param.pattern = ir::Pattern::argument;
-    param.structure = box_of(c, 1, c.program.locals[param.local].type, use).value_or(0);
+    param.structure = box_of(c, 1, c.program.locals[param.local].type, use);
     kernel.key += "<device " + c.text(param.name) + ">";
     kernel.is_pub = false;
 }
 
-std::uint32_t kernel_with_arguments(Context& c, std::uint32_t index, const std::vector<bool>& on_device, Span use) {
+ir::KernelId kernel_with_arguments(Context& c, ir::KernelId index, const std::vector<bool>& on_device, Span use) {
     ir::Kernel kernel = c.program.kernels[index];
     for (std::size_t i = 0; i < kernel.params.size(); ++i)
         if (on_device[i]) make_argument(c, kernel, i, use);
     Instance& instance = c.instances["kernel " + kernel.key];
-    if (instance.state == Instance::State::done) return instance.index;
+    if (instance.state == Instance::State::done) return {instance.index};
     instance.state = Instance::State::done;
-    instance.index = static_cast<std::uint32_t>(c.program.kernels.size());
-    c.program.kernels.push_back(std::move(kernel));
-    return instance.index;
+    const ir::KernelId made = c.program.kernels.add(std::move(kernel));
+    instance.index = made.index;
+    return made;
 }
 
 }  // namespace gliftc::sema

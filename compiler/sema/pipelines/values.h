@@ -44,7 +44,7 @@ bool is_on_device(const Body&, ir::ExprId);
 /// Changes a value parameter of the kernel to pattern `argument`: a value on the device.
 void make_argument(Context&, ir::Kernel&, std::size_t param, Span use);
 /// Makes a copy of the kernel in which each parameter i with on_device[i] takes a value on the device; the same copy is
-/// made only once. Returns its index in Program::kernels.
-std::uint32_t kernel_with_arguments(Context&, std::uint32_t kernel, const std::vector<bool>& on_device, Span use);
+/// made only once.
+ir::KernelId kernel_with_arguments(Context&, ir::KernelId kernel, const std::vector<bool>& on_device, Span use);
 
 }  // namespace gliftc::sema

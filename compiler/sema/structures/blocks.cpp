@@ -31,7 +31,7 @@ bool returns_none(const Context& c, const std::vector<ast::StmtId>& body) {
 
 /// Makes the function blocks(), block(i) or block_size() of a structure. The language fixes its types; it is an
 /// error if the declaration gives others. Absent after an error.
-ir::FunctionId make_function(Context& c, const Env& env, std::uint32_t index, ast::DeclId id,
+ir::FunctionId make_function(Context& c, const Env& env, ir::StructureId index, ast::DeclId id,
                              const std::vector<ir::TypeId>& params, ir::TypeId result) {
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Function>(decl.body);
@@ -102,7 +102,7 @@ void BlockItems::note(Context& c, ast::DeclId decl) {
     keep("block_size", block_size);
 }
 
-void add_blocks(Context& c, const Env& env, std::uint32_t index, const BlockItems& items) {
+void add_blocks(Context& c, const Env& env, ir::StructureId index, const BlockItems& items) {
     if (!items.blocks && !items.block && !items.block_size) return;
     const auto missing = [&](std::string_view name, ast::DeclId there) {
         note(c.error(Diag::blocks_incomplete, c.program.structures[index].span,
@@ -176,12 +176,12 @@ std::optional<Operand> call_of_blocks(Body& body, const Operand& self, ast::Iden
 
 namespace {
 
-/// The structure that declares the blocks of the parameter's structure, as ir::blocks_of() finds it: an index in
-/// Program::structures. Absent if there are no blocks.
-std::optional<std::uint32_t> owner_of(const ir::Program& p, const ir::KernelParam& param) {
+/// The structure that declares the blocks of the parameter's structure, as ir::blocks_of() finds it; empty if there are
+/// no blocks.
+ir::StructureId owner_of(const ir::Program& p, const ir::KernelParam& param) {
     const auto place = ir::blocks_of(p, p.structures[param.structure], {});
-    if (!place) return std::nullopt;
-    std::uint32_t owner = param.structure;
+    if (!place) return {};
+    ir::StructureId owner = param.structure;
     for (std::uint32_t member : place->members) owner = p.structures[owner].members[member].structure;
     return owner;
 }
@@ -219,7 +219,7 @@ void find_space(Context& c, ir::Kernel& kernel) {
     for (std::uint32_t param : params)
         if (!owner_of(c.program, kernel.params[param])) return;
     const ir::KernelParam& first = kernel.params[params[0]];
-    const std::uint32_t owner = *owner_of(c.program, first);
+    const ir::StructureId owner = owner_of(c.program, first);
     for (std::uint32_t param : params) {
         const ir::KernelParam& other = kernel.params[param];
         if (owner_of(c.program, other) == owner) continue;

@@ -17,7 +17,7 @@ struct BlockItems {
 
 /// Checks the declarations, if there are any, and sets Structure::blocks. To be called once Structure::domain_type is
 /// set: block() and block_size() return addresses of that type.
-void add_blocks(Context&, const Env&, std::uint32_t structure, const BlockItems&);
+void add_blocks(Context&, const Env&, ir::StructureId structure, const BlockItems&);
 
 /// A call of `s.blocks()`, `s.block(i)` or `s.block_size()`. If ir::blocks_of() finds no blocks for the structure,
 /// its whole domain is one block. Absent if the method has another name.
@@ -32,8 +32,8 @@ std::optional<Operand> call_of_blocks(Body&, const Operand& self, ast::Identifie
 void find_space(Context&, ir::Kernel&);
 
 /// Makes a pipeline that takes a structure which declares blocks, and returns their number as a value on the device,
-/// for the dispatch that follows the call. The value may exceed Blocks::bound, which the dispatch applies. Returns the
-/// pipeline's index in Program::pipelines; absent after an error.
-std::optional<std::uint32_t> counter_of_blocks(Context&, std::uint32_t structure, Span use);
+/// for the dispatch that follows the call. The value may exceed Blocks::bound, which the dispatch applies. Empty
+/// after an error.
+ir::PipelineId counter_of_blocks(Context&, ir::StructureId structure, Span use);
 
 }  // namespace gliftc::sema

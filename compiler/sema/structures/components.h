@@ -13,14 +13,14 @@ ir::TypeId make_adaptor(Context&, ast::DeclId, const Env&);
 /// Declares the names in scope in a structure's own functions, with Place root 0: constructor arguments, members,
 /// memories, the structure that is the memory if there is one (the base, sema/structures/memory_structure.h), host
 /// state. Sets Body::container.
-void bring_members_into_scope(Body&, std::uint32_t structure);
+void bring_members_into_scope(Body&, ir::StructureId structure);
 
 /// Adds value parameters of the constructor as locals of the structure, and structure parameters as members by
 /// reference.
 void add_constructor(Context&, const Env&, const std::vector<ast::Param>&, ir::Structure&);
 
 /// Adds `structure name = Type(arguments)`, and declares its name. False, after an error, if that makes no structure.
-bool add_member(Body&, std::uint32_t structure, const ast::Item&);
+bool add_member(Body&, ir::StructureId structure, const ast::Item&);
 
 /// Calls visit(item) for each item; for an `if`, for the items that its constant condition selects (none after an error
 /// in the condition).
@@ -44,8 +44,8 @@ ir::ExprId substitute_state(Context&, ir::ExprId, const ir::Stage&);
 ir::ExprId single_return(const ir::Program&, ir::FunctionId);
 
 /// The instance of std.transfer's structure Box that holds a box of elements of that type, with that many dimensions,
-/// in a buffer: an index in Program::structures. Absent after an error, or if std.transfer is not loaded.
-std::optional<std::uint32_t> box_of(Context&, std::uint32_t dimensions, ir::TypeId element, Span use);
+/// in a buffer. Empty after an error, or if std.transfer is not loaded.
+ir::StructureId box_of(Context&, std::uint32_t dimensions, ir::TypeId element, Span use);
 
 /// Whether the statements contain operations of ir::Level::structure, such as reads of elements and translations of
 /// addresses, directly or in functions that they call.
@@ -57,13 +57,12 @@ std::optional<ir::TypeId> type_not_for_passes(const ir::Program&, const ir::Func
 
 /// A pipeline that calls the function in a pass of one invocation and returns the result, which stays on the device.
 /// Its parameters are the function's structures, then its values; `on_device` says which of the values lie on the
-/// device (empty: none). Gives its index in Program::pipelines; absent after an error.
-std::optional<std::uint32_t> pipeline_of_function(Context&, ir::FunctionId, Span use,
-                                                  const std::vector<bool>& on_device = {});
+/// device (empty: none). Gives an empty id after an error.
+ir::PipelineId pipeline_of_function(Context&, ir::FunctionId, Span use, const std::vector<bool>& on_device = {});
 
 /// The parameter `self` of a generated pipeline: a range of the structure, or the whole adaptor if the structure is
 /// one.
-ir::PipelineParam structure_param(Context&, std::uint32_t structure, Span);
+ir::PipelineParam structure_param(Context&, ir::StructureId structure, Span);
 
 /// The local as an argument of a pass or pipeline: Op::structure_value if it is a structure, Op::local if it is a slice
 /// or a value.
@@ -71,12 +70,12 @@ ir::ExprId structure_argument(Context&, ir::LocalId, Span);
 
 /// Adds the kernel, and a pipeline that makes a temporary of one element, of structure `box`, runs the kernel over it
 /// and returns the element. The temporary is the kernel's last argument, `arguments` are the others. `pipeline` comes
-/// with its name and parameters. Returns the pipeline's index in Program::pipelines.
-std::uint32_t pipeline_of_kernel(Context&, ir::Kernel kernel, ir::Pipeline pipeline, ir::Operands arguments,
-                                 std::uint32_t box);
+/// with its name and parameters.
+ir::PipelineId pipeline_of_kernel(Context&, ir::Kernel kernel, ir::Pipeline pipeline, ir::Operands arguments,
+                                  ir::StructureId box);
 
 /// Fills Structure::methods: the adaptor's public functions that its C++ class gets as methods.
-void check_methods(Context&, std::uint32_t structure);
+void check_methods(Context&, ir::StructureId structure);
 
 bool is_address(const ir::Types&, ir::TypeId);  ///< uint, uint2, uint3, uint4
 

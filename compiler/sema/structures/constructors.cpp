@@ -42,7 +42,7 @@ const std::vector<ast::Item>& items_of(const ast::Decl& decl) {
     return std::get<ast::Structure>(decl.body).items;
 }
 
-std::vector<const ast::Item*> items_of(Context& c, std::uint32_t structure) {
+std::vector<const ast::Item*> items_of(Context& c, ir::StructureId structure) {
     std::vector<const ast::Item*> items;
     for_each_item(c, *c.structure_env.at(structure), items_of(c[c.structure_decl.at(structure)]),
                   [&](const ast::Item& item) { items.push_back(&item); });

@@ -12,7 +12,7 @@ const std::vector<ast::Param>* constructor_of(const ast::Decl&);
 const std::vector<ast::Item>& items_of(const ast::Decl&);
 
 /// The items of an instance: of those inside an `if`, the ones that its condition selects for the instance's arguments.
-std::vector<const ast::Item*> items_of(Context&, std::uint32_t structure);
+std::vector<const ast::Item*> items_of(Context&, ir::StructureId structure);
 
 /// What `Name<…>` means in the call `Name<…>(arguments)`: a Meta of kind `type` if the call constructs a value or a
 /// structure. Generic arguments of a structure, view or adaptor that are not written are inferred from those arguments

@@ -51,7 +51,7 @@ bool is_image_part(Body& body, ast::ExprId id) {
     return (name == "mip" || name == "layer") && c[callee.operands[0]].kind == ast::ExprKind::member;
 }
 
-void add_image_part(Body& body, std::uint32_t index, const ast::Item& item) {
+void add_image_part(Body& body, ir::StructureId index, const ast::Item& item) {
     Context& c = body.context;
     const ast::Expr& call = c[item.value];
     const ast::Expr& callee = c[call.operands[0]];
@@ -101,7 +101,7 @@ bool has_filtered_levels(const Context& c, const ir::Structure& structure) {
     return memory.mips && memory.format != ir::Format::d32;
 }
 
-void declare_memory(Body& body, std::uint32_t index, const ir::Memory& memory) {
+void declare_memory(Body& body, ir::StructureId index, const ir::Memory& memory) {
     ir::Structure& structure = body.program().structures[index];
     structure.memories.push_back(memory);
     Symbol symbol;

@@ -10,7 +10,7 @@ namespace gliftc::sema {
 /// that `a.b` is an image.
 bool is_image_part(Body&, ast::ExprId);
 
-void add_image_part(Body&, std::uint32_t structure, const ast::Item&);
+void add_image_part(Body&, ir::StructureId structure, const ast::Item&);
 
 /// Whether the last component of a texel's address, in an image of this shape, is its layer or its face of a cube.
 inline bool has_layers(ir::MemoryShape shape) {
@@ -25,6 +25,6 @@ bool keeps_texels(const Context&, const ir::Structure&);
 bool has_filtered_levels(const Context&, const ir::Structure&);
 
 /// Adds the memory to Structure::memories, and brings its name into scope.
-void declare_memory(Body&, std::uint32_t structure, const ir::Memory&);
+void declare_memory(Body&, ir::StructureId structure, const ir::Memory&);
 
 }  // namespace gliftc::sema

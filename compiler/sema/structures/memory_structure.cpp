@@ -23,7 +23,7 @@ bool names_structure(Body& body, ast::Identifier name) {
 }
 
 /// Makes the structure `base`, at `place`, the memory of structure `index`, under the name that the item gives.
-void set_base(Body& body, std::uint32_t index, const ast::Item& item, const ir::Place& place, std::uint32_t base) {
+void set_base(Body& body, ir::StructureId index, const ast::Item& item, const ir::Place& place, ir::StructureId base) {
     Context& c = body.context;
     const ir::Structure& memory = c.program.structures[base];
     if (memory.kind == ir::StructureKind::adaptor) {
@@ -49,7 +49,7 @@ bool is_within(const ir::Place& one, const std::vector<std::uint32_t>& other) {
 
 }  // namespace
 
-bool has_memory(Body& body, std::uint32_t index, const ast::Item& another) {
+bool has_memory(Body& body, ir::StructureId index, const ast::Item& another) {
     const ir::Structure& structure = body.program().structures[index];
     if (structure.memories.empty() && structure.base.empty()) return false;
     const Span first = structure.base.empty() ? structure.memories[0].span : structure.base_span;
@@ -72,7 +72,7 @@ bool is_structure_memory(Body& body, ast::ExprId id) {
     return name.kind == ast::ExprKind::name && names_structure(body, {name.name, name.span});
 }
 
-void add_base(Body& body, std::uint32_t index, const ast::Item& item) {
+void add_base(Body& body, ir::StructureId index, const ast::Item& item) {
     Context& c = body.context;
     if (c[item.value].kind == ast::ExprKind::call) {
         if (!add_member(body, index, item)) return;
@@ -90,20 +90,19 @@ void add_base(Body& body, std::uint32_t index, const ast::Item& item) {
     declare_base(body, index);
 }
 
-void declare_base(Body& body, std::uint32_t index) {
+void declare_base(Body& body, ir::StructureId index) {
     const ir::Structure structure = body.program().structures[index];
     if (structure.base.empty()) return;
     if (structure.base.size() == 1 && structure.members[structure.base[0]].name == structure.base_name) return;
     Symbol symbol;
     symbol.kind = SymbolKind::structure;
     symbol.place.members = structure.base;
-    symbol.structure =
-        static_cast<std::uint32_t>(&ir::structure_at(body.program(), body.program().structures[index], structure.base) -
-                                   body.program().structures.data());
+    const ir::Program& program = body.program();
+    symbol.structure = program.structures.id_of(ir::structure_at(program, program.structures[index], structure.base));
     declare(body, {structure.base_name, structure.base_span}, symbol);
 }
 
-ir::ExprId domain_of_base(Body& body, std::uint32_t index) {
+ir::ExprId domain_of_base(Body& body, ir::StructureId index) {
     const ir::Structure& structure = body.program().structures[index];
     Operand base;
     base.kind = OperandKind::structure;
@@ -112,7 +111,7 @@ ir::ExprId domain_of_base(Body& body, std::uint32_t index) {
     return structure_operation(body, ir::Op::domain, ir::physical_type(body.program(), structure), base, span);
 }
 
-bool check_own_memory(Context& c, std::uint32_t index) {
+bool check_own_memory(Context& c, ir::StructureId index) {
     const ir::Structure& structure = c.program.structures[index];
     if (structure.base.empty()) return true;
     for (const ir::Stage& stage : structure.via) {

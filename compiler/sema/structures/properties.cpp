@@ -56,8 +56,8 @@ void look(const ir::Program& program, ir::FunctionId id, Flow& flow) {
 /// A structure that the translator reads is read through its own translators, through those of the structures that are
 /// its memory and, if the last of these is a view, through the view's `at`: weakens `uniform` and the complexity of
 /// access where one of these has weaker properties. All members of the view count as read by `at`.
-void add_table(const ir::Program& program, std::uint32_t table, ir::Properties& properties,
-               std::set<std::uint32_t>& seen) {
+void add_table(const ir::Program& program, ir::StructureId table, ir::Properties& properties,
+               std::set<ir::StructureId>& seen) {
     if (!seen.insert(table).second) return;
     const ir::Structure* link = &program.structures[table];
     while (true) {
@@ -101,7 +101,7 @@ void declare_mapping(Context& c, ir::Translator& translator, const std::vector<a
 
 }  // namespace
 
-void infer_properties(Context& c, std::uint32_t index, const ast::Decl& decl) {
+void infer_properties(Context& c, ir::TranslatorId index, const ast::Decl& decl) {
     Flow flow;
     look(c.program, c.program.translators[index].translate, flow);
     ir::Translator& translator = c.program.translators[index];
@@ -109,8 +109,8 @@ void infer_properties(Context& c, std::uint32_t index, const ast::Decl& decl) {
     properties.uniform = !flow.has_open_loop && !flow.has_branch;
     properties.access_complexity = flow.has_open_loop ? not_known : constant;
     properties.memory_complexity = translator.structures.empty() ? constant : not_known;
-    std::set<std::uint32_t> seen;
-    for (std::uint32_t table : translator.structures) add_table(c.program, table, properties, seen);
+    std::set<ir::StructureId> seen;
+    for (ir::StructureId table : translator.structures) add_table(c.program, table, properties, seen);
     const auto declared = [&](const std::string& what, std::string& property, const std::string& text, Span span) {
         if (property == constant && text != constant && !text.empty())
             c.error(Diag::property_contradicts, span, {what, text, constant});

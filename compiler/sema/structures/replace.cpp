@@ -15,7 +15,7 @@ namespace {
 /// Why the memory of a structure cannot be replaced; empty if it can.
 std::string why_kept(Body& body, const Operand& target) {
     if (target.local || !body.container) return "it is no member of the container whose pipeline this is";
-    const ir::Structure& container = body.program().structures[*body.container];
+    const ir::Structure& container = body.program().structures[body.container];
     if (container.kind != ir::StructureKind::adaptor) return container.display + " is not an adaptor";
     if (target.place.members.size() != 1) return "it is a part of a member: replace the member as a whole";
     const std::uint32_t member = target.place.members[0];
@@ -51,8 +51,8 @@ std::optional<ir::LocalId> temporary_of(const Body& body, const ast::Expr& value
     return body.scopes.back().contains(value.name) ? std::optional(operand.local) : std::nullopt;
 }
 
-/// Index of a structure instance, then of its member.
-using Member = std::pair<std::uint32_t, std::uint32_t>;
+/// A structure, and the index of its member.
+using Member = std::pair<ir::StructureId, std::uint32_t>;
 
 /// Calls visit(const Stmt&) for all statements that may run: an `if` with a constant condition is entered on one side
 /// only.
@@ -69,15 +69,15 @@ void for_each_running(const ir::Program& program, const std::vector<ir::StmtId>&
 }
 
 /// The pipelines that may run: public ones, and those that any pipeline calls.
-std::set<std::uint32_t> running_pipelines(const ir::Program& program) {
-    std::set<std::uint32_t> running;
-    for (std::uint32_t i = 0; i < program.pipelines.size(); ++i) {
+std::set<ir::PipelineId> running_pipelines(const ir::Program& program) {
+    std::set<ir::PipelineId> running;
+    for (ir::PipelineId i : program.pipelines.ids()) {
         if (program.pipelines[i].is_pub) running.insert(i);
         for_each_running(program, program.pipelines[i].body, [&](const ir::Stmt& stmt) {
             ir::for_each_root(stmt, [&](ir::ExprId root) {
                 ir::for_each_node(program, root, [&](ir::ExprId node) {
                     const ir::Expr& expr = program.exprs[node];
-                    if (expr.op == ir::Op::pipeline_call) running.insert(expr.slot);
+                    if (expr.op == ir::Op::pipeline_call) running.insert(expr.pipeline());
                 });
             });
         });
@@ -88,11 +88,11 @@ std::set<std::uint32_t> running_pipelines(const ir::Program& program) {
 /// The members whose memory some pipeline replaces, and where.
 std::map<Member, Span> replaced_members(const ir::Program& program) {
     std::map<Member, Span> replaced;
-    for (std::uint32_t i : running_pipelines(program)) {
+    for (ir::PipelineId i : running_pipelines(program)) {
         const ir::Pipeline& pipeline = program.pipelines[i];
         for_each_running(program, pipeline.body, [&](const ir::Stmt& stmt) {
             if (stmt.op == ir::StmtOp::replace && pipeline.owner)
-                replaced.emplace(Member(*pipeline.owner, stmt.place.members[0]), stmt.span);
+                replaced.emplace(Member(pipeline.owner, stmt.place.members[0]), stmt.span);
         });
     }
     return replaced;
@@ -101,7 +101,7 @@ std::map<Member, Span> replaced_members(const ir::Program& program) {
 /// Where a member on the path from a structure is replaced, if one is; the first `first` steps of the path do not
 /// count.
 std::optional<Span> replaced_on_path(const ir::Program& program, const std::map<Member, Span>& replaced,
-                                     std::uint32_t structure, const ir::Place& place, std::size_t first) {
+                                     ir::StructureId structure, const ir::Place& place, std::size_t first) {
     for (std::size_t k = 0; k < place.members.size(); ++k) {
         const auto found = replaced.find(Member(structure, place.members[k]));
         if (k >= first && found != replaced.end()) return found->second;
@@ -124,7 +124,7 @@ std::string path_text(const Context& c, const ir::Structure& structure, const ir
 
 void check_replaced_together(Body& body) {
     for (const Body::Replacement& replaced : body.replacements) {
-        const ir::Structure& container = body.program().structures[*body.container];
+        const ir::Structure& container = body.program().structures[body.container];
         for (std::uint32_t i = 0; i < container.members.size(); ++i) {
             const ir::MemberStructure& member = container.members[i];
             const bool is_given = std::ranges::any_of(member.structures, [&](const ir::Place& place) {
@@ -147,7 +147,7 @@ void check_replaced_together(Body& body) {
 void check_given(Context& c) {
     const std::map<Member, Span> replaced = replaced_members(c.program);
     if (replaced.empty()) return;
-    for (std::uint32_t i = 0; i < c.program.structures.size(); ++i) {
+    for (ir::StructureId i : c.program.structures.ids()) {
         const ir::Structure& structure = c.program.structures[i];
         const auto check = [&](Name name, Span span, const ir::Place& place, std::size_t first) {
             const std::optional<Span> where = replaced_on_path(c.program, replaced, i, place, first);

@@ -85,7 +85,7 @@ ir::Compare comparison(Context& c, const ast::Item& item) {
 }
 
 // long: all checks of one declaration
-void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
+void add_memory(Body& body, ir::StructureId index, const ast::Item& item) {
     Context& c = body.context;
     if (has_memory(body, index, item)) return;
     if (is_image_part(body, item.value)) return add_image_part(body, index, item);
@@ -162,7 +162,7 @@ void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
     declare_memory(body, index, memory);
 }
 
-void declare_member(Body& body, std::uint32_t index, std::uint32_t member, ast::Identifier name) {
+void declare_member(Body& body, ir::StructureId index, std::uint32_t member, ast::Identifier name) {
     Symbol symbol;
     symbol.kind = SymbolKind::structure;
     symbol.structure = body.context.program.structures[index].members[member].structure;
@@ -170,7 +170,7 @@ void declare_member(Body& body, std::uint32_t index, std::uint32_t member, ast::
     declare(body, name, symbol);
 }
 
-const std::vector<ast::Param>& params_of(const Context& c, std::uint32_t structure) {
+const std::vector<ast::Param>& params_of(const Context& c, ir::StructureId structure) {
     return *constructor_of(c[c.structure_decl.at(structure)]);
 }
 
@@ -189,7 +189,7 @@ void give_arguments(Body& body, const ast::Expr& call, ir::MemberStructure& memb
 
 }  // namespace
 
-bool add_member(Body& body, std::uint32_t index, const ast::Item& item) {
+bool add_member(Body& body, ir::StructureId index, const ast::Item& item) {
     Context& c = body.context;
     const ast::Expr& call = c[item.value];
     if (call.kind != ast::ExprKind::call) {
@@ -210,7 +210,7 @@ bool add_member(Body& body, std::uint32_t index, const ast::Item& item) {
     ir::MemberStructure member;
     member.name = item.name.name;
     member.span = item.name.span;
-    member.structure = c.types()[type].index;
+    member.structure = c.types()[type].structure;
     if (params_of(c, member.structure).size() != call.operands.size() - 1)
         c.error(Diag::argument_count, call.span,
                 {c.text(type), std::to_string(params_of(c, member.structure).size()),
@@ -227,8 +227,8 @@ namespace {
 
 /// The translators of `Name<…>(arguments)`; generic arguments are inferred from the arguments and the type of the
 /// incoming address. Empty after an error.
-std::vector<std::uint32_t> stage_translators(Body& body, const ast::Expr& call, const std::vector<Operand>& arguments,
-                                             ir::TypeId incoming) {
+std::vector<ir::TranslatorId> stage_translators(Body& body, const ast::Expr& call,
+                                                const std::vector<Operand>& arguments, ir::TypeId incoming) {
     Context& c = body.context;
     const ast::Expr& callee = c[call.operands[0]];
     const ast::Expr& name = callee.kind == ast::ExprKind::generic ? c[callee.operands[0]] : callee;
@@ -256,17 +256,17 @@ std::vector<std::uint32_t> stage_translators(Body& body, const ast::Expr& call, 
     }
     if (incoming) generics.infer(written.virtual_type, incoming);
     if (!generics.finish()) return {};
-    auto made = instantiate_translator(c, id, env, callee.span);
-    return made ? *made : std::vector<std::uint32_t>{};
+    if (const ir::TranslatorId made = instantiate_translator(c, id, env, callee.span)) return {made};
+    return {};
 }
 
 /// Assigns the arguments to the fields of the translators, in the order in which the fields are declared. False after
 /// an error.
 bool fill_stages(Body& body, const ast::Expr& call, const std::vector<Operand>& arguments,
-                 const std::vector<std::uint32_t>& translators, std::vector<ir::Stage>& stages) {
+                 const std::vector<ir::TranslatorId>& translators, std::vector<ir::Stage>& stages) {
     Context& c = body.context;
     std::size_t next = 0, wanted = 0;
-    for (std::uint32_t t : translators)
+    for (ir::TranslatorId t : translators)
         wanted += c.program.translators[t].scalars.size() + c.program.translators[t].structures.size();
     if (wanted != arguments.size()) {
         c.error(
@@ -274,7 +274,7 @@ bool fill_stages(Body& body, const ast::Expr& call, const std::vector<Operand>& 
             {c.program.translators[translators[0]].display, std::to_string(wanted), std::to_string(arguments.size())});
         return false;
     }
-    for (std::uint32_t t : translators) {
+    for (ir::TranslatorId t : translators) {
         ir::Stage stage;
         stage.translator = t;
         const auto& fields = std::get<ast::Translator>(c[c.translator_decl.at(t)].body).fields;
@@ -285,7 +285,7 @@ bool fill_stages(Body& body, const ast::Expr& call, const std::vector<Operand>& 
             ast::ExprId written = call.operands[1 + next++];
             ir::TypeId type = type_of(c, env, field.type);
             if (c.types().kind(type) == ir::TypeKind::structure) {
-                if (argument.kind != OperandKind::structure || argument.structure != c.types()[type].index) {
+                if (argument.kind != OperandKind::structure || argument.structure != c.types()[type].structure) {
                     c.error(Diag::type_mismatch, c[written].span, {c.text(type), "something else"});
                     return false;
                 }
@@ -313,7 +313,7 @@ void flatten_then(Context& c, ast::ExprId id, std::vector<ast::ExprId>& stages) 
     }
 }
 
-void add_via(Body& body, std::uint32_t index, const ast::Item& item) {
+void add_via(Body& body, ir::StructureId index, const ast::Item& item) {
     Context& c = body.context;
     if (!c.program.structures[index].via.empty()) {
         c.error(Diag::duplicate_via, item.span);
@@ -385,7 +385,7 @@ ir::ExprId domain_from_translator(Context& c, const ir::Structure& structure) {
 
 /// The extent of the structure's domain: from its own domain(); else, if it has `via`, from its first translator,
 /// absent if that has none; else from the structure that is its memory.
-ir::ExprId domain_of(Body& body, std::uint32_t index, const ast::Item* declared) {
+ir::ExprId domain_of(Body& body, ir::StructureId index, const ast::Item* declared) {
     Context& c = body.context;
     const ir::Structure structure = c.program.structures[index];
     if (declared) return domain_from_item(body, *declared, structure.domain_type);
@@ -395,7 +395,7 @@ ir::ExprId domain_of(Body& body, std::uint32_t index, const ast::Item* declared)
 
 /// Whether `via`, if there is one, ends with the address type of the memory; reports if not. Sets the address type of
 /// the structure: that of its first translator, or of its memory.
-bool check_addresses(Context& c, std::uint32_t index) {
+bool check_addresses(Context& c, ir::StructureId index) {
     ir::Structure& structure = c.program.structures[index];
     const bool has_base = !structure.base.empty();
     const ir::TypeId takes =
@@ -411,7 +411,7 @@ bool check_addresses(Context& c, std::uint32_t index) {
     return false;
 }
 
-void finish_structure(Body& body, std::uint32_t index, const ast::Item* domain, const ast::Item* otherwise) {
+void finish_structure(Body& body, ir::StructureId index, const ast::Item* domain, const ast::Item* otherwise) {
     Context& c = body.context;
     Span at = c.program.structures[index].span;
     const std::string display = c.program.structures[index].display;
@@ -441,9 +441,8 @@ void finish_structure(Body& body, std::uint32_t index, const ast::Item* domain, 
     }
 }
 
-std::uint32_t begin_structure(Context& c, ast::DeclId id, const Env& env, ir::StructureKind kind) {
+ir::StructureId begin_structure(Context& c, ast::DeclId id, const Env& env, ir::StructureKind kind) {
     const ast::Decl& decl = c[id];
-    auto index = static_cast<std::uint32_t>(c.program.structures.size());
     ir::Structure structure;
     structure.kind = kind;
     structure.name = decl.name.name;
@@ -455,14 +454,14 @@ std::uint32_t begin_structure(Context& c, ast::DeclId id, const Env& env, ir::St
     structure.domain_type = structure.element = c.types().void_;
     if (decl.is_pub && decl.generics.empty() && c.modules[structure.module].is_root)
         structure.aliases.push_back({decl.name.name, structure.module, true});
-    c.program.structures.push_back(std::move(structure));
+    const ir::StructureId index = c.program.structures.add(std::move(structure));
     c.structure_env[index] = &env;
     c.structure_decl[index] = id;
     for (const auto& [name, meta] : env.bindings) c.arguments_of[index].push_back(meta);
     return index;
 }
 
-ir::FunctionId make_at(Context& c, ast::DeclId id, const Env& env, std::uint32_t index) {
+ir::FunctionId make_at(Context& c, ast::DeclId id, const Env& env, ir::StructureId index) {
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Function>(decl.body);
     const ir::Structure view = c.program.structures[index];
@@ -501,7 +500,7 @@ void add_constructor(Context& c, const Env& env, const std::vector<ast::Param>& 
         if (c.types().kind(type) == ir::TypeKind::structure) {
             ir::MemberStructure member;
             member.name = param.name.name;
-            member.structure = c.types()[type].index;
+            member.structure = c.types()[type].structure;
             member.by_reference = true;
             member.span = param.name.span;
             structure.members.push_back(std::move(member));
@@ -511,7 +510,7 @@ void add_constructor(Context& c, const Env& env, const std::vector<ast::Param>& 
     }
 }
 
-void bring_members_into_scope(Body& body, std::uint32_t index) {
+void bring_members_into_scope(Body& body, ir::StructureId index) {
     Context& c = body.context;
     body.container = index;
     const ir::Structure structure = c.program.structures[index];
@@ -545,7 +544,7 @@ void bring_members_into_scope(Body& body, std::uint32_t index) {
 ir::TypeId make_structure(Context& c, ast::DeclId id, const Env& env) {
     const auto& written = std::get<ast::Structure>(c[id].body);
     std::size_t errors = c.diagnostics.own_error_count();
-    std::uint32_t index = begin_structure(c, id, env, ir::StructureKind::stored);
+    ir::StructureId index = begin_structure(c, id, env, ir::StructureKind::stored);
     {
         ir::Structure started = c.program.structures[index];
         add_constructor(c, env, written.constructor, started);
@@ -591,7 +590,7 @@ ir::TypeId make_structure(Context& c, ast::DeclId id, const Env& env) {
 ir::TypeId make_view(Context& c, ast::DeclId id, const Env& env) {
     const auto& written = std::get<ast::View>(c[id].body);
     std::size_t errors = c.diagnostics.own_error_count();
-    std::uint32_t index = begin_structure(c, id, env, ir::StructureKind::view);
+    ir::StructureId index = begin_structure(c, id, env, ir::StructureKind::view);
     ir::Structure started = c.program.structures[index];
     started.copyable = false;
     add_constructor(c, env, written.constructor, started);
@@ -628,7 +627,7 @@ ir::TypeId make_view(Context& c, ast::DeclId id, const Env& env) {
 ir::TypeId make_adaptor(Context& c, ast::DeclId id, const Env& env) {
     const auto& written = std::get<ast::Adaptor>(c[id].body);
     std::size_t errors = c.diagnostics.own_error_count();
-    std::uint32_t index = begin_structure(c, id, env, ir::StructureKind::adaptor);
+    ir::StructureId index = begin_structure(c, id, env, ir::StructureKind::adaptor);
     ir::Structure started = c.program.structures[index];
     started.copyable = false;
     add_constructor(c, env, written.constructor, started);

@@ -73,7 +73,7 @@ void add_fields(Context& c, const Env& env, const ast::Translator& written, ir::
         if (!seen.insert(field.name.name).second) continue;  // a duplicate, reported by collect_modules
         ir::TypeId type = type_of(c, env, field.type);
         if (c.types().kind(type) == ir::TypeKind::structure) {
-            translator.structures.push_back(c.types()[type].index);
+            translator.structures.push_back(c.types()[type].structure);
             translator.structure_names.push_back(field.name.name);
         } else {
             translator.scalars.push_back({field.name.name, type, field.doc});
@@ -81,7 +81,7 @@ void add_fields(Context& c, const Env& env, const ast::Translator& written, ir::
     }
 }
 
-std::optional<std::uint32_t> make_translator(Context& c, ast::DeclId id, const Env& env) {
+ir::TranslatorId make_translator(Context& c, ast::DeclId id, const Env& env) {
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Translator>(decl.body);
     std::size_t errors = c.diagnostics.own_error_count();
@@ -103,7 +103,7 @@ std::optional<std::uint32_t> make_translator(Context& c, ast::DeclId id, const E
     check_address(translator.virtual_type, written.virtual_type);
     check_address(translator.physical_type, written.physical_type);
     add_fields(c, env, written, translator);
-    if (c.diagnostics.own_error_count() != errors) return std::nullopt;
+    if (c.diagnostics.own_error_count() != errors) return {};
     for (ast::DeclId method : written.methods) {
         const std::string& name = c.text(c[method].name.name);
         ir::TypeId va = translator.virtual_type;
@@ -119,10 +119,9 @@ std::optional<std::uint32_t> make_translator(Context& c, ast::DeclId id, const E
     bool has_translate = false;
     for (ast::DeclId method : written.methods) has_translate |= c.text(c[method].name.name) == "translate";
     if (!has_translate) c.error(Diag::no_translate, decl.name.span, {c.text(decl.name.name)});
-    if (c.diagnostics.own_error_count() != errors) return std::nullopt;
+    if (c.diagnostics.own_error_count() != errors) return {};
     translator.properties.invertible = static_cast<bool>(translator.invert);
-    auto index = static_cast<std::uint32_t>(c.program.translators.size());
-    c.program.translators.push_back(std::move(translator));
+    const ir::TranslatorId index = c.program.translators.add(std::move(translator));
     c.translator_decl[index] = id;
     c.translator_env[index] = &env;
     for (const auto& [name, meta] : env.bindings) c.translator_arguments[index].push_back(meta);
@@ -132,23 +131,21 @@ std::optional<std::uint32_t> make_translator(Context& c, ast::DeclId id, const E
 
 }  // namespace
 
-std::optional<std::vector<std::uint32_t>> instantiate_translator(Context& c, ast::DeclId id, const Env& env, Span use) {
+ir::TranslatorId instantiate_translator(Context& c, ast::DeclId id, const Env& env, Span use) {
     std::string key = key_of(c, id, env);
     if (auto found = c.instances.find(key); found != c.instances.end()) {
         if (found->second.state == Instance::State::in_progress)
             c.error(Diag::recursive_type, use, {c.text(c[id].name.name)});
-        if (found->second.state != Instance::State::done) return std::nullopt;
-        return std::vector{found->second.index};
+        return {found->second.index};
     }
     InstantiationScope scope(c, display_of(c, c[id], env), use);
-    if (scope.too_deep()) return std::nullopt;
+    if (scope.too_deep()) return {};
     c.instances[key] = {};
-    auto index = make_translator(c, id, env);
+    const ir::TranslatorId made = make_translator(c, id, env);
     Instance& instance = c.instances[key];
-    instance.state = index ? Instance::State::done : Instance::State::failed;
-    if (!index) return std::nullopt;
-    instance.index = *index;
-    return std::vector{*index};
+    instance.state = made ? Instance::State::done : Instance::State::failed;
+    instance.index = made.index;
+    return made;
 }
 
 ir::ExprId single_return(const ir::Program& program, ir::FunctionId id) {

@@ -32,7 +32,7 @@ std::string key_part(const Meta& meta) {
         return key;
     case MetaKind::translator:
         key = "r";
-        for (std::uint32_t i : meta.translators) key += std::to_string(i) + ",";
+        for (ir::TranslatorId i : meta.translators) key += std::to_string(i.index) + ",";
         return key;
     case MetaKind::format: return "x" + std::to_string(static_cast<int>(meta.format));
     case MetaKind::none:
@@ -78,7 +78,7 @@ bool satisfies_structure(Context& c, const Env& env, const ast::Expr& constraint
         why = c.text(type) + " is not a structure";
         return false;
     }
-    const ir::Structure structure = c.program.structures[c.types()[type].index];
+    const ir::Structure structure = c.program.structures[c.types()[type].structure];
     if (structure.kind == ir::StructureKind::adaptor) {
         why = structure.display + " is an adaptor: it has no elements of its own";
         return false;
@@ -187,7 +187,7 @@ bool Arguments::give(const Env& user, const std::vector<ast::ExprId>& written, s
         const ast::Expr& expr = c[argument];
         if (c.types().kind(type) == ir::TypeKind::enum_ &&
             (expr.kind == ast::ExprKind::name || expr.kind == ast::ExprKind::none_literal)) {
-            const ir::Enum& declared = c.program.enums[c.types()[type].index];
+            const ir::Enum& declared = c.program.enums[c.types()[type].enum_];
             std::string_view text = expr.kind == ast::ExprKind::none_literal ? std::string_view("none")
                                                                              : std::string_view(c.text(expr.name));
             for (std::size_t k = 0; k < declared.enumerators.size() && !found[i]; ++k)
@@ -232,7 +232,7 @@ void Arguments::infer_value(ast::ExprId pattern, const ir::Value& actual) {
     }
 }
 
-void Arguments::infer_structure(ast::ExprId pattern, std::uint32_t structure) {
+void Arguments::infer_structure(ast::ExprId pattern, ir::StructureId structure) {
     if (!pattern) return;
     infer(pattern, context.types().of_structure(structure));
     // The constraint Structure<D, T> of a parameter also determines D and T.
@@ -285,11 +285,11 @@ void Arguments::infer(ast::ExprId pattern, ir::TypeId actual) {
     const std::vector<Meta>* arguments = nullptr;
     ast::DeclId instance_decl;
     if (type.kind == ir::TypeKind::structure) {
-        if (auto at = c.arguments_of.find(type.index); at != c.arguments_of.end())
-            arguments = &at->second, instance_decl = c.structure_decl.at(type.index);
+        if (auto at = c.arguments_of.find(type.structure); at != c.arguments_of.end())
+            arguments = &at->second, instance_decl = c.structure_decl.at(type.structure);
     } else if (type.kind == ir::TypeKind::struct_) {
-        if (auto at = c.struct_arguments.find(type.index); at != c.struct_arguments.end())
-            arguments = &at->second, instance_decl = c.struct_decl.at(type.index);
+        if (auto at = c.struct_arguments.find(type.struct_); at != c.struct_arguments.end())
+            arguments = &at->second, instance_decl = c.struct_decl.at(type.struct_);
     }
     if (!arguments || c[instance_decl].name.name != c[expr.operands[0]].name) return;
     for (std::size_t i = 0; i + 1 < expr.operands.size() && i < arguments->size(); ++i) {

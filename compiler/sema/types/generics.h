@@ -26,7 +26,7 @@ struct Arguments {
     /// reports: unbound parameters and contradictions are found later.
     void infer(ast::ExprId pattern, ir::TypeId actual);
     void infer_value(ast::ExprId pattern, const ir::Value& actual);
-    void infer_structure(ast::ExprId pattern, std::uint32_t structure);
+    void infer_structure(ast::ExprId pattern, ir::StructureId structure);
 
     /// Fills in defaults, checks constraints, adds bindings to env. False if an argument is missing or violates its
     /// constraint, which is reported unless `quiet`, and after an error in a default.

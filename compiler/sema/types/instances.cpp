@@ -18,7 +18,6 @@ constexpr std::size_t instantiation_limit = 64;
 ir::TypeId make_struct(Context& c, ast::DeclId id, const Env& env, const std::string& key) {
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Struct>(decl.body);
-    auto index = static_cast<std::uint32_t>(c.program.structs.size());
     ir::Struct record;
     record.name = decl.name.name;
     record.display = display_of(c, decl, env);
@@ -31,8 +30,8 @@ ir::TypeId make_struct(Context& c, ast::DeclId id, const Env& env, const std::st
     record.extern_name = written.extern_name;
     record.offsets = written.offsets;
     record.size = written.size;
-    c.program.structs.push_back(record);
-    c.instances[key].index = index;
+    const ir::StructId index = c.program.structs.add(std::move(record));
+    c.instances[key].index = index.index;
     c.struct_decl[index] = id;
     for (const auto& [name, meta] : env.bindings) c.struct_arguments[index].push_back(meta);
     if (written.fields.size() > most_fields) {
@@ -95,8 +94,7 @@ ir::TypeId make_enum(Context& c, ast::DeclId id) {
         made.enumerators.push_back(enumerator.name.name);
         made.values.push_back(static_cast<std::uint32_t>(next++));
     }
-    c.program.enums.push_back(std::move(made));
-    return c.types().of_enum(static_cast<std::uint32_t>(c.program.enums.size() - 1));
+    return c.types().of_enum(c.program.enums.add(std::move(made)));
 }
 
 }  // namespace
@@ -139,7 +137,7 @@ ir::TypeId instantiate_type(Context& c, ast::DeclId id, const Env& env, Span use
 }
 
 static void declare_params(Body& body, const std::vector<ast::Param>& params, ir::Function& function,
-                           std::size_t first_structure, const std::vector<std::uint32_t>& structures) {
+                           std::size_t first_structure, const std::vector<ir::StructureId>& structures) {
     body.structures = structures;
     Context& c = body.context;
     for (const ast::Param& param : params) {
@@ -195,11 +193,11 @@ static void cut_after_return(const ir::Program& program, std::vector<ir::StmtId>
 
 // long: all checks of one declaration
 std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, const Env& env,
-                                                   const std::vector<std::uint32_t>& structures, Span use) {
+                                                   const std::vector<ir::StructureId>& structures, Span use) {
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Function>(decl.body);
     std::string key = key_of(c, id, env);
-    for (std::uint32_t structure : structures) key += "@" + std::to_string(structure);
+    for (ir::StructureId structure : structures) key += "@" + std::to_string(structure.index);
     if (auto found = c.instances.find(key); found != c.instances.end()) {
         if (found->second.state == Instance::State::failed) return std::nullopt;
         if (found->second.state == Instance::State::in_progress) {

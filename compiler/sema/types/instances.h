@@ -8,16 +8,15 @@ namespace gliftc::sema {
 /// The type of a struct, enum, structure, view or adaptor with the generic arguments in `env`, which have been checked.
 ir::TypeId instantiate_type(Context&, ast::DeclId, const Env&, Span use);
 
-/// The instance of a translator: a list with one index in Program::translators. It is a list because Meta::translators
-/// is one: an alias such as `A then B` denotes several translators. Absent after an error.
-std::optional<std::vector<std::uint32_t>> instantiate_translator(Context&, ast::DeclId, const Env&, Span use);
+/// The instance of a translator; empty after an error.
+ir::TranslatorId instantiate_translator(Context&, ast::DeclId, const Env&, Span use);
 
 /// `structures`: the instances passed for the function's structure parameters; of a function that a structure declares,
 /// that structure first.
 std::optional<ir::FunctionId> instantiate_function(Context&, ast::DeclId, const Env&,
-                                                   const std::vector<std::uint32_t>& structures, Span use);
+                                                   const std::vector<ir::StructureId>& structures, Span use);
 
-std::optional<std::uint32_t> instantiate_kernel(Context&, ast::DeclId, const Env&, Span use);
+ir::KernelId instantiate_kernel(Context&, ast::DeclId, const Env&, Span use);
 
 /// The radius of a parameter `near<S, r>`; reports one that is missing (then 1) or out of range.
 std::uint32_t window_radius(Context&, const Env&, const ast::Param&);
@@ -29,18 +28,23 @@ void check_extra_count(Context&, const ast::Param&);
 /// The three extents after `group`: 1 for each that is not written, all 1 after an error; all 0 if there is no `group`.
 std::array<std::uint32_t, 3> group_of(Context&, const Env&, const std::vector<ast::ExprId>& written);
 
-/// `passed` has an entry for each parameter: of a range, the structure instance; of a value, `lies_on_device` if the
-/// argument does; else 0. `owner`: the instance of the adaptor that declares the pipeline, if one does.
-std::optional<std::uint32_t> instantiate_pipeline(Context&, ast::DeclId, const Env&,
-                                                  const std::vector<std::uint32_t>& passed,
-                                                  std::optional<std::uint32_t> owner, Span use);
-inline constexpr std::uint32_t lies_on_device = 0xffffffffu;
+/// What a call passes for a parameter of a pipeline: of a range, the structure; of a value, whether it lies on the
+/// device.
+struct Passed {
+    ir::StructureId structure;
+    bool on_device = false;
+};
+
+/// `passed` has an entry for each parameter. `owner`: the adaptor that declares the pipeline, if one does. Empty after
+/// an error.
+ir::PipelineId instantiate_pipeline(Context&, ast::DeclId, const Env&, const std::vector<Passed>& passed,
+                                    ir::StructureId owner, Span use);
 
 /// Instantiates kernels of std.transfer for the structure, which move boxes of elements between host and device, fill
 /// boxes, and list the elements that are there, as far as the structure allows it; adds them to Program::transfers (see
 /// ir::Program::Transfer). Does the same for the structure's members; of an adaptor, for the members alone. Does
 /// nothing if Program::transfers has the structure already, or for a view without a domain.
-void require_transfers(Context&, std::uint32_t structure, Span use);
+void require_transfers(Context&, ir::StructureId structure, Span use);
 
 void instantiate_test(Context&, ast::DeclId);
 

@@ -49,7 +49,7 @@ bool fits(Context& c, ast::DeclId candidate, const Wanted& wanted) {
     return true;
 }
 
-bool is_there(Context& c, std::uint32_t module, const Wanted& wanted) {
+bool is_there(Context& c, ir::ModuleId module, const Wanted& wanted) {
     std::vector<ast::DeclId> candidates = look_up(c, module, wanted.name).found;
     if (!is_function(c, candidates)) candidates.clear();
     add_functions_of_types(c, wanted.name.name, wanted.types, candidates);
@@ -79,7 +79,7 @@ bool satisfies_interface(Context& c, const Env& env, ast::DeclId id, const ast::
 
     // A cycle: the interface requires a function whose own constraints, directly or by way of other functions, ask
     // again whether the same type satisfies this interface.
-    std::string key = key_of(c, id, inside) + "@" + std::to_string(type.index) + "@" + std::to_string(env.module);
+    std::string key = key_of(c, id, inside) + "@" + std::to_string(type.index) + "@" + std::to_string(env.module.index);
     if (std::find(c.interfaces_under_way.begin(), c.interfaces_under_way.end(), key) != c.interfaces_under_way.end()) {
         why = "this depends on itself";
         return false;

@@ -103,8 +103,8 @@ Meta builtin(Context& c, std::string_view text) {
 void note_alias(Context& c, ast::DeclId id, ir::TypeId structure) {
     const ast::Decl& decl = c[id];
     if (!decl.generics.empty()) return;
-    const std::uint32_t module = c.module_of.at(id);
-    std::vector<ir::Alias>& aliases = c.program.structures[c.types()[structure].index].aliases;
+    const ir::ModuleId module = c.module_of.at(id);
+    std::vector<ir::Alias>& aliases = c.program.structures[c.types()[structure].structure].aliases;
     const bool is_known = std::ranges::any_of(
         aliases, [&](const ir::Alias& alias) { return alias.name == decl.name.name && alias.module == module; });
     if (!is_known) aliases.push_back({decl.name.name, module, decl.is_pub});
@@ -117,10 +117,10 @@ Meta meta_of_declaration(Context& c, ast::DeclId id, const Env& env, Span use) {
     bool is_translator = std::holds_alternative<ast::Translator>(decl.body);
     if (std::holds_alternative<ast::Alias>(decl.body)) return meta_of_alias(c, id, env, use);
     if (is_translator) {
-        auto stages = instantiate_translator(c, id, env, use);
-        if (!stages) return {};
+        const ir::TranslatorId made = instantiate_translator(c, id, env, use);
+        if (!made) return {};
         meta.kind = MetaKind::translator;
-        meta.translators = *stages;
+        meta.translators = {made};
         return meta;
     }
     ir::TypeId type = instantiate_type(c, id, env, use);
@@ -201,12 +201,12 @@ Meta meta_of_name(Context& c, const Env& env, const ast::Expr& expr) {
 }
 
 /// The module that the expression names, by its whole name or its last part.
-std::optional<std::uint32_t> module_named(Context& c, const Env& env, ast::ExprId id) {
+ir::ModuleId module_named(Context& c, const Env& env, ast::ExprId id) {
     const ast::Expr& expr = c[id];
     if (expr.kind == ast::ExprKind::member) return module_by_whole_name(c, env, id);
-    if (expr.kind != ast::ExprKind::name) return std::nullopt;
+    if (expr.kind != ast::ExprKind::name) return {};
     const Meta meta = find_meta(c, env, {expr.name, expr.span});
-    return meta.kind == MetaKind::module ? std::optional(meta.module) : std::nullopt;
+    return meta.kind == MetaKind::module ? meta.module : ir::ModuleId{};
 }
 
 Meta meta_of_generic(Context& c, const Env& env, const ast::Expr& expr) {
@@ -221,8 +221,8 @@ Meta meta_of_generic(Context& c, const Env& env, const ast::Expr& expr) {
     if (name.kind == ast::ExprKind::name) {
         meta = find_meta(c, env, {name.name, name.span});
         if (meta.kind == MetaKind::none) report_unknown(c, env, {name.name, name.span});
-    } else if (const auto module = module_named(c, env, name.operands[0])) {
-        meta = find_in_module(c, env, *module, {name.name, name.name_span});
+    } else if (const ir::ModuleId module = module_named(c, env, name.operands[0])) {
+        meta = find_in_module(c, env, module, {name.name, name.name_span});
     } else {
         meta = meta_of(c, env, expr.operands[0]);
     }
@@ -270,7 +270,7 @@ Meta meta_of_array(Context& c, const Env& env, const ast::Expr& expr) {
     return of_type(type);
 }
 
-void report_ambiguous_module(Context& c, ast::Identifier name, std::uint32_t one, std::uint32_t other) {
+void report_ambiguous_module(Context& c, ast::Identifier name, ir::ModuleId one, ir::ModuleId other) {
     std::string first = c.text(c.modules[one].tree->name.name), second = c.text(c.modules[other].tree->name.name);
     if (second < first) std::swap(first, second);
     note(c.error(Diag::ambiguous_module, name.span, {c.text(name.name), first, second}), name.span,
@@ -279,7 +279,7 @@ void report_ambiguous_module(Context& c, ast::Identifier name, std::uint32_t one
 
 }  // namespace
 
-std::vector<ast::DeclId> find_declarations(Context& c, std::uint32_t module, ast::Identifier name) {
+std::vector<ast::DeclId> find_declarations(Context& c, ir::ModuleId module, ast::Identifier name) {
     Visible visible = look_up(c, module, name);
     if (!visible.found.empty() || visible.hidden.empty()) return visible.found;
     // Private names of imports do not hide built-in names.
@@ -310,7 +310,7 @@ Meta find_meta(Context& c, const Env& env, ast::Identifier name) {
     }
     meta = builtin(c, text);
     if (meta.kind != MetaKind::none) return meta;
-    for (std::uint32_t import : c.scopes[env.module].imports) {
+    for (ir::ModuleId import : c.scopes[env.module].imports) {
         const std::string& whole = c.text(c.modules[import].tree->name.name);
         if (whole != text && !whole.ends_with("." + text)) continue;
         if (meta.kind == MetaKind::module && whole != text && meta.module != import) {
@@ -337,8 +337,8 @@ Meta meta_of(Context& c, const Env& env, ast::ExprId id) {
         return element == c.types().error ? Meta{} : of_type(c.types().optional(element));
     }
     case ast::ExprKind::member:
-        if (const auto module = module_named(c, env, expr.operands[0])) {
-            Meta meta = find_in_module(c, env, *module, {expr.name, expr.name_span});
+        if (const ir::ModuleId module = module_named(c, env, expr.operands[0])) {
+            Meta meta = find_in_module(c, env, module, {expr.name, expr.name_span});
             return without_arguments(c, std::move(meta), expr.span);
         }
         break;
@@ -454,7 +454,7 @@ std::string to_text(const Context& c, const Meta& meta) {
     case MetaKind::value: return ir::to_text(c.program, meta.value);
     case MetaKind::translator: {
         std::string text;
-        for (std::uint32_t i : meta.translators)
+        for (ir::TranslatorId i : meta.translators)
             text += (text.empty() ? "" : " then ") + c.program.translators[i].display;
         return text;
     }
@@ -484,7 +484,7 @@ std::string to_qualified_text(const Context& c, const Meta& meta) {
         return ir::to_qualified_text(c.program, meta.value.type) + ir::to_text(c.program, meta.value);
     if (meta.kind != MetaKind::translator) return to_text(c, meta);
     std::string text;
-    for (std::uint32_t i : meta.translators) text += (text.empty() ? "" : " then ") + c.program.translators[i].key;
+    for (ir::TranslatorId i : meta.translators) text += (text.empty() ? "" : " then ") + c.program.translators[i].key;
     return text;
 }
 

@@ -8,7 +8,7 @@ namespace gliftc::sema {
 /// The declarations of `name` in a module: its own, else the public ones of its imports. Reports ambiguity. If imports
 /// declare the name, but all without `pub`, reports that and gives these declarations; but if the language itself has a
 /// type, texel format, memory shape or constraint of that name, reports nothing and gives none.
-std::vector<ast::DeclId> find_declarations(Context&, std::uint32_t module, ast::Identifier name);
+std::vector<ast::DeclId> find_declarations(Context&, ir::ModuleId module, ast::Identifier name);
 
 /// The meaning of a name in an environment: bound there, `Self`, declared in its module or imports, built into the
 /// language, or the name of an imported module or its last part (`array` of `std.array`). Kind none if unknown.
@@ -16,11 +16,11 @@ Meta find_meta(Context&, const Env&, ast::Identifier name);
 
 /// The imported module that an expression such as `std.array` names by its whole name. Absent if it names none, or if
 /// the first of its words means something else in the environment.
-std::optional<std::uint32_t> module_by_whole_name(Context&, const Env&, ast::ExprId);
+ir::ModuleId module_by_whole_name(Context&, const Env&, ast::ExprId);
 
 /// The meaning of `name` behind a module's name: what that module declares itself, and as public if the module is not
 /// that of `env`. Reports others; kind none if the module does not declare the name.
-Meta find_in_module(Context&, const Env& env, std::uint32_t module, ast::Identifier name);
+Meta find_in_module(Context&, const Env& env, ir::ModuleId module, ast::Identifier name);
 
 /// The meaning of an alias, `structure Field = …`, whose generic arguments `env` binds. If the alias has no generic
 /// parameters and denotes a structure, its name is added to Structure::aliases of that structure.

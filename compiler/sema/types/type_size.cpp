@@ -13,7 +13,8 @@ std::uint64_t scalars_in(const ir::Program& program, ir::TypeId id) {
     case ir::TypeKind::optional: return 1 + scalars_in(program, type.element);
     case ir::TypeKind::struct_: {
         std::uint64_t sum = 0;
-        for (const ir::StructField& field : program.structs[type.index].fields) sum += scalars_in(program, field.type);
+        for (const ir::StructField& field : program.structs[type.struct_].fields)
+            sum += scalars_in(program, field.type);
         return sum;
     }
     default: return 1;
@@ -26,7 +27,7 @@ std::uint32_t levels_of(const ir::Program& program, ir::TypeId id) {
         return 1 + levels_of(program, type.element);
     if (type.kind != ir::TypeKind::struct_) return 0;
     std::uint32_t inner = 0;
-    for (const ir::StructField& field : program.structs[type.index].fields)
+    for (const ir::StructField& field : program.structs[type.struct_].fields)
         inner = std::max(inner, levels_of(program, field.type));
     return 1 + inner;
 }

@@ -95,7 +95,7 @@ bool holds_optional(const ir::Program& program, ir::TypeId id) {
     if (type.kind == ir::TypeKind::optional) return true;
     if (type.kind == ir::TypeKind::array) return holds_optional(program, type.element);
     if (type.kind != ir::TypeKind::struct_) return false;
-    const auto& fields = program.structs[type.index].fields;
+    const auto& fields = program.structs[type.struct_].fields;
     return std::ranges::any_of(fields, [&](const auto& field) { return holds_optional(program, field.type); });
 }
 

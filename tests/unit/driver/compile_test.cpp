@@ -63,7 +63,7 @@ TEST(Load, puts_imports_before_importers_and_each_once) {
     EXPECT_EQ(loaded.errors(), "");
     EXPECT_EQ(loaded.order(), "std.fold std.array b c.e c.d a ");
     EXPECT_TRUE(loaded.compilation.loaded.modules.back().is_root);
-    EXPECT_EQ(loaded.compilation.loaded.modules.back().uses, (std::vector<std::uint32_t>{2, 4, 1}));
+    EXPECT_EQ(loaded.compilation.loaded.modules.back().uses, (std::vector<ir::ModuleId>{{2}, {4}, {1}}));
 }
 
 TEST(Load, finds_a_module_beside_its_user_first) {

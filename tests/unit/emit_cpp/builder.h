@@ -80,10 +80,10 @@ struct Builder {
 /// second variant is for the interior, without bounds checks.
 inline ir::Pass heat_pass(Builder& b) {
     using ir::BinaryOp;
-    b.program.kernels.push_back(
-        {.name = b.names.intern("heat"), .display = "heat", .span = b.line(4), .domain_type = b.uint_vector(3)});
     const ir::TypeId f32 = b.types().float_, u3 = b.uint_vector(3);
     ir::Pass pass;
+    pass.kernel = b.program.kernels.add(
+        {.name = b.names.intern("heat"), .display = "heat", .span = b.line(4), .module = {0}, .domain_type = u3});
     pass.rank = 3;
     pass.bindings = {{.name = "f_data", .element = f32, .access = ir::Access::read},
                      {.name = "g_data", .element = f32, .access = ir::Access::write}};

@@ -16,7 +16,7 @@ TEST(HostKernel, RunsInsideThroughPointersToTheRow) {
     test::Builder b;
     const ir::Pass pass = test::heat_pass(b);
     const cpp::ProgramNames names = cpp::program_names(b.program);
-    cpp::Globals globals = cpp::make_globals(b.program, b.sources, names, {0, 0});
+    cpp::Globals globals = cpp::make_globals(b.program, b.sources, names, {{0}, {0}});
     const std::string text = host::kernel_of(globals, pass, "heat_direct");
     EXPECT_THAT(text, HasSubstr("glift::host::interior_of(row, uint3(), f_extent, 1)"));
     EXPECT_THAT(text, HasSubstr("const float* f_data_row = glift::host::row_pointer(f_data + f_index);"));

@@ -28,7 +28,7 @@ struct Builder {
         kernel.name = names.intern("sample");
         kernel.display = "sample";
         kernel.span = here;
-        program.kernels.push_back(kernel);
+        pass.kernel = program.kernels.add(kernel);
         pass.push_constants = true;
     }
 

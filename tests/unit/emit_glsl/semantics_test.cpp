@@ -332,7 +332,7 @@ TEST(Intrinsics, OfMatricesCompile) {
 
 TEST(Subgroups, AskForTheirExtensionsOnly) {
     Builder b;
-    b.program.kernels[0].group = {64, 1, 1};
+    b.program.kernels[b.pass.kernel].group = {64, 1, 1};
     ExprId address = b.one_axis();
     auto out = b.buffer("g_data", b.types().uint, Access::read_write);
     LocalId tile = b.local("tile", b.types().array(b.types().uint, 64)), total = b.local("total", b.types().uint);

@@ -150,8 +150,7 @@ TEST(Shader, PrintsStructsOptionalsAndFunctions) {
     entry.name = b.names.intern("Entry");
     entry.display = "Entry";
     entry.fields = {{b.names.intern("frame"), uint2, ""}, {b.names.intern("resident"), b.types().bool_, ""}};
-    b.program.structs.push_back(entry);
-    TypeId entry_type = b.types().of_struct(0), maybe = b.types().optional(uint2);
+    TypeId entry_type = b.types().of_struct(b.program.structs.add(entry)), maybe = b.types().optional(uint2);
     auto table = b.buffer("table", entry_type, Access::read);
     auto out = b.buffer("g_data", b.types().uint, Access::write);
 

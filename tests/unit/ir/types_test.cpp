@@ -31,7 +31,6 @@ TEST(Validate, FindsALocalBeforeItsLet) {
     Names names;
     ir::Program program;
     program.names = &names;
-    program.kernels.emplace_back();
     ir::Expr use;
     use.op = ir::Op::local;
     use.type = program.types.float_;
@@ -40,6 +39,7 @@ TEST(Validate, FindsALocalBeforeItsLet) {
     stmt.op = ir::StmtOp::evaluate;
     stmt.value = program.exprs.add(use);
     ir::Pass pass;
+    pass.kernel = program.kernels.add({});
     pass.plain().body = {program.stmts.add(stmt)};
     std::vector<std::string> problems = ir::validate(program, pass);
     ASSERT_EQ(problems.size(), 1u);

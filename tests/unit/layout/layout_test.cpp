@@ -14,9 +14,10 @@ TEST(Layout, ScalarLayoutOfTypes) {
     EXPECT_EQ(layout::size_of(program, types.matrix(types.float_, 4, 4)).size, 64u);
     EXPECT_EQ(layout::size_of(program, types.array(types.uint64, 3)).size, 24u);
     EXPECT_EQ(layout::size_of(program, types.optional(types.double_)).size, 16u);
-    program.structs.push_back({.fields = {{{}, types.float_, {}}, {{}, types.double_, {}}, {{}, types.half, {}}}});
-    ir::TypeId type = types.of_struct(0);
-    EXPECT_EQ(layout::offsets_of(program, program.structs[0]), (std::vector<std::uint32_t>{0, 8, 16}));
+    const ir::StructId made =
+        program.structs.add({.fields = {{{}, types.float_, {}}, {{}, types.double_, {}}, {{}, types.half, {}}}});
+    ir::TypeId type = types.of_struct(made);
+    EXPECT_EQ(layout::offsets_of(program, program.structs[made]), (std::vector<std::uint32_t>{0, 8, 16}));
     EXPECT_EQ(layout::size_of(program, type).size, 24u);
     EXPECT_EQ(layout::size_of(program, type).align, 8u);
 }
@@ -24,8 +25,7 @@ TEST(Layout, ScalarLayoutOfTypes) {
 TEST(Layout, ParametersArePushConstantsWhereTheyFit) {
     ir::Program program;
     ir::Lowered lowered;
-    lowered.passes.emplace_back();
-    ir::Lowered::Forms& forms = lowered.passes[0];
+    ir::Lowered::Forms& forms = lowered.passes.emplace_back();
     auto add = [&](ir::Pass& pass, ir::TypeId type) {
         ir::PassParameter parameter;
         parameter.type = type;

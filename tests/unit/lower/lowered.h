@@ -84,7 +84,7 @@ struct Lowering {
     }
 
     const ir::Lowered::Forms& forms(std::string_view kernel) const {
-        for (std::size_t i = 0; i < program.kernels.size(); ++i)
+        for (ir::KernelId i : program.kernels.ids())
             if (names[program.kernels[i].name] == kernel) return lowered.passes[i];
         throw std::runtime_error("no such kernel");
     }

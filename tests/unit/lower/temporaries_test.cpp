@@ -18,7 +18,7 @@ struct Steps {
         program.structures.emplace_back().display = "Line";
     }
     ir::LocalId local(const char* name) {
-        const ir::TypeId type = program.types.of_structure(0);
+        const ir::TypeId type = program.types.of_structure({0});
         return program.locals.add({names.intern(name), type, {}, false, ir::Storage::value});
     }
     ir::StmtId temp(ir::LocalId id) {
@@ -38,9 +38,9 @@ struct Steps {
         return program.stmts.add(stmt);
     }
     std::string released(std::vector<ir::StmtId> body) {
-        program.pipelines[0].body = std::move(body);
+        program.pipelines.front().body = std::move(body);
         lower::release_temporaries(program);
-        return ir::print(program, program.pipelines[0].body);
+        return ir::print(program, program.pipelines.front().body);
     }
 };
 

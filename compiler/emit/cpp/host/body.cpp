@@ -172,7 +172,10 @@ void print_outer(Body& body, const Stmt& stmt) {
     case StmtOp::atomic: {
         const ir::PassBinding& binding = body.pass.bindings[stmt.slot];
         const std::string value = cpp::print_any(p, stmt.value);
-        if (binding.shape == ir::MemoryShape::buffer) {
+        if (const auto updates = body.update_names.find(stmt.slot); updates != body.update_names.end()) {
+            body.used_bindings.insert(stmt.slot);
+            p.out.line(updates->second + ".add(" + cpp::print_any(p, stmt.target) + ", " + value + ");");
+        } else if (binding.shape == ir::MemoryShape::buffer) {
             const std::string element = element_text(body, stmt.slot, stmt.target);
             p.out.line("glift::host::" + std::string(combine_name(stmt.combine)) + "(" + element + ", " + value + ");");
         } else {

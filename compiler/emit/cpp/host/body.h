@@ -22,6 +22,8 @@ struct Body {
     std::map<std::pair<std::uint32_t, ir::ExprId>, std::string> row_pointers;
     /// The same for row_item, which accesses local arrays, by the array and the index operand.
     std::map<std::pair<ir::LocalId, ir::ExprId>, std::string> item_pointers;
+    /// In rows: names of the objects that combine a thread's updates of a buffer (glift::host::Updates), by binding.
+    std::map<std::uint32_t, std::string> update_names;
     bool first_only = false;  ///< in workgroups: the printed code runs once, with the values of the first invocation
     std::string group_text;   ///< in workgroups: their size, as a uint3
 

@@ -48,14 +48,53 @@ std::string in_blocks_text(const ir::Variant& variant, const std::string& part, 
     return variant.order == ir::RowOrder::in_blocks ? "glift::host::in_blocks(" + part + ", " + end + ")" : part;
 }
 
+/// The class in glift/host/updates.h.
+const char* operation_name(ir::Combine combine) {
+    switch (combine) {
+    case ir::Combine::replace: break;
+    case ir::Combine::min: return "Min";
+    case ir::Combine::max: return "Max";
+    case ir::Combine::add: return "Add";
+    case ir::Combine::bit_and: return "BitAnd";
+    case ir::Combine::bit_or: return "BitOr";
+    case ir::Combine::bit_xor: return "BitXor";
+    }
+    return "";
+}
+
+/// Whether a thread combines its updates of the binding before it updates memory.
+bool combines_updates(const ir::Program& program, const ir::Pass& pass, const ir::PassBinding& binding) {
+    const ir::TypeKind kind = program.types.kind(binding.element);
+    const bool is_number = kind == ir::TypeKind::int_ || kind == ir::TypeKind::uint || kind == ir::TypeKind::float_;
+    return is_number && !binding.coherent && binding.shape == ir::MemoryShape::buffer && !pass.is_wide;
+}
+
+/// The operations by which the pass updates bindings, for those whose updates a thread combines.
+std::map<std::uint32_t, ir::Combine> combined_bindings(const ir::Program& program, const ir::Pass& pass) {
+    std::map<std::uint32_t, ir::Combine> found;
+    const auto note = [&](const Stmt& stmt) {
+        if (stmt.op == StmtOp::atomic && combines_updates(program, pass, pass.bindings[stmt.slot]))
+            found.emplace(stmt.slot, stmt.combine);
+    };
+    for (const std::vector<StmtId>* body : bodies_of(pass)) ir::for_each_statement(program, *body, note);
+    for (ir::FunctionId function : pass.functions)
+        ir::for_each_statement(program, program.functions[function].body, note);
+    return found;
+}
+
 struct Rows {
     Body body;
     const ir::Program& program;
     const ir::Pass& pass;
     cpp::Printer& p;
+    std::map<std::uint32_t, ir::Combine> combined;
 
     Rows(cpp::Globals& globals, const ir::Pass& pass)
-        : body(globals, pass), program(globals.program), pass(pass), p(body.p) {}
+        : body(globals, pass), program(globals.program), pass(pass), p(body.p),
+          combined(combined_bindings(program, pass)) {
+        for (const auto& [binding, combine] : combined)
+            body.update_names[binding] = p.names.declare(pass.bindings[binding].name + "_updates");
+    }
 
     void print_address(const std::string& x);
     std::string type_of(const RowAccess& access);
@@ -428,6 +467,12 @@ std::string row_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::s
     out.open("static void " + name + "_rows(" + (uses_call ? "" : "[[maybe_unused]] ") +
              "const glift::HostCall& call, const glift::host::Rows& rows)");
     declare_used(rows.body, out, name);
+    for (const auto& [binding, combine] : rows.combined) {
+        if (!rows.body.used_bindings.contains(binding)) continue;
+        out.line(concat("glift::host::Updates<", cpp::storage_text(globals, pass.bindings[binding].element),
+                        ", glift::host::", operation_name(combine), "> ", rows.body.update_names[binding], "(",
+                        rows.body.binding_names[binding], ");"));
+    }
     out.raw(text);
     out.close();
     out.gap();

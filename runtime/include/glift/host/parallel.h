@@ -145,13 +145,14 @@ template <class Body> void for_rows(const std::array<std::uint32_t, 4>& size, co
     const std::size_t all = rows * size[0];
     if (rows == 1 || size[0] > 16 * detail::task_elements) {  // long rows: split them
         const std::size_t pieces = (size[0] + detail::task_elements - 1) / detail::task_elements;
-        const auto piece = [&](std::size_t i) {
-            const std::size_t begin = i % pieces * detail::task_elements;
-            const std::size_t end = detail::least<std::size_t>(begin + detail::task_elements, size[0]);
-            run(static_cast<uint>(begin), static_cast<uint>(end), i / pieces, 1);
-        };
         detail::spread(rows * pieces, 1, [&](std::size_t first, std::size_t last) {
-            for (std::size_t i = first; i < last; ++i) piece(i);
+            while (first < last) {  // the pieces of one row at once
+                const std::size_t row = first / pieces, next = detail::least(last, (row + 1) * pieces);
+                const std::size_t end = (next - row * pieces) * detail::task_elements;
+                run(static_cast<uint>(first % pieces * detail::task_elements),
+                    static_cast<uint>(detail::least<std::size_t>(end, size[0])), row, 1);
+                first = next;
+            }
         });
         return;
     }
