@@ -1,10 +1,10 @@
-// `gliftc explain FILE`: prints properties of translators, structures and draws, and with --made the sizes of memories.
-// Of a translator's mapping and inverse it says whether they are declared or were tested (trials.h).
+// `gliftc explain FILE`: prints properties of translators, structures, draws and updates, and with --made the sizes of
+// memories. Of a translator's mapping and inverse it says whether they are declared or were tested (trials.h).
 #include "driver/command_line.h"
 #include "driver/commands.h"
 #include "driver/compile.h"
 #include "driver/explain_diagnostic.h"
-#include "driver/explain_draws.h"
+#include "driver/explain_kernels.h"
 #include "driver/explain_made.h"
 #include "driver/trials.h"
 #include "emit/json/text.h"
@@ -76,7 +76,8 @@ std::string inverse_of(const ir::Properties& properties, const Trial& trial) {
 /// on the command line.
 class Explainer {
 public:
-    explicit Explainer(const Compilation& c) : draws(explained_draws(c)), c_(c), program_(c.program) {
+    explicit Explainer(const Compilation& c)
+        : draws(explained_draws(c)), updates(explained_updates(c)), c_(c), program_(c.program) {
         for (const ir::Structure& structure : program_.structures) explain(structure);
         for (ir::TranslatorId i : program_.translators.ids())
             if (shown_.insert(i).second) translators.push_back(explained(program_.translators[i], {}));
@@ -84,7 +85,7 @@ public:
 
     std::vector<ExplainedStructure> structures;
     std::vector<Explained> translators;  ///< those that none of `structures` uses
-    std::vector<ExplainedDraw> draws;
+    std::vector<ExplainedKernel> draws, updates;
 
 private:
     std::string place(Span span) const {
@@ -225,11 +226,15 @@ std::string as_text(const Explainer& explainer, const std::vector<ExplainedMade>
         text += "\n";
     }
     for (const Explained& translator : explainer.translators) text += text_of(translator, "") + "\n";
-    for (const ExplainedDraw& draw : explainer.draws) {
-        text += "raster " + draw.name + "  (" + draw.place + ")\n";
-        for (const auto& [what, how] : draw.facts) text += line("", what, how);
-        text += "\n";
-    }
+    const auto add = [&](const std::string& word, const std::vector<ExplainedKernel>& kernels) {
+        for (const ExplainedKernel& kernel : kernels) {
+            text += word + " " + kernel.name + "  (" + kernel.place + ")\n";
+            for (const auto& [what, how] : kernel.facts) text += line("", what, how);
+            text += "\n";
+        }
+    };
+    add("raster", explainer.draws);
+    add("kernel", explainer.updates);
     for (const ExplainedMade& m : made) text += text_of(m);
     return text;
 }
@@ -287,13 +292,13 @@ void write(json::Text& out, const ExplainedStructure& s) {
     });
 }
 
-void write(json::Text& out, const ExplainedDraw& draw) {
+void write(json::Text& out, const ExplainedKernel& kernel) {
     out.object([&] {
-        out.field("name", draw.name);
-        out.field("place", draw.place);
+        out.field("name", kernel.name);
+        out.field("place", kernel.place);
         out.key("facts");
         out.array([&] {
-            for (const auto& [what, how] : draw.facts)
+            for (const auto& [what, how] : kernel.facts)
                 out.object([&] {
                     out.field("what", what);
                     out.field("how", how);
@@ -336,11 +341,15 @@ std::string as_json(const Explainer& explainer, const std::vector<ExplainedMade>
                 for (const ExplainedMade& m : made) write(out, m);
             });
         }
-        if (explainer.draws.empty()) return;
-        out.key("draws");
-        out.array([&] {
-            for (const ExplainedDraw& draw : explainer.draws) write(out, draw);
-        });
+        const auto add = [&](const char* key, const std::vector<ExplainedKernel>& kernels) {
+            if (kernels.empty()) return;
+            out.key(key);
+            out.array([&] {
+                for (const ExplainedKernel& kernel : kernels) write(out, kernel);
+            });
+        };
+        add("draws", explainer.draws);
+        add("updates", explainer.updates);
     });
     return out.take();
 }

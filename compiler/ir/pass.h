@@ -71,6 +71,17 @@ struct PassParameter {
     std::uint32_t offset = 0;  ///< byte offset in the parameter block; set by layout/
 };
 
+/// How shaders make an update (`scatter` with an operation): each element updates memory, or elements are combined
+/// before (lower/transform/privatise.h).
+enum class UpdateWay : std::uint8_t { plain, tree, column, copies };
+
+struct PassUpdate {
+    std::uint32_t binding = 0;
+    UpdateWay way = UpdateWay::plain;
+    std::uint32_t axis = 0, elements = 1;  ///< of tree and column: how many elements an invocation combines, and where
+    std::uint32_t copied = 0;              ///< of copies: a buffer of fewer elements has copies
+};
+
 struct Pass {
     KernelId kernel;  ///< empty: a function of a library
     Form form = Form::direct;
@@ -98,6 +109,7 @@ struct Pass {
     /// vertex part; the fragment part, if there is one, is another variant. All other variants are for some devices
     /// only, or are valid under assumptions only.
     std::vector<Variant> variants = std::vector<Variant>(1);
+    std::vector<PassUpdate> updates;    ///< if shaders combine any before they reach memory: all, in the body's order
     std::vector<FunctionId> functions;  ///< lowered functions that the bodies call, callees before callers
     std::vector<LocalId> shared;        ///< arrays in workgroup memory
     std::vector<std::vector<LocalId>>

@@ -225,6 +225,18 @@ expect(not folded["Looped"]["affine"], "a loop from a negative bound is followed
 expect(not folded["Converted"]["affine"], "constants are converted as at run time", folded["Converted"])
 through = next(t for name, t in folded.items() if name.startswith("Through"))
 expect(through["access_complexity"] == "not known" and through["access_consistency"] == "not uniform", "a table's memory counts", through)
+# Updates that are combined.
+here.write("sums.glift", "module sums;\nuse std.array;\npub structure Line = Array<1, uint>;\n"
+           "pub structure Picture = Array<2, uint>;\n"
+           "kernel rows(a: at<Picture>, x: in each<Picture>, to: out scatter<Line, add>) { to[a.y] = x; }\n"
+           "kernel bins(x: in each<Line>, to: out scatter<Line, add>) { to[x % 256u] = 1u; }\n")
+text = here.run("explain", "sums.glift").stdout
+expect("kernel rows  (sums.glift:5)" in text and "combined along x: 16 elements by an invocation, 4096 by a workgroup" in text,
+       "explain says how rows are summed", text)
+expect("updates to_data" in text and "in copies in workgroup memory" in text, "explain names copies", text)
+updates = json.loads(here.run("explain", "--json", "sums.glift").stdout)["updates"]
+expect({kernel["name"] for kernel in updates} == {"rows", "bins"}, "updates in JSON", updates)
+
 # `explain --made`: the bytes that a structure or adaptor takes.
 here.write("grids.glift", """module grids;
 use std.array;

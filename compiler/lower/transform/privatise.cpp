@@ -31,17 +31,16 @@ struct Condition {
     bool is_true = true;
 };
 
-enum class Kind : std::uint8_t { plain, tree, column, copies };
-
 struct Update {
     StmtId stmt;
     std::vector<Condition> conditions;  ///< of the ifs around it, the outermost first
     std::uint8_t same_along = 0;        ///< bit i: its address and memory are the same for all elements along axis i
     bool may_collide = false;           ///< elements that are near each other may have one address
-    Kind kind = Kind::plain;
+    UpdateWay way = UpdateWay::plain;
     LocalId sum;  ///< of tree and column: what an invocation has combined
-    LocalId has;  ///< whether it has combined anything; absent: the element's address alone decides whether it has
-    LocalId any;  ///< of tree: whether an invocation of the workgroup has, as an array of one uint
+    LocalId
+        is_written;  ///< whether it has combined anything; absent: the element's address alone decides whether it has
+    LocalId any_written;  ///< of tree: whether an invocation of the workgroup has, as an array of one uint
 };
 
 /// Finds the updates of a body, and how their addresses depend on the element's.
@@ -121,9 +120,31 @@ private:
         Update update{id, conditions_};
         for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis)
             if (is_same_along(axis, target)) update.same_along |= 1u << axis;
-        const Slope along_x = slopes_[0].of(target)[0];
-        update.may_collide = !along_x.known || along_x.step == 0;
+        update.may_collide = slopes_[0].is_steady(target) || !is_affine(target);
         found_.push_back(std::move(update));
+    }
+
+    /// Whether the index is a sum of parts of the element's address, each times a factor that is the same for all
+    /// elements: then elements along x have different ones, unless all have the same.
+    bool is_affine(ExprId index) {
+        const Expr node = cx.p.exprs[index];
+        const auto is_steady = [&](ExprId id) { return slopes_[0].is_steady(id); };
+        const auto is_operand_affine = [&](ExprId id) { return is_affine(id); };
+        if (is_steady(index)) return true;
+        switch (node.op) {
+        case Op::local: {
+            const ExprId* definition = cx.definitions.find(node.local);
+            return node.local == cx.pass.address || (definition != nullptr && is_affine(*definition));
+        }
+        case Op::swizzle:
+        case Op::construct: return std::ranges::all_of(node.operands, is_operand_affine);
+        case Op::binary: break;
+        default: return false;
+        }
+        const bool is_product = node.binary == BinaryOp::multiply;
+        if (!is_product && node.binary != BinaryOp::add && node.binary != BinaryOp::subtract) return false;
+        return (!is_product || std::ranges::any_of(node.operands, is_steady)) &&
+               std::ranges::all_of(node.operands, is_operand_affine);
     }
 
     Context& cx;
@@ -230,17 +251,27 @@ public:
             if (std::ranges::any_of(updates_, gains)) take(axis, axis == 0 ? elements_of_tree : elements_of_column);
         }
         for (Update& update : updates_) {
-            if (is_chosen_ && combines(update, axis_)) update.kind = axis_ == 0 ? Kind::tree : Kind::column;
-            else if (update.may_collide && may_be_copied(update)) update.kind = Kind::copies;
+            if (is_chosen_ && combines(update, axis_)) update.way = axis_ == 0 ? UpdateWay::tree : UpdateWay::column;
+            else if (update.may_collide && may_be_copied(update)) update.way = UpdateWay::copies;
         }
         copies_ = static_cast<std::uint32_t>(
-            std::ranges::count(updates_, Kind::copies, [](const Update& update) { return update.kind; }));
+            std::ranges::count(updates_, UpdateWay::copies, [](const Update& update) { return update.way; }));
         if (!is_chosen_ && copies_ != 0) take(cx.pass.rank == 1 ? 0 : 1, elements_of_copies);
         return is_chosen_;
     }
 
+    std::vector<PassUpdate> summary() const {
+        std::vector<PassUpdate> result;
+        for (const Update& update : updates_) {
+            const bool is_copied = update.way == UpdateWay::copies;
+            result.push_back({cx.p.stmts[update.stmt].slot, update.way, axis_, made_.elements[axis_],
+                              is_copied ? words_of_copies() : 0});
+        }
+        return result;
+    }
+
     Privatised run(const std::vector<StmtId>& body) {
-        if (std::ranges::any_of(updates_, [](const Update& update) { return update.kind == Kind::tree; }))
+        if (std::ranges::any_of(updates_, [](const Update& update) { return update.way == UpdateWay::tree; }))
             made_.group = {invocations, 1, 1};
         else made_.group = cx.pass.group;
         for (Update& update : updates_) begin(update);
@@ -322,28 +353,31 @@ private:
 
     void loop(const std::vector<StmtId>& body) {
         const Parts parts = divided(body);
-        const std::uint32_t together = elements_together(parts);
+        const std::uint32_t batch = batch_size(parts);
+        const ExprId left =
+            build.binary(BinaryOp::subtract, component(cx.size), component(build.local(cx.pass.address)));
+        remaining_ =
+            named(cx.kernel.span, "remaining", build.select(in_range_condition(cx), left, build.uint(0)), made_.body);
         Stmt loop = statement(StmtOp::for_, cx.kernel.span);
         loop.local = cx.new_local("turn", cx.p.types.uint, cx.kernel.span);
         loop.value = build.uint(0);
-        loop.limit = build.uint(made_.elements[axis_] / together);
-        const ExprId first = build.multiply(build.local(loop.local), build.uint(together));
-        std::vector<StmtId> statements, late;
-        for (std::uint32_t i = 0; i < together; ++i)
-            late.push_back(element(parts, build.add(first, build.uint(i)), statements));
-        statements.insert(statements.end(), late.begin(), late.end());
+        loop.limit = build.uint(made_.elements[axis_] / batch);
+        const ExprId first = build.multiply(build.local(loop.local), build.uint(batch));
+        std::vector<StmtId> statements, rest;
+        for (std::uint32_t i = 0; i < batch; ++i)
+            rest.push_back(element(parts, build.add(first, build.uint(i)), statements));
+        statements.insert(statements.end(), rest.begin(), rest.end());
         loop.body = std::move(statements);
         made_.body.push_back(cx.add(std::move(loop)));
     }
 
-    /// The statements of one element: those that are valid at any address, which several elements execute before the
-    /// first of them executes the others.
+    /// The statements of one element. `hoisted` can run at any address of the range, and run for a batch of elements
+    /// before the rest runs for the first of them, so that their loads overlap.
     struct Parts {
-        std::vector<StmtId> early, late;
+        std::vector<StmtId> hoisted, rest;
     };
 
-    /// Takes the `let`s whose values no statement changes, and what is combined if nothing but the address decides
-    /// that it is.
+    /// Hoists `let`s of values that cannot change, conditions that load, and the values of unconditional updates.
     Parts divided(const std::vector<StmtId>& body) {
         Parts parts;
         for (StmtId id : body) {
@@ -356,14 +390,14 @@ private:
 
     void take(StmtId id, Parts& parts) {
         const Stmt stmt = cx.p.stmts[id];
-        const bool may_be_early = stmt.value && dependence_.is_fixed(stmt.value) && !uses_late(stmt.value);
-        if (may_be_early && stmt.op == StmtOp::let && !cx.p.locals[stmt.local].is_mutable)
-            return parts.early.push_back(id);
-        if (stmt.op == StmtOp::let) late_.insert(stmt.local);
-        if (!may_be_early || stmt.op != StmtOp::if_ || !dependence_.has_load(stmt.value))
-            return parts.late.push_back(id);
-        const ExprId condition = named(stmt.span, "test", stmt.value, parts.early);
-        parts.late.push_back(build.again(id, {stmt.target, condition, stmt.limit, stmt.body, stmt.otherwise}));
+        const bool may_be_hoisted = stmt.value && dependence_.is_fixed(stmt.value) && !uses_unhoisted(stmt.value);
+        if (may_be_hoisted && stmt.op == StmtOp::let && !cx.p.locals[stmt.local].is_mutable)
+            return parts.hoisted.push_back(id);
+        if (stmt.op == StmtOp::let) unhoisted_.insert(stmt.local);
+        if (!may_be_hoisted || stmt.op != StmtOp::if_ || !dependence_.has_load(stmt.value))
+            return parts.rest.push_back(id);
+        const ExprId condition = named(stmt.span, "test", stmt.value, parts.hoisted);
+        parts.rest.push_back(build.again(id, {stmt.target, condition, stmt.limit, stmt.body, stmt.otherwise}));
     }
 
     /// The value as a `let`, which is added to `statements`.
@@ -377,44 +411,48 @@ private:
         return local;
     }
 
-    bool uses_late(ExprId id) const {
+    bool uses_unhoisted(ExprId id) const {
         bool found = false;
         for_each_node(cx.p, id, [&](ExprId node) {
             const Expr& local = cx.p.exprs[node];
-            found = found || (local.op == Op::local && late_.contains(local.local));
+            found = found || (local.op == Op::local && unhoisted_.contains(local.local));
         });
         return found;
     }
 
     /// How many elements load before the first of them updates: more would take too many registers, and too much code.
-    std::uint32_t elements_together(const Parts& parts) const {
+    std::uint32_t batch_size(const Parts& parts) const {
         constexpr std::size_t most_loads = 16, most_nodes = 320;
         std::size_t loads = 0, nodes = 0;
-        for_each_expression(cx.p, parts.early, [&](ExprId id) { loads += is_load(cx.p.exprs[id].op); });
-        for (const std::vector<StmtId>* statements : {&parts.early, &parts.late})
+        for_each_expression(cx.p, parts.hoisted, [&](ExprId id) { loads += is_load(cx.p.exprs[id].op); });
+        for (const std::vector<StmtId>* statements : {&parts.hoisted, &parts.rest})
             for_each_expression(cx.p, *statements, [&](ExprId) { ++nodes; });
         if (loads == 0) return 1;
-        std::uint32_t together = 8;
-        while (together > 1 && (together * loads > most_loads || together * nodes > most_nodes)) together /= 2;
-        return together;
+        std::uint32_t batch = 8;
+        while (batch > 1 && (batch * loads > most_loads || batch * nodes > most_nodes)) batch /= 2;
+        return batch;
     }
 
-    /// Adds the early statements of the invocation's element `number` to `early`; returns the late ones.
-    StmtId element(const Parts& parts, ExprId number, std::vector<StmtId>& early) {
+    /// Adds the hoisted statements of the invocation's element `number` to `hoisted`; returns the rest.
+    StmtId element(const Parts& parts, ExprId number, std::vector<StmtId>& hoisted) {
         const std::uint32_t step = axis_ == 0 ? made_.group[0] : 1;
-        const ExprId at = address_at(build.multiply(number, build.uint(step)));
+        const ExprId distance = build.multiply(number, build.uint(step)), at = address_at(distance);
         const auto name = [&](std::string_view text, ExprId value) {
-            return named(cx.kernel.span, text, value, early);
+            return named(cx.kernel.span, text, value, hoisted);
         };
-        const ExprId is_there = name("is_there", StatementCopy(cx, at).of(in_range_condition(cx)));
-        // Where there is no element, the early statements are executed for the first one of the range.
-        StatementCopy copy(cx, name("at", build.select(is_there, at, build.zero(build.type(at)))));
-        for (StmtId id : parts.early) early.push_back(copy.of(id));
+        // Compares distances, since the address of an element that does not exist may exceed 32 bits.
+        const ExprId exists = name("exists", less(distance, remaining_));
+        // Where the element does not exist, the hoisted statements run for the first element of the range.
+        StatementCopy copy(cx, name("at", build.select(exists, at, build.zero(build.type(at)))));
+        for (StmtId id : parts.hoisted) hoisted.push_back(copy.of(id));
         Stmt inside = statement(StmtOp::if_, cx.kernel.span);
-        inside.value = is_there;
-        for (StmtId id : parts.late) inside.body.push_back(copy.of(id));
+        inside.value = exists;
+        for (StmtId id : parts.rest) inside.body.push_back(copy.of(id));
         return cx.add(std::move(inside));
     }
+
+    /// The component along the axis of the loop.
+    ExprId component(ExprId address) { return cx.pass.rank == 1 ? address : build.component(address, axis_); }
 
     /// The address `distance` elements from the invocation's first one.
     ExprId address_at(ExprId distance) {
@@ -454,8 +492,8 @@ private:
     StmtId in_turn(const Update& update) {
         const Stmt stmt = cx.p.stmts[update.stmt];
         const Combination combination = this->combination(update);
-        if (update.kind == Kind::plain) return update.stmt;
-        if (update.kind == Kind::copies) {
+        if (update.way == UpdateWay::plain) return update.stmt;
+        if (update.way == UpdateWay::copies) {
             const Copies& copies = copies_of_.at(update.stmt);
             Stmt add = statement_at(update, StmtOp::evaluate);
             add.value = build.intrinsic(combination.intrinsic(), combination.type(),
@@ -467,29 +505,30 @@ private:
         const ExprId value = combination.key(named_value(update, stmt.value));
         Stmt both = statement_at(update, StmtOp::block);
         both.body = {assign(update, sum, combination.of(sum, value))};
-        if (!update.has) return both.body[0];
-        both.body.push_back(assign(update, build.local(update.has), build.truth(true)));
+        if (!update.is_written) return both.body[0];
+        both.body.push_back(assign(update, build.local(update.is_written), build.truth(true)));
         return cx.add(std::move(both));
     }
 
     void begin(Update& update) {
-        if (update.kind == Kind::copies) return begin_copies(update);
-        if (update.kind == Kind::plain) return;
+        if (update.way == UpdateWay::copies) return begin_copies(update);
+        if (update.way == UpdateWay::plain) return;
         update.sum = let(update, name_of(update) + "_sum", combination(update).identity(), true);
         const auto is_of_address = [&](const Condition& of) { return dependence_.is_same_along(axis_, of.value); };
         if (std::ranges::all_of(update.conditions, is_of_address)) return;
-        update.has = let(update, name_of(update) + "_is_written", build.truth(false), true);
-        if (update.kind == Kind::tree)
-            update.any = workgroup_array(update, name_of(update) + "_is_any", cx.p.types.uint, 1);
+        update.is_written = let(update, name_of(update) + "_is_written", build.truth(false), true);
+        if (update.way == UpdateWay::tree)
+            update.any_written = workgroup_array(update, name_of(update) + "_is_any", cx.p.types.uint, 1);
     }
 
-    ExprId any_of(const Update& update) { return build.index(build.local(update.any), build.uint(0)); }
+    ExprId any_of(const Update& update) { return build.index(build.local(update.any_written), build.uint(0)); }
 
     void end(const Update& update) {
-        if (update.kind == Kind::copies) return end_copies(update);
-        if (update.kind == Kind::column)
-            return update_memory(update, build.local(update.sum), update.has ? build.local(update.has) : ExprId{});
-        if (update.kind == Kind::tree) combine_in_workgroup(update);
+        if (update.way == UpdateWay::copies) return end_copies(update);
+        if (update.way == UpdateWay::column)
+            return update_memory(update, build.local(update.sum),
+                                 update.is_written ? build.local(update.is_written) : ExprId{});
+        if (update.way == UpdateWay::tree) combine_in_workgroup(update);
     }
 
     /// A tree over the invocations: 128 add what the 128 others have to their own, then 64, and so on.
@@ -499,11 +538,11 @@ private:
         const auto sum_of = [&](ExprId invocation) { return build.index(build.local(sums), invocation); };
         const ExprId is_first = build.binary(BinaryOp::equal, lane(), build.uint(0));
         made_.body.push_back(assign(update, sum_of(lane()), build.local(update.sum)));
-        if (update.has) {
+        if (update.is_written) {
             made_.body.push_back(where(update, is_first, {assign(update, any_of(update), build.uint(0))}));
             barrier();
             made_.body.push_back(
-                where(update, build.local(update.has), {assign(update, any_of(update), build.uint(1))}));
+                where(update, build.local(update.is_written), {assign(update, any_of(update), build.uint(1))}));
         }
         const std::uint32_t steps = std::countr_zero(invocations);
         made_.body.push_back(loop_to(update, "level", steps, [&](ExprId level) -> std::vector<StmtId> {
@@ -512,7 +551,8 @@ private:
             return {cx.add(statement_at(update, StmtOp::barrier)),
                     where(update, less(lane(), width), {assign(update, sum_of(lane()), both)})};
         }));
-        const ExprId is_any = update.has ? build.binary(BinaryOp::not_equal, any_of(update), build.uint(0)) : ExprId{};
+        const ExprId is_any =
+            update.is_written ? build.binary(BinaryOp::not_equal, any_of(update), build.uint(0)) : ExprId{};
         update_memory(update, sum_of(build.uint(0)), build.both(is_first, is_any));
     }
 
@@ -663,7 +703,8 @@ private:
     std::uint32_t copies_ = 0;
     std::unordered_map<StmtId, Copies> copies_of_;
     std::vector<StmtId> before_;  ///< `let`s that go before the statement of the body that is being rewritten
-    IdSet<Local> late_;           ///< locals that late statements declare
+    IdSet<Local> unhoisted_;      ///< locals that statements which are not hoisted declare
+    ExprId remaining_;            ///< how many elements the range has along the axis, from the invocation's first on
 };
 
 }  // namespace
@@ -677,6 +718,7 @@ std::optional<Privatised> privatised(Context& cx, const std::vector<StmtId>& bod
     std::vector<Update> updates = dependence.of(body);
     Privatisation privatisation(cx, std::move(updates), dependence);
     if (!privatisation.choose()) return {};
+    cx.pass.updates = privatisation.summary();
     return privatisation.run(body);
 }
 

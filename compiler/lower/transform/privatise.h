@@ -1,14 +1,20 @@
-// Privatisation of updates: what the elements of a range write by scatter<S, op> to one address is combined before it
-// updates memory. An invocation of a shader takes many elements; what it does with an update depends on its address:
-//   tree     the same along x: each invocation combines its elements in a local, the workgroup combines the locals in
-//            a tree, and updates memory once
-//   column   the same along y or z: each invocation combines its elements in a local, and updates memory once
-//   copies   not known before run time, in a buffer of integers that is then seen to be small: the workgroup has
-//            copies of the buffer in workgroup memory, and updates each element of memory once
-// Updates of other kinds stay as they are. Models: Futhark's reduce_by_index (Henriksen et al., Compiling Generalized
-// Histograms for GPU, SC 2020), Kokkos' ScatterView.
+// Privatisation of updates. A kernel that updates elements by scatter<S, op> can send many updates to one element, and
+// atomic operations on one element run one after the other. This pass makes a second body, for shaders, in which an
+// invocation takes many elements and combines their updates in private or workgroup memory first. The address decides
+// how (ir::UpdateWay):
+//   tree      The address is the same for all elements along x. Each invocation combines its elements in a local. A
+//   tree
+//             of 256 invocations combines the locals. One invocation updates memory.
+//   column    The address is the same along y or z. Each invocation combines its elements in a local and updates
+//   memory. copies    The address is data. If the call shows that few elements can be updated, the workgroup keeps
+//   copies of
+//             them in workgroup memory, up to 32 of each, and updates memory once for each element.
+//   plain     Elements along x have different addresses, or nothing is known: each element updates memory.
 //
-// Needs: the statements of a kernel after "expand". Guarantees: the same updates, up to the order of sums of floats.
+// Sources: Henriksen et al., Compiling Generalized Histograms for GPU, SC 2020 (Futhark's reduce_by_index); Kokkos'
+// ScatterView.
+//
+// Needs: the statements of a kernel after "expand". Guarantees: the same updates; sums of floats in another order.
 #pragma once
 
 #include "lower/context.h"
@@ -19,16 +25,17 @@
 
 namespace gliftc::lower {
 
-/// A body for many elements an invocation. It tests itself whether an element is in the range, and has barriers: all
-/// invocations of a workgroup have to run it.
+/// A body for many elements an invocation. It tests itself which elements are in the range. If it has barriers, all
+/// invocations of a workgroup must run it.
 struct Privatised {
     std::vector<StmtId> body;
-    std::array<std::uint32_t, 3> elements = {1, 1, 1};  ///< of an invocation along each axis; those along x are a
-                                                        ///< workgroup's width apart
+    /// The number of elements of an invocation along each axis. Those along x are a workgroup's width apart.
+    std::array<std::uint32_t, 3> elements = {1, 1, 1};
     std::array<std::uint32_t, 3> group = {256, 1, 1};
 };
 
-/// None: there is no gain, or the kernel does not allow it (a group or blocks of its own, draws, loops, returns).
+/// Absent if there is no gain, or for kernels with a group, blocks, coherent parameters, loops or returns, and draws.
+/// Sets Pass::updates and adds to Pass::shared.
 std::optional<Privatised> privatised(Context& cx, const std::vector<StmtId>& body);
 
 }  // namespace gliftc::lower

@@ -31,40 +31,41 @@ void main() {
         }
     }
     barrier();
+    uint remaining = address < s_extent ? s_extent - address : 0u;
     for (uint turn = 0u; turn < 8u; ++turn) {
-        uint value_1 = address + turn * 8u * 256u;
-        bool is_there = value_1 < s_extent;
-        uint at = is_there ? value_1 : 0u;
+        uint value_1 = turn * 8u * 256u;
+        bool exists = value_1 < remaining;
+        uint at = exists ? address + value_1 : 0u;
         uint bins_address = s_data[at] % 64u;
         uint value_2 = value_1 + 256u;
-        bool is_there_1 = value_2 < s_extent;
-        uint at_1 = is_there_1 ? value_2 : 0u;
+        bool exists_1 = value_2 < remaining;
+        uint at_1 = exists_1 ? address + value_2 : 0u;
         uint bins_address_1 = s_data[at_1] % 64u;
         uint value_3 = value_1 + 512u;
-        bool is_there_2 = value_3 < s_extent;
-        uint at_2 = is_there_2 ? value_3 : 0u;
+        bool exists_2 = value_3 < remaining;
+        uint at_2 = exists_2 ? address + value_3 : 0u;
         uint bins_address_2 = s_data[at_2] % 64u;
         uint value_4 = value_1 + 768u;
-        bool is_there_3 = value_4 < s_extent;
-        uint at_3 = is_there_3 ? value_4 : 0u;
+        bool exists_3 = value_4 < remaining;
+        uint at_3 = exists_3 ? address + value_4 : 0u;
         uint bins_address_3 = s_data[at_3] % 64u;
         uint value_5 = value_1 + 1024u;
-        bool is_there_4 = value_5 < s_extent;
-        uint at_4 = is_there_4 ? value_5 : 0u;
+        bool exists_4 = value_5 < remaining;
+        uint at_4 = exists_4 ? address + value_5 : 0u;
         uint bins_address_4 = s_data[at_4] % 64u;
         uint value_6 = value_1 + 1280u;
-        bool is_there_5 = value_6 < s_extent;
-        uint at_5 = is_there_5 ? value_6 : 0u;
+        bool exists_5 = value_6 < remaining;
+        uint at_5 = exists_5 ? address + value_6 : 0u;
         uint bins_address_5 = s_data[at_5] % 64u;
         uint value_7 = value_1 + 1536u;
-        bool is_there_6 = value_7 < s_extent;
-        uint at_6 = is_there_6 ? value_7 : 0u;
+        bool exists_6 = value_7 < remaining;
+        uint at_6 = exists_6 ? address + value_7 : 0u;
         uint bins_address_6 = s_data[at_6] % 64u;
         uint value_8 = value_1 + 1792u;
-        bool is_there_7 = value_8 < s_extent;
-        uint at_7 = is_there_7 ? value_8 : 0u;
+        bool exists_7 = value_8 < remaining;
+        uint at_7 = exists_7 ? address + value_8 : 0u;
         uint bins_address_7 = s_data[at_7] % 64u;
-        if (is_there) {
+        if (exists) {
             if (bins_address < bins_extent) {
                 if (bins_address < bins_data_copied_1) {
                     atomicAdd(bins_data_copies[min(bins_data_copy + bins_address, 4127u)], 1u);
@@ -73,7 +74,7 @@ void main() {
                 }
             }
         }
-        if (is_there_1) {
+        if (exists_1) {
             if (bins_address_1 < bins_extent) {
                 if (bins_address_1 < bins_data_copied_1) {
                     atomicAdd(bins_data_copies[min(bins_data_copy + bins_address_1, 4127u)], 1u);
@@ -82,7 +83,7 @@ void main() {
                 }
             }
         }
-        if (is_there_2) {
+        if (exists_2) {
             if (bins_address_2 < bins_extent) {
                 if (bins_address_2 < bins_data_copied_1) {
                     atomicAdd(bins_data_copies[min(bins_data_copy + bins_address_2, 4127u)], 1u);
@@ -91,7 +92,7 @@ void main() {
                 }
             }
         }
-        if (is_there_3) {
+        if (exists_3) {
             if (bins_address_3 < bins_extent) {
                 if (bins_address_3 < bins_data_copied_1) {
                     atomicAdd(bins_data_copies[min(bins_data_copy + bins_address_3, 4127u)], 1u);
@@ -100,7 +101,7 @@ void main() {
                 }
             }
         }
-        if (is_there_4) {
+        if (exists_4) {
             if (bins_address_4 < bins_extent) {
                 if (bins_address_4 < bins_data_copied_1) {
                     atomicAdd(bins_data_copies[min(bins_data_copy + bins_address_4, 4127u)], 1u);
@@ -109,7 +110,7 @@ void main() {
                 }
             }
         }
-        if (is_there_5) {
+        if (exists_5) {
             if (bins_address_5 < bins_extent) {
                 if (bins_address_5 < bins_data_copied_1) {
                     atomicAdd(bins_data_copies[min(bins_data_copy + bins_address_5, 4127u)], 1u);
@@ -118,7 +119,7 @@ void main() {
                 }
             }
         }
-        if (is_there_6) {
+        if (exists_6) {
             if (bins_address_6 < bins_extent) {
                 if (bins_address_6 < bins_data_copied_1) {
                     atomicAdd(bins_data_copies[min(bins_data_copy + bins_address_6, 4127u)], 1u);
@@ -127,7 +128,7 @@ void main() {
                 }
             }
         }
-        if (is_there_7) {
+        if (exists_7) {
             if (bins_address_7 < bins_extent) {
                 if (bins_address_7 < bins_data_copied_1) {
                     atomicAdd(bins_data_copies[min(bins_data_copy + bins_address_7, 4127u)], 1u);

@@ -3,11 +3,15 @@
 // the middle of a row along x, where windows stay in the domain or clamps change nothing, and atomics of floats.
 #include <glift/host/atomics.h>
 #include <glift/host/parallel.h>
+#include <glift/host/updates.h>
 
 #include <gtest/gtest.h>
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 using namespace glift;
@@ -96,6 +100,46 @@ TEST(Rows, LeaveAMiddleWithoutABlockToTheEnds) {
     EXPECT_EQ(sections[0].begin, 2u);
     EXPECT_EQ(sections[0].end, 30u);
     EXPECT_EQ(sections[2].begin, sections[2].end);
+}
+
+/// More elements than there are slots, few, and so many that most updates conflict; the numbers are exact in floats.
+TEST(Updates, AreAllMade) {
+    for (const uint count : {1u, 100u, 5000u, 1u << 20}) {
+        std::vector<float> sums(count), wanted(count);
+        std::vector<std::int32_t> lows(count, 1000), wanted_lows(count, 1000);
+        {
+            host::Updates<float, host::Add> add(sums.data());
+            host::Updates<std::int32_t, host::Min> keep(lows.data());
+            uint random = 1;
+            for (int i = 0; i < 100'000; ++i) {
+                random = random * 1664525u + 1013904223u;
+                const uint at = (random >> 8) % count;
+                add.add(at, static_cast<float>(i % 5));
+                keep.add(at, 500 - i % 1000);
+                wanted[at] += static_cast<float>(i % 5);
+                wanted_lows[at] = std::min(wanted_lows[at], 500 - i % 1000);
+            }
+        }
+        EXPECT_EQ(sums, wanted) << count;
+        EXPECT_EQ(lows, wanted_lows) << count;
+    }
+}
+
+TEST(Updates, NumbersReplaceNaN) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    std::vector<float> least = {nan, 5.0f, 0.0f}, greatest = least;
+    {
+        host::Updates<float, host::Min> low(least.data());
+        host::Updates<float, host::Max> high(greatest.data());
+        for (const float value : {nan, 2.0f, nan, 3.0f}) low.add(0, value), high.add(0, value);
+        low.add(1, nan), high.add(1, nan);
+        for (const float value : {0.0f, -0.0f}) low.add(2, value), high.add(2, value);
+    }
+    EXPECT_EQ(least[0], 2.0f);
+    EXPECT_EQ(greatest[0], 3.0f);
+    EXPECT_EQ(least[1], 5.0f);
+    EXPECT_EQ(greatest[1], 5.0f);
+    EXPECT_TRUE(std::signbit(least[2]) && !std::signbit(greatest[2]));
 }
 
 TEST(Atomics, CombineFloats) {

@@ -1,5 +1,6 @@
 #include "vulkan/groups.h"
 #include "vulkan/spirv/exact_sums.h"
+#include "vulkan/spirv/float_atomics.h"
 #include "vulkan/spirv/float_controls.h"
 #include "vulkan/spirv/hidden_limits.h"
 #include "vulkan/spirv/hidden_zeros.h"
@@ -63,6 +64,56 @@ const std::string shader = R"(
     OpReturn
     OpFunctionEnd
 )";
+
+/// A shader that adds to a float in workgroup memory and, where `texel` is not empty, to a texel.
+std::string adding_shader(const std::string& texel) {
+    return R"(
+    OpCapability Shader
+    OpCapability AtomicFloat32AddEXT
+    OpExtension "SPV_EXT_shader_atomic_float_add"
+    OpMemoryModel Logical GLSL450
+    OpEntryPoint GLCompute %4 "main"
+    OpExecutionMode %4 LocalSize 1 1 1
+    OpDecorate %33 DescriptorSet 0
+    OpDecorate %33 Binding 1
+    %2 = OpTypeVoid
+    %3 = OpTypeFunction %2
+    %8 = OpTypeInt 32 0
+    %9 = OpConstant %8 1
+    %17 = OpConstant %8 0
+    %10 = OpTypeFloat 32
+    %11 = OpConstant %10 2.5
+    %12 = OpTypePointer Workgroup %10
+    %20 = OpVariable %12 Workgroup
+    %30 = OpTypeImage %10 1D 0 0 0 2 R32f
+    %31 = OpTypePointer UniformConstant %30
+    %32 = OpTypePointer Image %10
+    %33 = OpVariable %31 UniformConstant
+    %4 = OpFunction %2 None %3
+    %21 = OpLabel
+    %22 = OpAtomicFAddEXT %10 %20 %9 %17 %11
+    )" + texel +
+           R"(
+    OpReturn
+    OpFunctionEnd
+)";
+}
+
+TEST(FloatAtomics, AreTakenOutWithTheirCapability) {
+    const std::vector<std::uint32_t> words = without_float_atomics(assembled(adding_shader("")));
+    const std::string text = disassembled(words);
+    for (const char* op : {"AtomicFAdd", "AtomicFloat32Add", "shader_atomic_float"})
+        EXPECT_THAT(text, Not(HasSubstr(op)));
+    EXPECT_THAT(text, HasSubstr("OpCopyObject %float %float_2_5"));
+}
+
+TEST(FloatAtomics, StayInImages) {
+    const std::string texel = "%23 = OpImageTexelPointer %32 %33 %17 %17\n%24 = OpAtomicFAddEXT %10 %23 %9 %17 %11";
+    const std::string text = disassembled(without_float_atomics(assembled(adding_shader(texel))));
+    EXPECT_THAT(text, HasSubstr("OpCapability AtomicFloat32AddEXT"));
+    EXPECT_THAT(text, HasSubstr("OpAtomicFAddEXT %float %23"));
+    EXPECT_THAT(text, HasSubstr("OpCopyObject %float %float_2_5"));
+}
 
 TEST(HiddenZeros, TellTheWidthOfATypeFromAValue) {
     const std::vector<std::uint32_t> hidden = with_hidden_zeros(assembled(shader));

@@ -54,40 +54,33 @@ public:
     explicit Updates(T* elements) : elements_(elements) {}
     Updates(const Updates&) = delete;
     ~Updates() {
-        put_away();
         for (uint i = 0; i < used_count_; ++i) Operation::update(elements_[tags_[used_[i]]], values_[used_[i]]);
     }
 
     void add(uint index, T value) {
-        if (index == last_) return Operation::combine(last_value_, value);
-        put_away();
-        last_ = index;
-        last_value_ = value;
+        const uint slot = index % slots;
+        if (used_count_ != 0 && tags_[slot] == index) return Operation::combine(values_[slot], value);
+        if (conflicts_ > most_conflicts) return Operation::update(elements_[index], value);
+        put(slot, index, value);
     }
 
 private:
+    /// `empty`: an index that no element has, since buffers of 2^32 elements have other kernels.
     static constexpr uint slots = 4096, empty = ~0u, most_conflicts = 2 * slots;
 
-    /// Moves the last element to its slot.
-    void put_away() {
-        if (last_ == empty) return;
-        if (conflicts_ > most_conflicts) return Operation::update(elements_[last_], last_value_);
+    void put(uint slot, uint index, T value) {
         if (used_count_ == 0) tags_.fill(empty);
-        const uint slot = last_ % slots;
-        if (tags_[slot] == last_) return Operation::combine(values_[slot], last_value_);
         if (tags_[slot] == empty) {
             used_[used_count_++] = static_cast<std::uint16_t>(slot);
         } else {
             Operation::update(elements_[tags_[slot]], values_[slot]);
             ++conflicts_;
         }
-        tags_[slot] = last_;
-        values_[slot] = last_value_;
+        tags_[slot] = index;
+        values_[slot] = value;
     }
 
     T* elements_;
-    uint last_ = empty;  ///< an index that no element has: buffers of 2^32 elements have other kernels
-    T last_value_{};
     uint used_count_ = 0, conflicts_ = 0;
     std::array<uint, slots> tags_;  ///< the indices of the elements in the slots
     std::array<T, slots> values_;

@@ -1,4 +1,4 @@
-#include "driver/explain_draws.h"
+#include "driver/explain_kernels.h"
 
 #include "ir/derivatives.h"
 #include "ir/effects.h"
@@ -16,15 +16,19 @@ std::string words(std::string_view spelling) {
     return text;
 }
 
+std::string place_of(const Compilation& c, const ir::Kernel& kernel) {
+    return c.sources[kernel.span.file].path + ":" + std::to_string(c.sources.position(kernel.span).line);
+}
+
 class Draw {
 public:
     Draw(const Compilation& c, ir::KernelId index)
         : c_(c), kernel_(c.program.kernels[index]), raster_(*kernel_.raster), pass_(c.lowered.passes[index].general) {}
 
-    ExplainedDraw explained() const {
-        ExplainedDraw shown;
+    ExplainedKernel explained() const {
+        ExplainedKernel shown;
         shown.name = kernel_.display;
-        shown.place = c_.sources[kernel_.span.file].path + ":" + std::to_string(c_.sources.position(kernel_.span).line);
+        shown.place = place_of(c_, kernel_);
         shown.facts.emplace_back("draws", primitives());
         for (const ir::Varying& varying : raster_.varyings)
             shown.facts.emplace_back("hands on", c_.names[varying.name] + ": " + to_text(c_.program, varying.type) +
@@ -85,10 +89,40 @@ private:
     const ir::Pass& pass_;
 };
 
+std::string text_of(const ir::PassUpdate& update, const ir::Pass& pass) {
+    const std::string axis(1, "xyz"[update.axis]), elements = std::to_string(update.elements);
+    const std::uint32_t invocations = pass.group[0] * pass.group[1] * pass.group[2];
+    switch (update.way) {
+    case ir::UpdateWay::tree:
+        return "combined along " + axis + ": " + elements + " elements by an invocation, " +
+               std::to_string(invocations * update.elements) + " by a workgroup, which updates memory once";
+    case ir::UpdateWay::column:
+        return "combined along " + axis + ": " + elements + " elements by an invocation, which updates memory once";
+    case ir::UpdateWay::copies:
+        return "in copies in workgroup memory if at most " + std::to_string(update.copied - 1) +
+               " elements can be written (by the extent, or by a remainder or mask in the address), else one by one";
+    case ir::UpdateWay::plain: return "one by one";
+    }
+    return "";
+}
+
 }  // namespace
 
-std::vector<ExplainedDraw> explained_draws(const Compilation& c) {
-    std::vector<ExplainedDraw> draws;
+std::vector<ExplainedKernel> explained_updates(const Compilation& c) {
+    std::vector<ExplainedKernel> shown;
+    for (ir::KernelId i : c.program.kernels.ids()) {
+        const ir::Kernel& kernel = c.program.kernels[i];
+        const ir::Pass& pass = c.lowered.passes[i].direct;
+        if (pass.updates.empty() || !c.program.modules[kernel.module].is_root) continue;
+        ExplainedKernel& one = shown.emplace_back(ExplainedKernel{kernel.display, place_of(c, kernel), {}});
+        for (const ir::PassUpdate& update : pass.updates)
+            one.facts.emplace_back("updates " + pass.bindings[update.binding].name, text_of(update, pass));
+    }
+    return shown;
+}
+
+std::vector<ExplainedKernel> explained_draws(const Compilation& c) {
+    std::vector<ExplainedKernel> draws;
     for (ir::KernelId i : c.program.kernels.ids()) {
         const ir::Kernel& kernel = c.program.kernels[i];
         if (kernel.raster && c.program.modules[kernel.module].is_root) draws.push_back(Draw(c, i).explained());
