@@ -47,6 +47,14 @@ inline bool is_row(const Types& types, const PassBinding& binding, TypeId type) 
     return binding.in_rows && types.is_vector(type) && types.components(type) == row_width && type != binding.element;
 }
 
+/// Whether a thread of the host device may combine its updates of the binding before it updates memory
+/// (glift/host/updates.h): ints, uints and floats in a buffer whose indices have 32 bits.
+inline bool is_combined_by_threads(const Types& types, const PassBinding& binding, bool is_wide) {
+    const TypeKind kind = types.kind(binding.element);
+    const bool is_number = kind == TypeKind::int_ || kind == TypeKind::uint || kind == TypeKind::float_;
+    return is_number && !binding.coherent && binding.shape == MemoryShape::buffer && !is_wide;
+}
+
 enum class ParameterSource : std::uint8_t {
     uniform,  // `value`, an expression that the host evaluates for each call: constants, arithmetic, calls, locals that
               // are the kernel's value parameters, and member / memory_extent / host_state / domain of its structure

@@ -91,6 +91,10 @@ void Printer::cpu_stmt(const Stmt& stmt) {
     case StmtOp::row_store:
         line(binding(stmt.slot) + ".row[" + expr(stmt.target) + "] = " + expr(stmt.value) + ";");
         break;
+    case StmtOp::row_update:
+        line("row_update_" + std::string(spelling(stmt.combine)) + "(" + binding(stmt.slot) + "[" + expr(stmt.target) +
+             "], " + expr(stmt.value) + ");");
+        break;
     case StmtOp::load_rows:
         line("load_rows(" + binding(stmt.slot) + ", " + expr(stmt.value) + ", " + expr(stmt.target) + ");");
         break;

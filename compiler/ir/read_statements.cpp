@@ -100,8 +100,8 @@ Stmt Reader::keep() {
     return stmt;
 }
 
-/// Reads the rest of: image_store(binding, at, value); or atomic_add(binding[at], value); (or another atomic_…) or
-/// report(binding, address); or report(view, address); where `view` is this word and no binding. For move_of_rows(),
+/// Reads the rest of: image_store(binding, at, value); or atomic_add(binding[at], value); (or another atomic_… or
+/// row_update_…) or report(binding, address); or report(view, address); where `view` is this word and no binding. For move_of_rows(),
 /// the rest of load_rows or store_rows.
 Stmt Reader::memory_statement(StmtOp op, Combine combine) {
     Stmt stmt;
@@ -115,9 +115,10 @@ Stmt Reader::memory_statement(StmtOp op, Combine combine) {
         if (found == bindings_.end()) fail("no such binding before this");
         stmt.slot = found->second;
     }
-    expect(op == StmtOp::atomic ? "[" : ",");
+    const bool is_update = op == StmtOp::atomic || op == StmtOp::row_update;
+    expect(is_update ? "[" : ",");
     stmt.target = expr();
-    if (op == StmtOp::atomic) expect("]");
+    if (is_update) expect("]");
     if (op != StmtOp::report) {
         expect(",");
         stmt.value = expr();
@@ -206,6 +207,7 @@ Stmt Reader::statement() {
     for (std::uint8_t i = 0; i <= static_cast<std::uint8_t>(Combine::bit_xor); ++i) {
         const auto combine = static_cast<Combine>(i);
         if (accept(concat("atomic_", spelling(combine)))) return memory_statement(StmtOp::atomic, combine);
+        if (accept(concat("row_update_", spelling(combine)))) return memory_statement(StmtOp::row_update, combine);
     }
     return assignment();
 }

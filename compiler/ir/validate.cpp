@@ -177,6 +177,7 @@ void Validator::stmt(const Stmt& stmt) {
     case StmtOp::row_store:
     case StmtOp::image_store:
     case StmtOp::atomic:
+    case StmtOp::row_update:
         if (stmt.slot >= pass_.bindings.size()) return fail("no such binding");
         if (pass_.bindings[stmt.slot].access == Access::read) fail("a store to memory that is only read");
         if (!is_row(p.types, pass_.bindings[stmt.slot], p.exprs[stmt.value].type))

@@ -82,6 +82,8 @@ constexpr KernelPass kernels[] = {
     {"find_rows", "variants for the host device of a kernel without a group",
      "accesses whose address advances by one from each element of a row to the next are row_load and row_store; in the "
      "middle of a row none of them is clamped; the order in which elements may be done is known"},
+    {"find_row_updates", "the same variants after find_rows",
+     "updates whose address is the same for all elements of a row are row_update"},
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "lower/expand/expand.h"
 #include "lower/host/copy_rows.h"
 #include "lower/host/find_rows.h"
+#include "lower/host/row_updates.h"
 #include "lower/host/split_blocks.h"
 #include "lower/lower.h"
 #include "lower/overlay.h"
@@ -174,6 +175,8 @@ std::vector<Variant> for_host(Context& cx, const Variant& variant) {
     }
     std::vector<Variant> found = find_rows(cx, made);
     finished(cx, "find_rows", found, {}, "host");
+    for (Variant& one : found) find_row_updates(cx, one);
+    finished(cx, "find_row_updates", found, {}, "host");
     return found;
 }
 

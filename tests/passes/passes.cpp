@@ -6,6 +6,7 @@
 #include "ir/validate.h"
 #include "ir/walk.h"
 #include "lower/host/find_rows.h"
+#include "lower/host/row_updates.h"
 #include "lower/passes.h"
 #include "lower/transform/uniforms.h"
 
@@ -64,6 +65,11 @@ void run(Lowering& lowering, const std::string& name) {
     if (name == "find_rows") {
         lowering.pass.variants = lower::find_rows(lowering.cx, lowering.pass.plain());
         return;
+    }
+    if (name == "find_row_updates") {
+        ir::Variant& variant = lowering.pass.plain();
+        variant.devices = ir::Devices::host;
+        return lower::find_row_updates(lowering.cx, variant);
     }
     if (name != "move_uniforms") throw std::runtime_error("there is no pass over bodies that is called '" + name + "'");
     lower::move_uniforms(lowering.cx, {&lowering.pass.plain().body});

@@ -125,6 +125,33 @@ TEST(Updates, AreAllMade) {
     }
 }
 
+/// Rows shorter and longer than the lanes, with elements that do not update.
+TEST(Updates, OfARowAreCombined) {
+    for (const std::size_t count : {1u, 2u, 63u, 64u, 65u, 1000u}) {
+        std::vector<float> sums(3), lows(3, 10.0f);
+        float wanted = 0;
+        {
+            host::Updates<float, host::Add> add(sums.data());
+            host::Updates<float, host::Min> keep(lows.data());
+            host::RowUpdate<float, host::Add> row(count), empty(count);
+            host::RowUpdate<float, host::Min> low(count);
+            for (std::size_t first = 0; first < count; first += host::row_lanes) {
+                for (std::size_t lane = 0; lane < host::lanes_from(first, count); ++lane) {
+                    const std::size_t i = first + lane;
+                    if (i % 3 == 1) continue;
+                    row.add(2, lane, static_cast<float>(i));
+                    low.add(1, lane, 5.0f - static_cast<float>(i));
+                    wanted += static_cast<float>(i);
+                }
+            }
+            row.finish(add), empty.finish(add), low.finish(keep);
+        }
+        EXPECT_EQ(sums, (std::vector<float>{0, 0, wanted})) << count;
+        const float last = static_cast<float>(count - 1 - ((count - 1) % 3 == 1 ? 1 : 0));
+        EXPECT_EQ(lows, (std::vector<float>{10, std::min(10.0f, 5.0f - last), 10})) << count;
+    }
+}
+
 TEST(Updates, NumbersReplaceNaN) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     std::vector<float> least = {nan, 5.0f, 0.0f}, greatest = least;

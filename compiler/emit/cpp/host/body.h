@@ -24,6 +24,9 @@ struct Body {
     std::map<std::pair<ir::LocalId, ir::ExprId>, std::string> item_pointers;
     /// In rows: names of the objects that combine a thread's updates of a buffer (glift::host::Updates), by binding.
     std::map<std::uint32_t, std::string> update_names;
+    /// In rows: names of the objects that combine a row's updates of one element, by binding and index.
+    std::map<std::pair<std::uint32_t, ir::ExprId>, std::string> row_updates;
+    bool caches_updates = false;  ///< in rows: some updates go to such an object one by one
     bool first_only = false;  ///< in workgroups: the printed code runs once, with the values of the first invocation
     std::string group_text;   ///< in workgroups: their size, as a uint3
 

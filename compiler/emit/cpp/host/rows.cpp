@@ -39,6 +39,16 @@ std::vector<RowAccess> row_accesses(const ir::Program& program, const std::vecto
     return found;
 }
 
+/// The row updates of a body, one of those with the same memory and index.
+std::vector<Stmt> row_updates(const ir::Program& program, const std::vector<StmtId>& body) {
+    std::vector<Stmt> found;
+    ir::for_each_statement(program, body, [&](const Stmt& stmt) {
+        const auto is_same = [&](const Stmt& other) { return other.slot == stmt.slot && other.target == stmt.target; };
+        if (stmt.op == StmtOp::row_update && std::ranges::none_of(found, is_same)) found.push_back(stmt);
+    });
+    return found;
+}
+
 /// Whether the statement is a `let` with a value, which can be left out if nothing reads its local.
 bool is_let(const Stmt& stmt) { return stmt.op == StmtOp::let && stmt.value; }
 
@@ -62,18 +72,12 @@ const char* operation_name(ir::Combine combine) {
     return "";
 }
 
-/// Whether a thread combines its updates of the binding before it updates memory.
-bool combines_updates(const ir::Program& program, const ir::Pass& pass, const ir::PassBinding& binding) {
-    const ir::TypeKind kind = program.types.kind(binding.element);
-    const bool is_number = kind == ir::TypeKind::int_ || kind == ir::TypeKind::uint || kind == ir::TypeKind::float_;
-    return is_number && !binding.coherent && binding.shape == ir::MemoryShape::buffer && !pass.is_wide;
-}
-
 /// The operations by which the pass updates bindings, for those whose updates a thread combines.
 std::map<std::uint32_t, ir::Combine> combined_bindings(const ir::Program& program, const ir::Pass& pass) {
     std::map<std::uint32_t, ir::Combine> found;
     const auto note = [&](const Stmt& stmt) {
-        if (stmt.op == StmtOp::atomic && combines_updates(program, pass, pass.bindings[stmt.slot]))
+        const bool is_update = stmt.op == StmtOp::atomic || stmt.op == StmtOp::row_update;
+        if (is_update && is_combined_by_threads(program.types, pass.bindings[stmt.slot], pass.is_wide))
             found.emplace(stmt.slot, stmt.combine);
     };
     for (const std::vector<StmtId>* body : bodies_of(pass)) ir::for_each_statement(program, *body, note);
@@ -107,6 +111,8 @@ struct Rows {
     void print_inside(const ir::Variant& variant, const ir::Variant& bounded, const std::string& begin,
                       const std::string& end);
     void print_strides(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
+    void print_updating_loop(const ir::Variant& variant, const std::vector<Stmt>& updates, const std::string& begin,
+                             const std::string& end);
     void print_plain_loop(const ir::Variant& variant, const std::string& begin, const std::string& end);
     void print_blocks(const ir::Variant& variant, const std::string& begin, const std::string& end);
     void print_part(const ir::Variant& variant, const std::string& begin, const std::string& end);
@@ -230,6 +236,39 @@ void Rows::print_element(const std::vector<StmtId>& statements) {
     p.names.leave();
 }
 
+/// A loop over the elements with x in [begin, end), in groups of glift::host::row_lanes. Each lane combines the updates
+/// of its elements; the row ends with one update.
+void Rows::print_updating_loop(const ir::Variant& variant, const std::vector<Stmt>& updates, const std::string& begin,
+                               const std::string& end) {
+    const std::vector<RowAccess> accesses = row_accesses(program, variant.body);
+    p.out.open("if (" + begin + " < " + end + ")");
+    print_row_pointers(variant.body, accesses, begin);
+    p.out.line("const std::size_t count = " + end + " - " + begin + ";");
+    for (const Stmt& update : updates) {
+        body.used_bindings.insert(update.slot);
+        std::string& name = body.row_updates[{update.slot, update.target}];
+        name = p.names.declare(pass.bindings[update.slot].name + "_row");
+        p.out.line(concat("glift::host::RowUpdate<", cpp::storage_text(p.globals, pass.bindings[update.slot].element),
+                          ", glift::host::", operation_name(update.combine), "> ", name, "(count);"));
+    }
+    IdSet<ir::Local> read;
+    const std::vector<StmtId> kept = without_unused(variant.body, read);
+    p.out.open("for (std::size_t first = 0; first < count; first += glift::host::row_lanes)");
+    p.out.line("const std::size_t lanes = glift::host::lanes_from(first, count);");
+    if (variant.order != ir::RowOrder::ascending) p.out.line("GLIFT_INDEPENDENT");
+    p.out.open("for (std::size_t lane = 0; lane < lanes; ++lane)");
+    p.out.line("const std::size_t i = first + lane;");
+    if (read.contains(pass.address)) print_address(begin + " + static_cast<uint>(i)");
+    p.marked_line = 0;
+    print_element(kept);
+    p.out.close();
+    p.out.close();
+    for (const Stmt& update : updates)
+        p.out.line(body.row_updates.at({update.slot, update.target}) + ".finish(" + body.update_names.at(update.slot) +
+                   ");");
+    p.out.close();
+}
+
 /// One loop over the elements with x in [begin, end).
 void Rows::print_plain_loop(const ir::Variant& variant, const std::string& begin, const std::string& end) {
     const std::vector<StmtId>& statements = variant.body;
@@ -238,6 +277,10 @@ void Rows::print_plain_loop(const ir::Variant& variant, const std::string& begin
     body.item_pointers.clear();
     p.marked_line = 0;
     p.names.enter();
+    if (const std::vector<Stmt> updates = row_updates(program, statements); !updates.empty()) {
+        print_updating_loop(variant, updates, begin, end);
+        return p.names.leave();
+    }
     if (!accesses.empty()) {
         p.out.open("if (" + begin + " < " + end + ")");
         print_row_pointers(statements, accesses, begin);
@@ -478,8 +521,10 @@ std::string row_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::s
     out.gap();
     out.open("static void " + name + "(const glift::HostCall& call)");
     if (pass.items == 1) {
-        out.line("glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { " + name +
-                 "_rows(call, rows); });");
+        // A task ends with the updates in the cache.
+        const char* const task = rows.body.caches_updates ? ", glift::host::large_task(call.size)" : "";
+        out.line(concat("glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { ", name,
+                        "_rows(call, rows); }", task, ");"));
     } else {
         out.line("glift::host::for_strides(call.size[0], " + std::to_string(pass.items) +
                  ", [&](const glift::host::Rows& rows) { " + name + "_rows(call, rows); });");

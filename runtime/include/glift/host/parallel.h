@@ -133,8 +133,16 @@ template <class Body> void spread_in_order(std::size_t count, std::size_t grain,
 
 }  // namespace detail
 
-/// Calls `body(const Rows&)` in parallel for groups of rows, or parts of long rows, that partition `size`.
-template <class Body> void for_rows(const std::array<std::uint32_t, 4>& size, const Body& body) {
+/// The elements of a task that ends with work which does not depend on its size: four tasks a thread.
+inline std::size_t large_task(const std::array<std::uint32_t, 4>& size) {
+    const std::size_t all = std::size_t{size[0]} * size[1] * size[2] * size[3];
+    return detail::most<std::size_t>(detail::task_elements, all / (4 * detail::thread_count()));
+}
+
+/// Calls `body(const Rows&)` in parallel for groups of rows, or parts of long rows, that partition `size`. A task has
+/// about `task` elements.
+template <class Body>
+void for_rows(const std::array<std::uint32_t, 4>& size, const Body& body, std::size_t task = detail::task_elements) {
     const std::size_t rows = std::size_t{size[1]} * size[2] * size[3];
     if (rows == 0 || size[0] == 0) return;
     const auto run = [&](uint begin, uint end, std::size_t first, std::size_t count) {
@@ -143,21 +151,21 @@ template <class Body> void for_rows(const std::array<std::uint32_t, 4>& size, co
         body(Rows(row, count, size));
     };
     const std::size_t all = rows * size[0];
-    if (rows == 1 || size[0] > 16 * detail::task_elements) {  // long rows: split them
-        const std::size_t pieces = (size[0] + detail::task_elements - 1) / detail::task_elements;
+    if (rows == 1 || size[0] > 16 * task) {  // long rows: split them
+        const std::size_t pieces = (size[0] + task - 1) / task;
         detail::spread(rows * pieces, 1, [&](std::size_t first, std::size_t last) {
             while (first < last) {  // the pieces of one row at once
                 const std::size_t row = first / pieces, next = detail::least(last, (row + 1) * pieces);
-                const std::size_t end = (next - row * pieces) * detail::task_elements;
-                run(static_cast<uint>(first % pieces * detail::task_elements),
+                const std::size_t end = (next - row * pieces) * task;
+                run(static_cast<uint>(first % pieces * task),
                     static_cast<uint>(detail::least<std::size_t>(end, size[0])), row, 1);
                 first = next;
             }
         });
         return;
     }
-    if (all <= detail::task_elements) return run(0, size[0], 0, rows);
-    const std::size_t grain = detail::most<std::size_t>(1, detail::task_elements / size[0]);
+    if (all <= task) return run(0, size[0], 0, rows);
+    const std::size_t grain = detail::most<std::size_t>(1, task / size[0]);
     detail::spread(rows, grain, [&](std::size_t first, std::size_t last) { run(0, size[0], first, last - first); });
 }
 

@@ -1,0 +1,14 @@
+// Finds updates that all elements of a row make to one element of memory: the host device combines them before it
+// updates memory (glift/host/updates.h).
+//
+// Needs: a variant for the host device of a kernel without a group, after "find_rows". Guarantees: such updates are
+// row_update; Variant::order is `any` if nothing else orders the elements.
+#pragma once
+
+#include "lower/context.h"
+
+namespace gliftc::lower {
+
+void find_row_updates(Context& cx, ir::Variant& variant);
+
+}  // namespace gliftc::lower
