@@ -212,12 +212,38 @@ class Kernels:
 
     def add_scatter(self, kernel, name):
         structure = self.random.choice(self.combined_structures())
-        operation = self.random.choice(["min", "max"] if structure.element == FLOAT else OPERATIONS)
+        operation = self.random.choice(["min", "max", "add"] if structure.element == FLOAT else OPERATIONS)
+        adds_floats = structure.element == FLOAT and operation == "add"
         kernel.params.append(Parameter(name, f"out scatter<{structure.name}, {operation}>", structure,
                                        extent=self.extent(structure.axes, 100)))
         address = vector(structure.axes, UINT)
-        kernel.writes.append(lambda scope: Node(f"{name}[", self.expressions.of(address, scope, 2), f" % {extent_text([40] * structure.axes)}] = ",
-                                                self.expressions.of(structure.element, scope, 3), ";"))
+        meets = self.random.chance(60)
+        place = self.meeting_place(kernel, name, structure.axes) if meets else None
+
+        def write(scope):
+            at = [place] if meets else [self.expressions.of(address, scope, 2), f" % {extent_text([40] * structure.axes)}"]
+            # Sums of few small numbers are exact in floats, in any order.
+            value = ["float(", self.expressions.of(UINT, scope, 3), " % 8u)"] if adds_floats else \
+                [self.expressions.of(structure.element, scope, 3)]
+            parts = [f"{name}[", *at, "] = ", *value, ";"]
+            if self.random.chance(30):
+                parts = ["if ", self.expressions.of(BOOL, scope, 2), " { ", *parts, " }"]
+            return Node(*parts)
+        kernel.writes.append(write)
+
+    def meeting_place(self, kernel, name, axes):
+        """An address at which many elements meet: each part is a constant, a part of the element's address, or a fraction of one."""
+        own = f"at_{name}"
+        structure = self.random.choice(self.of_axes(kernel.axes))
+        kernel.params.append(Parameter(own, f"at<{structure.name}>", structure, moves=True))
+
+        def part():
+            axis = self.random.between(0, kernel.axes - 1)
+            component = own if kernel.axes == 1 else f"{own}.{'xyzw'[axis]}"
+            return self.random.weighted([(3, f"{self.random.between(0, 9)}u"), (4, component), (1, f"{component} / 3u"),
+                                         (1, f"{component} % 5u")])
+        parts = [part() for _ in range(axes)]
+        return parts[0] if axes == 1 else f"uint{axes}({', '.join(parts)})"
 
     def add_coherent(self, kernel, name):
         operation = ATOMICS[self.random.choice(OPERATIONS)]
