@@ -122,24 +122,16 @@ TEST_P(Loops, KnownToRunTooLongAreRefusedBeforeTheyRun) {
     }
 }
 
-TEST_P(Loops, OfAtomicUpdatesAreCountedToo) {
+/// Devices with a limit add floats by one atomic operation, so that the number of updates has no limit.
+TEST_P(Loops, UpdatesAreNotCounted) {
     Line from(device, 16);
     from.write({0}, {16}, std::vector<std::uint32_t>(16, 1));
     Sum sum(device, 1);
     loops::add_up(device, from, 1000, sum);
     EXPECT_THAT(sum.read({0}, {1}), testing::ElementsAre(16000.0f));
     sum.write({0}, {1}, std::vector<float>{0});
-    std::vector<float> result;
-    const auto error = thrown_by([&] {
-        loops::add_up(device, from, 20000, sum);
-        result = sum.read({0}, {1});
-    });
-    ASSERT_EQ(error.has_value(), is_cut());  // each of 20 000 additions may need several tries
-    if (error) {
-        EXPECT_EQ(error->code(), glift::ErrorCode::loop_limit) << error->what();
-    } else {
-        EXPECT_THAT(result, testing::ElementsAre(320000.0f));
-    }
+    loops::add_up(device, from, 20000, sum);
+    EXPECT_THAT(sum.read({0}, {1}), testing::ElementsAre(320000.0f));
 }
 
 TEST_P(Loops, WithBarriers) {
