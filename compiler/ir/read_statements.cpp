@@ -101,8 +101,8 @@ Stmt Reader::keep() {
 }
 
 /// Reads the rest of: image_store(binding, at, value); or atomic_add(binding[at], value); (or another atomic_… or
-/// row_update_…) or report(binding, address); or report(view, address); where `view` is this word and no binding. For move_of_rows(),
-/// the rest of load_rows or store_rows.
+/// row_update_…) or report(binding, address); or report(view, address); where `view` is this word and no binding. For
+/// move_of_rows(), the rest of load_rows or store_rows.
 Stmt Reader::memory_statement(StmtOp op, Combine combine) {
     Stmt stmt;
     stmt.op = op;

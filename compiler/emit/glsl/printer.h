@@ -35,8 +35,8 @@ struct Text {
     Level level = Level::postfix;
 };
 
-/// Functions, and the constants `skips_branches` and `adds_floats`, that are printed before the functions of the source if they are used.
-/// Their definitions are in helpers.cpp, division.cpp and subgroups.cpp.
+/// Functions, and the constants `skips_branches` and `adds_floats`, that are printed before the functions of the source
+/// if they are used. Their definitions are in helpers.cpp, division.cpp and subgroups.cpp.
 enum class Helper : std::uint8_t {
     quotient,
     remainder,

@@ -4,10 +4,10 @@
 // The general form is valid for such calls: a store by one binding counts as a store by all bindings that
 // may alias it (number.h), so that no load is moved past it. No passes are compiled for particular aliases, since there
 // would be one for each partition of the set of parameters. On Vulkan devices too, such calls run the general form: its
-// buffers are pointers, which may be equal. Images have descriptors in both forms; an image that is loaded after a store
-// by a binding that may alias it is a storage image, not a texture, so that the invocation sees its own store (see
-// agree() in loops.h). The direct form assumes that there are no aliases. An invocation of its shaders may compute two
-// elements, both before the first store; if possible aliases forbid that in the general form, it computes the two
+// buffers are pointers, which may be equal. Images have descriptors in both forms; an image that is loaded after a
+// store by a binding that may alias it is a storage image, not a texture, so that the invocation sees its own store
+// (see agree() in loops.h). The direct form assumes that there are no aliases. An invocation of its shaders may compute
+// two elements, both before the first store; if possible aliases forbid that in the general form, it computes the two
 // elements one after the other.
 #pragma once
 

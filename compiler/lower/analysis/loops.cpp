@@ -53,9 +53,8 @@ private:
     /// The number of loops in the statements and in the functions that they call.
     std::uint64_t loops_in(const std::vector<StmtId>& body) const {
         std::uint64_t loops = 0;
-        for_each_statement(cx.p, body, [&](const Stmt& stmt) {
-            loops += stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_;
-        });
+        for_each_statement(cx.p, body,
+                           [&](const Stmt& stmt) { loops += stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_; });
         for_each_expression(cx.p, body, [&](ExprId id) {
             if (cx.p.exprs[id].op == Op::call) loops += loops_in(cx.p.functions[cx.p.exprs[id].function].body);
         });

@@ -162,8 +162,8 @@ DeviceProperties read_properties(const Instance& instance, VkPhysicalDevice phys
     p.float64 = features.core.features.shaderFloat64;
     p.int64_atomics = features.v12.shaderBufferInt64Atomics;
     if (contains(extensions, VK_EXT_SHADER_ATOMIC_FLOAT_EXTENSION_NAME)) {
-        p.float32_atomic_add = features.atomic_float.shaderBufferFloat32AtomicAdd &&
-                               features.atomic_float.shaderSharedFloat32AtomicAdd;
+        p.float32_atomic_add =
+            features.atomic_float.shaderBufferFloat32AtomicAdd && features.atomic_float.shaderSharedFloat32AtomicAdd;
         p.image_float32_atomic_add = features.atomic_float.shaderImageFloat32AtomicAdd;
     }
     if (contains(extensions, VK_EXT_SHADER_ATOMIC_FLOAT_2_EXTENSION_NAME)) {
