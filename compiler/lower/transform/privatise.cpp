@@ -1,9 +1,10 @@
+// long: one transformation; its steps share the loop and the choice
 #include "lower/transform/privatise.h"
 
 #include "ir/effects.h"
 #include "ir/walk.h"
-#include "lower/analysis/number.h"
-#include "lower/analysis/slopes.h"
+#include "lower/analysis/updates.h"
+#include "lower/build/combination.h"
 #include "lower/build/copy_statements.h"
 #include "lower/expand/dispatch.h"
 
@@ -25,244 +26,43 @@ constexpr std::uint32_t elements_of_copies = 64;
 constexpr std::uint32_t copied_words = 4096 + 32;  ///< of workgroup memory for copies: 16 KiB
 constexpr std::uint32_t most_copies = 32;          ///< of one buffer: as many as most devices have banks
 
-/// A condition under which an update is made: an expression that is true, or false.
-struct Condition {
-    ExprId value;
-    bool is_true = true;
-};
-
-struct Update {
-    StmtId stmt;
-    std::vector<Condition> conditions;  ///< of the ifs around it, the outermost first
-    std::uint8_t same_along = 0;        ///< bit i: its address and memory are the same for all elements along axis i
-    bool may_collide = false;           ///< elements that are near each other may have one address
+/// An update, what becomes of it, and the locals that this takes.
+struct PrivateUpdate : Update {
     UpdateWay way = UpdateWay::plain;
-    LocalId sum;  ///< of tree and column: what an invocation has combined
-    LocalId
-        is_written;  ///< whether it has combined anything; absent: the element's address alone decides whether it has
-    LocalId any_written;  ///< of tree: whether an invocation of the workgroup has, as an array of one uint
-};
-
-/// Finds the updates of a body, and how their addresses depend on the element's.
-class Updates {
-public:
-    explicit Updates(Context& context) : cx(context), numbers_(context) {
-        for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis) {
-            slopes_.emplace_back(cx.p, cx.pass.address, 0, axis);
-            for (const KernelParam& param : cx.kernel.params)
-                if (param.local) slopes_.back().learn_steady(param.local);
-        }
-    }
-
-    /// Empty if the body has a statement that cannot be repeated for each element of an invocation.
-    std::vector<Update> of(const std::vector<StmtId>& body) {
-        for (StmtId id : body) visit(id);
-        return may_repeat_ ? std::move(found_) : std::vector<Update>{};
-    }
-
-    /// Whether the value cannot change within the pass.
-    bool is_fixed(ExprId value) { return numbers_.is_fixed(value); }
-    bool has_load(ExprId value) { return numbers_.has_load(value); }
-
-    bool is_same_along(std::uint32_t axis, ExprId value) {
-        return numbers_.is_fixed(value) && slopes_[axis].is_steady(value);
-    }
-
-private:
-    void visit(StmtId id) {
-        const Stmt& stmt = cx.p.stmts[id];
-        for_each_root(stmt, [&](ExprId root) {
-            for_each_node(cx.p, root, seen_, [&](ExprId node) { may_repeat_ = may_repeat_ && !calls_a_loop(node); });
-        });
-        for (RowSlopes& slopes : slopes_) slopes.learn(stmt);
-        switch (stmt.op) {
-        case StmtOp::atomic: return note(id);
-        case StmtOp::if_: return visit_if(stmt);
-        case StmtOp::block: return visit_all(stmt.body);
-        case StmtOp::let:
-        case StmtOp::assign:
-        case StmtOp::evaluate:
-        case StmtOp::report:
-        case StmtOp::store:
-        case StmtOp::image_store: return;
-        default: may_repeat_ = false;  // loops, whose rounds lavapipe limits, and returns
-        }
-    }
-
-    void visit_all(const std::vector<StmtId>& body) {
-        for (StmtId id : body) visit(id);
-    }
-
-    void visit_if(const Stmt& stmt) {
-        conditions_.push_back({stmt.value, true});
-        visit_all(stmt.body);
-        conditions_.back().is_true = false;
-        visit_all(stmt.otherwise);
-        conditions_.pop_back();
-    }
-
-    bool calls_a_loop(ExprId id) const {
-        const Expr& node = cx.p.exprs[id];
-        return node.op == Op::call && has_loop(cx.p.functions[node.function].body);
-    }
-
-    bool has_loop(const std::vector<StmtId>& body) const {
-        bool found = false;
-        for_each_statement(cx.p, body, [&](const Stmt& stmt) {
-            found = found || stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_;
-        });
-        for_each_expression(cx.p, body, [&](ExprId id) { found = found || calls_a_loop(id); });
-        return found;
-    }
-
-    void note(StmtId id) {
-        const ExprId target = cx.p.stmts[id].target;
-        Update update{id, conditions_};
-        for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis)
-            if (is_same_along(axis, target)) update.same_along |= 1u << axis;
-        update.may_collide = slopes_[0].is_steady(target) || !is_affine(target);
-        found_.push_back(std::move(update));
-    }
-
-    /// Whether the index is a sum of parts of the element's address, each times a factor that is the same for all
-    /// elements: then elements along x have different ones, unless all have the same.
-    bool is_affine(ExprId index) {
-        const Expr node = cx.p.exprs[index];
-        const auto is_steady = [&](ExprId id) { return slopes_[0].is_steady(id); };
-        const auto is_operand_affine = [&](ExprId id) { return is_affine(id); };
-        if (is_steady(index)) return true;
-        switch (node.op) {
-        case Op::local: {
-            const ExprId* definition = cx.definitions.find(node.local);
-            return node.local == cx.pass.address || (definition != nullptr && is_affine(*definition));
-        }
-        case Op::swizzle:
-        case Op::construct: return std::ranges::all_of(node.operands, is_operand_affine);
-        case Op::binary: break;
-        default: return false;
-        }
-        const bool is_product = node.binary == BinaryOp::multiply;
-        if (!is_product && node.binary != BinaryOp::add && node.binary != BinaryOp::subtract) return false;
-        return (!is_product || std::ranges::any_of(node.operands, is_steady)) &&
-               std::ranges::all_of(node.operands, is_operand_affine);
-    }
-
-    Context& cx;
-    Numbers numbers_;
-    std::vector<RowSlopes> slopes_;  ///< one an axis
-    IdSet<Expr> seen_;
-    std::vector<Condition> conditions_;
-    std::vector<Update> found_;
-    bool may_repeat_ = true;
-};
-
-/// The numbers in which values are combined in place of the values themselves: ints whose order is that of floats for
-/// their minima and maxima, which are then the same bits in every order; else the values.
-class Combination {
-public:
-    Combination(Builder& builder, const PassBinding& binding, Combine combine)
-        : build(builder), combine_(combine), type_(binding.element) {
-        has_keys_ = type_ == types().float_ && combine != Combine::add;
-    }
-
-    bool is_known() const { return type_ == types().int_ || type_ == types().uint || type_ == types().float_; }
-    bool is_of_floats() const { return type() == types().float_; }
-    TypeId type() const { return has_keys_ ? types().int_ : type_; }
-
-    /// Combined with it any number is itself; no value but that of a NaN has it as its key.
-    ExprId identity() const {
-        if (type() == types().float_) return build.unary(UnaryOp::minus, build.zero(types().float_));
-        const bool is_signed = type() == types().int_;
-        const std::uint64_t low = is_signed ? 0x80000000u : 0u, high = is_signed ? 0x7fffffffu : 0xffffffffu;
-        switch (combine_) {
-        case Combine::min: return integer(high);
-        case Combine::max: return integer(low);
-        case Combine::bit_and: return integer(0xffffffffu);
-        default: return integer(0);
-        }
-    }
-
-    ExprId key(ExprId value) const {
-        if (!has_keys_) return value;
-        const ExprId bits = build.intrinsic(Intrinsic::floatBitsToInt, types().int_, {value});
-        const ExprId is_number = build.binary(BinaryOp::equal, value, value);
-        return build.select(is_number, reordered(bits), identity());
-    }
-
-    ExprId value(ExprId key) const {
-        return has_keys_ ? build.intrinsic(Intrinsic::intBitsToFloat, types().float_, {reordered(key)}) : key;
-    }
-
-    ExprId of(ExprId one, ExprId other) const {
-        switch (combine_) {
-        case Combine::min: return build.intrinsic(Intrinsic::min, type(), {one, other});
-        case Combine::max: return build.intrinsic(Intrinsic::max, type(), {one, other});
-        case Combine::bit_and: return build.binary(BinaryOp::bit_and, one, other);
-        case Combine::bit_or: return build.binary(BinaryOp::bit_or, one, other);
-        case Combine::bit_xor: return build.binary(BinaryOp::bit_xor, one, other);
-        default: return build.binary(BinaryOp::add, one, other);
-        }
-    }
-
-    /// The atomic operation on workgroup memory.
-    Intrinsic intrinsic() const {
-        switch (combine_) {
-        case Combine::min: return Intrinsic::atomicMin;
-        case Combine::max: return Intrinsic::atomicMax;
-        case Combine::bit_and: return Intrinsic::atomicAnd;
-        case Combine::bit_or: return Intrinsic::atomicOr;
-        case Combine::bit_xor: return Intrinsic::atomicXor;
-        default: return Intrinsic::atomicAdd;
-        }
-    }
-
-private:
-    const Types& types() const { return build.p.types; }
-    ExprId integer(std::uint64_t bits) const {
-        if (type() == types().uint) return build.uint(bits);
-        return build.integer(types().int_, static_cast<std::uint64_t>(static_cast<std::int32_t>(bits)));
-    }
-
-    /// The bits of floats that are not negative have the order of ints, those of negative ones the reverse.
-    ExprId reordered(ExprId bits) const {
-        const ExprId sign = build.binary(BinaryOp::shift_right, bits, build.integer(types().int_, 31));
-        const ExprId all_but_sign = build.integer(types().int_, 0x7fffffff);
-        return build.binary(BinaryOp::bit_xor, bits, build.binary(BinaryOp::bit_and, sign, all_but_sign));
-    }
-
-    Builder& build;
-    Combine combine_;
-    TypeId type_;
-    bool has_keys_ = false;
+    LocalId sum;          ///< of tree and column: what the invocation has combined
+    LocalId is_written;   ///< whether the invocation has combined anything; absent: every element updates
+    LocalId any_written;  ///< of tree: uint[1], whether any invocation of the workgroup has
 };
 
 class Privatisation {
 public:
-    Privatisation(Context& context, std::vector<Update> updates, Updates& dependence)
-        : cx(context), build(context.build), updates_(std::move(updates)), dependence_(dependence) {}
+    Privatisation(Context& context, const std::vector<Update>& updates, Updates& dependence)
+        : cx(context), build(context.build), dependence_(dependence) {
+        for (const Update& update : updates) updates_.push_back({update});
+    }
 
     /// Chooses the axis along which invocations take elements, and what becomes of each update. False: no gain.
     bool choose() {
-        const auto combines = [&](const Update& update, std::uint32_t axis) {
+        const auto combines = [&](const PrivateUpdate& update, std::uint32_t axis) {
             return (update.same_along >> axis & 1) != 0 && combination(update).is_known();
         };
         for (std::uint32_t axis = 0; axis < cx.pass.rank && !is_chosen_; ++axis) {
-            const auto gains = [&](const Update& update) { return combines(update, axis); };
+            const auto gains = [&](const PrivateUpdate& update) { return combines(update, axis); };
             if (std::ranges::any_of(updates_, gains)) take(axis, axis == 0 ? elements_of_tree : elements_of_column);
         }
-        for (Update& update : updates_) {
+        for (PrivateUpdate& update : updates_) {
             if (is_chosen_ && combines(update, axis_)) update.way = axis_ == 0 ? UpdateWay::tree : UpdateWay::column;
             else if (update.may_collide && may_be_copied(update)) update.way = UpdateWay::copies;
         }
         copies_ = static_cast<std::uint32_t>(
-            std::ranges::count(updates_, UpdateWay::copies, [](const Update& update) { return update.way; }));
+            std::ranges::count(updates_, UpdateWay::copies, [](const PrivateUpdate& update) { return update.way; }));
         if (!is_chosen_ && copies_ != 0) take(cx.pass.rank == 1 ? 0 : 1, elements_of_copies);
         return is_chosen_;
     }
 
     std::vector<PassUpdate> summary() const {
         std::vector<PassUpdate> result;
-        for (const Update& update : updates_) {
+        for (const PrivateUpdate& update : updates_) {
             const bool is_copied = update.way == UpdateWay::copies;
             result.push_back({cx.p.stmts[update.stmt].slot, update.way, axis_, made_.elements[axis_],
                               is_copied ? words_of_copies() : 0});
@@ -271,14 +71,14 @@ public:
     }
 
     Privatised run(const std::vector<StmtId>& body) {
-        if (std::ranges::any_of(updates_, [](const Update& update) { return update.way == UpdateWay::tree; }))
+        if (std::ranges::any_of(updates_, [](const PrivateUpdate& update) { return update.way == UpdateWay::tree; }))
             made_.group = {invocations, 1, 1};
         else made_.group = cx.pass.group;
-        for (Update& update : updates_) begin(update);
+        for (PrivateUpdate& update : updates_) begin(update);
         if (copies_ != 0) barrier();
         loop(body);
         if (copies_ != 0) barrier();
-        for (const Update& update : updates_) end(update);
+        for (const PrivateUpdate& update : updates_) end(update);
         return std::move(made_);
     }
 
@@ -289,12 +89,12 @@ private:
         made_.elements[axis] = elements;
     }
 
-    Combination combination(const Update& update) const {
+    Combination combination(const PrivateUpdate& update) const {
         const Stmt& stmt = cx.p.stmts[update.stmt];
         return {build, cx.pass.bindings[stmt.slot], stmt.combine};
     }
 
-    bool may_be_copied(const Update& update) const {
+    bool may_be_copied(const PrivateUpdate& update) const {
         const Stmt& stmt = cx.p.stmts[update.stmt];
         const bool is_buffer = cx.pass.bindings[stmt.slot].shape == MemoryShape::buffer;
         return is_buffer && build.type(stmt.target) == cx.p.types.uint && combination(update).is_known();
@@ -302,21 +102,24 @@ private:
 
     // Statements.
 
-    Stmt statement_at(const Update& update, StmtOp op) const { return statement(op, cx.p.stmts[update.stmt].span); }
-    StmtId assign(const Update& update, ExprId target, ExprId value) {
+    Stmt statement_at(const PrivateUpdate& update, StmtOp op) const {
+        return statement(op, cx.p.stmts[update.stmt].span);
+    }
+    StmtId assign(const PrivateUpdate& update, ExprId target, ExprId value) {
         Stmt stmt = statement_at(update, StmtOp::assign);
         stmt.target = target;
         stmt.value = value;
         return cx.add(std::move(stmt));
     }
-    StmtId where(const Update& update, ExprId condition, std::vector<StmtId> body, std::vector<StmtId> otherwise = {}) {
+    StmtId where(const PrivateUpdate& update, ExprId condition, std::vector<StmtId> body,
+                 std::vector<StmtId> otherwise = {}) {
         Stmt stmt = statement_at(update, StmtOp::if_);
         stmt.value = condition;
         stmt.body = std::move(body);
         stmt.otherwise = std::move(otherwise);
         return cx.add(std::move(stmt));
     }
-    LocalId let(const Update& update, std::string_view name, ExprId value, bool is_mutable) {
+    LocalId let(const PrivateUpdate& update, std::string_view name, ExprId value, bool is_mutable) {
         Stmt stmt = statement_at(update, StmtOp::let);
         stmt.local = cx.new_local(name, build.type(value), stmt.span, is_mutable);
         stmt.value = value;
@@ -327,7 +130,7 @@ private:
     }
     /// A loop over `rounds` numbers; `body` makes the statements of one.
     template <class Body>
-    StmtId loop_to(const Update& update, std::string_view variable, std::uint32_t rounds, Body body) {
+    StmtId loop_to(const PrivateUpdate& update, std::string_view variable, std::uint32_t rounds, Body body) {
         Stmt stmt = statement_at(update, StmtOp::for_);
         stmt.local = cx.new_local(variable, cx.p.types.uint, stmt.span);
         stmt.value = build.uint(0);
@@ -340,14 +143,16 @@ private:
     ExprId less(ExprId a, ExprId b) { return build.binary(BinaryOp::less, a, b); }
     ExprId lane() { return build.builtin(Builtin::local_index, cx.p.types.uint); }
 
-    LocalId workgroup_array(const Update& update, std::string_view name, TypeId element, std::uint32_t count) {
+    LocalId workgroup_array(const PrivateUpdate& update, std::string_view name, TypeId element, std::uint32_t count) {
         const LocalId local = cx.new_local(name, cx.p.types.array(element, count), cx.p.stmts[update.stmt].span, true);
         cx.p.locals[local].storage = Storage::shared;
         cx.pass.shared.push_back(local);
         return local;
     }
 
-    std::string name_of(const Update& update) const { return cx.pass.bindings[cx.p.stmts[update.stmt].slot].name; }
+    std::string name_of(const PrivateUpdate& update) const {
+        return cx.pass.bindings[cx.p.stmts[update.stmt].slot].name;
+    }
 
     // The loop over elements.
 
@@ -472,7 +277,7 @@ private:
     }
 
     StmtId rewritten(StmtId id) {
-        const auto update = std::ranges::find(updates_, id, &Update::stmt);
+        const auto update = std::ranges::find(updates_, id, &PrivateUpdate::stmt);
         if (update != updates_.end()) return in_turn(*update);
         const Stmt& stmt = cx.p.stmts[id];
         if (stmt.body.empty() && stmt.otherwise.empty()) return id;
@@ -482,14 +287,14 @@ private:
     }
 
     /// The value of an update, as a `let` in before_ if the element's address alone decides whether it is made.
-    ExprId named_value(const Update& update, ExprId value) {
+    ExprId named_value(const PrivateUpdate& update, ExprId value) {
         const auto is_of_address = [&](const Condition& of) { return dependence_.is_same_along(axis_, of.value); };
         if (!std::ranges::all_of(update.conditions, is_of_address) || is_trivial(cx, value)) return value;
         return named(cx.p.stmts[update.stmt].span, name_of(update) + "_value", value, before_);
     }
 
     /// The statement that an element executes in place of its update.
-    StmtId in_turn(const Update& update) {
+    StmtId in_turn(const PrivateUpdate& update) {
         const Stmt stmt = cx.p.stmts[update.stmt];
         const Combination combination = this->combination(update);
         if (update.way == UpdateWay::plain) return update.stmt;
@@ -510,7 +315,7 @@ private:
         return cx.add(std::move(both));
     }
 
-    void begin(Update& update) {
+    void begin(PrivateUpdate& update) {
         if (update.way == UpdateWay::copies) return begin_copies(update);
         if (update.way == UpdateWay::plain) return;
         update.sum = let(update, name_of(update) + "_sum", combination(update).identity(), true);
@@ -521,9 +326,9 @@ private:
             update.any_written = workgroup_array(update, name_of(update) + "_is_any", cx.p.types.uint, 1);
     }
 
-    ExprId any_of(const Update& update) { return build.index(build.local(update.any_written), build.uint(0)); }
+    ExprId any_of(const PrivateUpdate& update) { return build.index(build.local(update.any_written), build.uint(0)); }
 
-    void end(const Update& update) {
+    void end(const PrivateUpdate& update) {
         if (update.way == UpdateWay::copies) return end_copies(update);
         if (update.way == UpdateWay::column)
             return update_memory(update, build.local(update.sum),
@@ -532,7 +337,7 @@ private:
     }
 
     /// A tree over the invocations: 128 add what the 128 others have to their own, then 64, and so on.
-    void combine_in_workgroup(const Update& update) {
+    void combine_in_workgroup(const PrivateUpdate& update) {
         const Combination combination = this->combination(update);
         const LocalId sums = workgroup_array(update, name_of(update) + "_sums", combination.type(), invocations);
         const auto sum_of = [&](ExprId invocation) { return build.index(build.local(sums), invocation); };
@@ -558,7 +363,7 @@ private:
 
     /// Updates memory by what elements have combined, if `condition` holds and the conditions do that are the same for
     /// all of them.
-    void update_memory(const Update& update, ExprId key, ExprId condition) {
+    void update_memory(const PrivateUpdate& update, ExprId key, ExprId condition) {
         const Combination combination = this->combination(update);
         StatementCopy copy(cx, build.local(cx.pass.address));
         condition = build.both(condition, in_range_condition(cx));
@@ -615,7 +420,7 @@ private:
     }
 
     /// The number of elements of the buffer.
-    ExprId size_of_memory(const Update& update) {
+    ExprId size_of_memory(const PrivateUpdate& update) {
         const PassBinding& binding = cx.pass.bindings[cx.p.stmts[update.stmt].slot];
         Expr extent;
         extent.op = Op::memory_extent;
@@ -625,7 +430,7 @@ private:
         return cx.p.exprs.add(std::move(extent));
     }
 
-    void begin_copies(const Update& update) {
+    void begin_copies(const PrivateUpdate& update) {
         const std::string name = name_of(update);
         const std::uint32_t words = words_of_copies();
         const ExprId zero = build.uint(0), one = build.uint(1);
@@ -659,14 +464,14 @@ private:
         copies_of_.emplace(update.stmt, copies);
     }
 
-    void end_copies(const Update& update) {
+    void end_copies(const PrivateUpdate& update) {
         const Copies& copies = copies_of_.at(update.stmt);
         made_.body.push_back(
             for_each_word(update, copies.size, [&](ExprId at) { return sum_of_copies(update, copies, at); }));
     }
 
     /// The workgroup's invocations execute `body` for the numbers up to `count`.
-    template <class Body> StmtId for_each_word(const Update& update, ExprId count, Body body) {
+    template <class Body> StmtId for_each_word(const PrivateUpdate& update, ExprId count, Body body) {
         return loop_to(update, "turn", (words_of_copies() + invocations - 1) / invocations,
                        [&](ExprId turn) -> std::vector<StmtId> {
                            const ExprId at = build.add(build.multiply(turn, build.uint(invocations)), lane());
@@ -674,7 +479,7 @@ private:
                        });
     }
 
-    std::vector<StmtId> sum_of_copies(const Update& update, const Copies& copies, ExprId at) {
+    std::vector<StmtId> sum_of_copies(const PrivateUpdate& update, const Copies& copies, ExprId at) {
         const Combination combination = this->combination(update);
         Stmt let = statement_at(update, StmtOp::let);
         let.local = cx.new_local("sum", combination.type(), let.span, true);
@@ -695,7 +500,7 @@ private:
 
     Context& cx;
     Builder& build;
-    std::vector<Update> updates_;
+    std::vector<PrivateUpdate> updates_;
     Updates& dependence_;
     Privatised made_;
     std::uint32_t axis_ = 0;
@@ -715,8 +520,7 @@ std::optional<Privatised> privatised(Context& cx, const std::vector<StmtId>& bod
     // Workgroups that wait for one another must not wait for elements that an invocation takes later.
     if (std::ranges::any_of(cx.pass.bindings, &PassBinding::coherent)) return {};
     Updates dependence(cx);
-    std::vector<Update> updates = dependence.of(body);
-    Privatisation privatisation(cx, std::move(updates), dependence);
+    Privatisation privatisation(cx, dependence.of(body), dependence);
     if (!privatisation.choose()) return {};
     cx.pass.updates = privatisation.summary();
     return privatisation.run(body);

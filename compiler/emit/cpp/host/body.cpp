@@ -145,6 +145,7 @@ void print_copy(Body& body, const Stmt& stmt) {
         concat("glift::host::copy_row<", std::to_string(p.program.exprs[stmt.limit].bits), ">(", from, ", ", at, ");"));
 }
 
+// long: a case for each statement
 void print_outer(Body& body, const Stmt& stmt) {
     cpp::Printer& p = body.p;
     switch (stmt.op) {

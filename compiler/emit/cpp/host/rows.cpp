@@ -2,6 +2,7 @@
 // go through a pointer to the row's first element.
 #include "base/concat.h"
 #include "emit/cpp/host/body.h"
+#include "emit/cpp/host/updates.h"
 #include "emit/cpp/mentions.h"
 #include "ir/walk.h"
 
@@ -39,16 +40,6 @@ std::vector<RowAccess> row_accesses(const ir::Program& program, const std::vecto
     return found;
 }
 
-/// The row updates of a body, one of those with the same memory and index.
-std::vector<Stmt> row_updates(const ir::Program& program, const std::vector<StmtId>& body) {
-    std::vector<Stmt> found;
-    ir::for_each_statement(program, body, [&](const Stmt& stmt) {
-        const auto is_same = [&](const Stmt& other) { return other.slot == stmt.slot && other.target == stmt.target; };
-        if (stmt.op == StmtOp::row_update && std::ranges::none_of(found, is_same)) found.push_back(stmt);
-    });
-    return found;
-}
-
 /// Whether the statement is a `let` with a value, which can be left out if nothing reads its local.
 bool is_let(const Stmt& stmt) { return stmt.op == StmtOp::let && stmt.value; }
 
@@ -56,34 +47,6 @@ bool is_let(const Stmt& stmt) { return stmt.op == StmtOp::let && stmt.value; }
 /// glift::host::block_elements needs at least one block: if `part` is shorter, an empty part at `end`.
 std::string in_blocks_text(const ir::Variant& variant, const std::string& part, const std::string& end) {
     return variant.order == ir::RowOrder::in_blocks ? "glift::host::in_blocks(" + part + ", " + end + ")" : part;
-}
-
-/// The class in glift/host/updates.h.
-const char* operation_name(ir::Combine combine) {
-    switch (combine) {
-    case ir::Combine::replace: break;
-    case ir::Combine::min: return "Min";
-    case ir::Combine::max: return "Max";
-    case ir::Combine::add: return "Add";
-    case ir::Combine::bit_and: return "BitAnd";
-    case ir::Combine::bit_or: return "BitOr";
-    case ir::Combine::bit_xor: return "BitXor";
-    }
-    return "";
-}
-
-/// The operations by which the pass updates bindings, for those whose updates a thread combines.
-std::map<std::uint32_t, ir::Combine> combined_bindings(const ir::Program& program, const ir::Pass& pass) {
-    std::map<std::uint32_t, ir::Combine> found;
-    const auto note = [&](const Stmt& stmt) {
-        const bool is_update = stmt.op == StmtOp::atomic || stmt.op == StmtOp::row_update;
-        if (is_update && is_combined_by_threads(program.types, pass.bindings[stmt.slot], pass.is_wide))
-            found.emplace(stmt.slot, stmt.combine);
-    };
-    for (const std::vector<StmtId>* body : bodies_of(pass)) ir::for_each_statement(program, *body, note);
-    for (ir::FunctionId function : pass.functions)
-        ir::for_each_statement(program, program.functions[function].body, note);
-    return found;
 }
 
 struct Rows {

@@ -1,0 +1,105 @@
+#include "lower/analysis/updates.h"
+
+#include "ir/walk.h"
+
+#include <algorithm>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+Updates::Updates(Context& context) : cx(context), numbers_(context) {
+    for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis) {
+        slopes_.emplace_back(cx.p, cx.pass.address, 0, axis);
+        for (const KernelParam& param : cx.kernel.params)
+            if (param.local) slopes_.back().learn_steady(param.local);
+    }
+}
+
+std::vector<Update> Updates::of(const std::vector<StmtId>& body) {
+    for (StmtId id : body) visit(id);
+    return may_repeat_ ? std::move(found_) : std::vector<Update>{};
+}
+
+bool Updates::is_same_along(std::uint32_t axis, ExprId value) {
+    return numbers_.is_fixed(value) && slopes_[axis].is_steady(value);
+}
+
+void Updates::visit(StmtId id) {
+    const Stmt& stmt = cx.p.stmts[id];
+    for_each_root(stmt, [&](ExprId root) {
+        for_each_node(cx.p, root, seen_, [&](ExprId node) { may_repeat_ = may_repeat_ && !calls_a_loop(node); });
+    });
+    for (RowSlopes& slopes : slopes_) slopes.learn(stmt);
+    switch (stmt.op) {
+    case StmtOp::atomic: return note(id);
+    case StmtOp::if_: return visit_if(stmt);
+    case StmtOp::block: return visit_all(stmt.body);
+    case StmtOp::let:
+    case StmtOp::assign:
+    case StmtOp::evaluate:
+    case StmtOp::report:
+    case StmtOp::store:
+    case StmtOp::image_store: return;
+    default: may_repeat_ = false;  // loops, whose rounds lavapipe limits, and returns
+    }
+}
+
+void Updates::visit_all(const std::vector<StmtId>& body) {
+    for (StmtId id : body) visit(id);
+}
+
+void Updates::visit_if(const Stmt& stmt) {
+    conditions_.push_back({stmt.value, true});
+    visit_all(stmt.body);
+    conditions_.back().is_true = false;
+    visit_all(stmt.otherwise);
+    conditions_.pop_back();
+}
+
+bool Updates::calls_a_loop(ExprId id) const {
+    const Expr& node = cx.p.exprs[id];
+    return node.op == Op::call && has_loop(cx.p.functions[node.function].body);
+}
+
+bool Updates::has_loop(const std::vector<StmtId>& body) const {
+    bool found = false;
+    for_each_statement(
+        cx.p, body, [&](const Stmt& stmt) { found = found || stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_; });
+    for_each_expression(cx.p, body, [&](ExprId id) { found = found || calls_a_loop(id); });
+    return found;
+}
+
+/// Whether the index is a sum of parts of the element's address, each times a factor that is the same for all
+/// elements: then elements along x have different ones, unless all have the same.
+bool Updates::is_affine(ExprId index) {
+    const Expr node = cx.p.exprs[index];
+    const auto is_steady = [&](ExprId id) { return slopes_[0].is_steady(id); };
+    const auto is_operand_affine = [&](ExprId id) { return is_affine(id); };
+    if (is_steady(index)) return true;
+    switch (node.op) {
+    case Op::local: {
+        const ExprId* definition = cx.definitions.find(node.local);
+        return node.local == cx.pass.address || (definition != nullptr && is_affine(*definition));
+    }
+    case Op::swizzle:
+    case Op::construct: return std::ranges::all_of(node.operands, is_operand_affine);
+    case Op::binary: break;
+    default: return false;
+    }
+    const bool is_product = node.binary == BinaryOp::multiply;
+    if (!is_product && node.binary != BinaryOp::add && node.binary != BinaryOp::subtract) return false;
+    return (!is_product || std::ranges::any_of(node.operands, is_steady)) &&
+           std::ranges::all_of(node.operands, is_operand_affine);
+}
+
+void Updates::note(StmtId id) {
+    const ExprId target = cx.p.stmts[id].target;
+    Update update{id, conditions_};
+    for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis)
+        if (is_same_along(axis, target)) update.same_along |= 1u << axis;
+    update.may_collide = slopes_[0].is_steady(target) || !is_affine(target);
+    found_.push_back(std::move(update));
+}
+
+}  // namespace gliftc::lower
