@@ -5,6 +5,7 @@
 #include "driver/import_structs.h"
 #include "ir/print.h"
 #include "layout/layout.h"
+#include "layout/nesting.h"
 #include "layout/private_memory.h"
 #include "lower/library.h"
 #include "lower/lower.h"
@@ -92,6 +93,7 @@ Result compile(const Options& options, const FileSystem& files, Compilation& c) 
 
     layout::lay_out(c.program, c.lowered);
     layout::check_private_memory(c.program, c.lowered, c.diagnostics);
+    layout::check_nesting(c.program, c.lowered, c.diagnostics);
     clock.lap("layout");
     if (options.dump == Stage::lower || options.dump == Stage::layout) result.dump = ir::print(c.program, c.lowered);
     if (stops_after(Stage::layout) || options.dump || options.check_only || options.command == Command::explain)

@@ -8,6 +8,7 @@
 #include "lower/transform/guard.h"
 #include "lower/transform/narrow_loads.h"
 #include "lower/transform/share.h"
+#include "lower/transform/split_chains.h"
 #include "lower/transform/strength.h"
 
 #include <algorithm>
@@ -38,6 +39,8 @@ constexpr BodyPass drop_dead_pass{
     "drop_dead", "trees", "no let that nothing uses, no value of a local that nothing reads", without_facts<drop_dead>};
 
 constexpr BodyPass bodies[] = {
+    {"split_chains", "statements of memory", "no chain of `else if` has more than 32 links",
+     without_facts<split_chains>},
     share_pass,
     drop_dead_pass,
     {"guard", "shared bodies without dead lets", "no guarded_load: loads from safe addresses, or under branches",

@@ -22,6 +22,7 @@
 #include "lower/transform/dead.h"
 #include "lower/transform/fold_constants.h"
 #include "lower/transform/privatise.h"
+#include "lower/transform/split_chains.h"
 #include "lower/transform/temporaries.h"
 #include "lower/transform/uniforms.h"
 #include "lower/transform/widen.h"
@@ -452,6 +453,8 @@ Lowered lower(Program& program, Diagnostics& diagnostics, Settings settings) {
     }
     const std::vector<FunctionId> shortened = drop_dead(program);
     if (settings.trace != nullptr) settings.trace->note("drop_dead", program, shortened);
+    const std::vector<FunctionId> split = split_chains(program);
+    if (settings.trace != nullptr) settings.trace->note("split_chains", program, split);
     mark_affine(program);
     mark_contained(program);
     widen_extents(program);  // after mark_contained, which needs extents as they are written
