@@ -36,6 +36,7 @@ private:
     Depth of(const Stmt& stmt) {
         Depth inner;
         for_each_root(stmt, [&](ExprId root) {
+            inner.include({selects_in(root), stmt.span});
             for_each_node(p, root, [&](ExprId id) {
                 if (p.exprs[id].op == Op::call) inner.include(of(p.exprs[id].function));
             });
@@ -47,6 +48,15 @@ private:
         return {inner.levels + 1, inner.levels == 0 ? stmt.span : inner.span};
     }
 
+    /// How deep `?:` are nested in one another: shaders make branches of them.
+    unsigned selects_in(ExprId id) {
+        if (const auto found = selects_.find(id); found != selects_.end()) return found->second;
+        const Expr& node = p.exprs[id];
+        unsigned levels = 0;
+        for (ExprId operand : node.operands) levels = std::max(levels, selects_in(operand));
+        return selects_[id] = levels + (node.op == Op::select ? 1 : 0);
+    }
+
     const Depth& of(FunctionId function) {
         const auto found = functions_.find(function);
         if (found != functions_.end()) return found->second;
@@ -56,6 +66,7 @@ private:
 
     const Program& p;
     std::unordered_map<FunctionId, Depth> functions_;
+    std::unordered_map<ExprId, unsigned> selects_;
 };
 
 }  // namespace
@@ -73,8 +84,9 @@ void check_nesting(const Program& program, const Lowered& lowered, Diagnostics& 
             diagnostics.report(Diag::branches_too_deep, kernel.span,
                                {kernel.display, std::to_string(deepest.levels), std::to_string(nesting_limit)});
         report.notes.push_back(
-            {deepest.span, "the innermost is here: join conditions by '&&', leave the function with 'return' or the "
-                           "loop with 'continue', or move the inner part into a kernel of its own"});
+            {deepest.span, "the innermost is here: join conditions by '&&', write a chain of '?:' as a chain of 'else "
+                           "if', leave the function with 'return' or the loop with 'continue', or move the inner part "
+                           "into a kernel of its own"});
     }
 }
 
