@@ -205,7 +205,7 @@ void Rows::print_updating_loop(const ir::Variant& variant, const std::vector<Stm
                                const std::string& end) {
     const std::vector<RowAccess> accesses = row_accesses(program, variant.body);
     p.out.open("if (" + begin + " < " + end + ")");
-    print_row_pointers(variant.body, accesses, begin);
+    if (!accesses.empty()) print_row_pointers(variant.body, accesses, begin);
     p.out.line("const std::size_t count = " + end + " - " + begin + ";");
     for (const Stmt& update : updates) {
         body.used_bindings.insert(update.slot);
