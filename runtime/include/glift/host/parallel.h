@@ -151,7 +151,7 @@ void for_rows(const std::array<std::uint32_t, 4>& size, const Body& body, std::s
         body(Rows(row, count, size));
     };
     const std::size_t all = rows * size[0];
-    if (rows == 1 || size[0] > 16 * task) {  // long rows: split them
+    if (rows == 1 || size[0] > 16 * detail::task_elements) {  // long rows: split them
         const std::size_t pieces = (size[0] + task - 1) / task;
         detail::spread(rows * pieces, 1, [&](std::size_t first, std::size_t last) {
             while (first < last) {  // the pieces of one row at once
