@@ -10,6 +10,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -100,6 +101,25 @@ TEST(Rows, LeaveAMiddleWithoutABlockToTheEnds) {
     EXPECT_EQ(sections[0].begin, 2u);
     EXPECT_EQ(sections[0].end, 30u);
     EXPECT_EQ(sections[2].begin, sections[2].end);
+}
+
+/// Long rows are tasks of their own, however large a task may be.
+TEST(Rows, AreSplitIfLong) {
+    constexpr std::uint32_t width = 300'001, height = 5;
+    for (const std::size_t task : {std::size_t{1} << 14, std::size_t{100'000}, std::size_t{5'000'000}}) {
+        std::vector<std::atomic<unsigned char>> seen(std::size_t{width} * height);
+        std::atomic<std::uint32_t> calls{0};
+        host::for_rows(
+            {width, height, 1, 1},
+            [&](const host::Rows& rows) {
+                ++calls;
+                for (const host::Row row : rows)
+                    for (uint x = row.begin; x < row.end; ++x) ++seen[std::size_t{row.y} * width + x];
+            },
+            task);
+        EXPECT_TRUE(std::ranges::all_of(seen, [](const auto& count) { return count == 1; })) << task;
+        EXPECT_GE(calls, height) << task;
+    }
 }
 
 /// More elements than there are slots, few, and so many that most updates conflict; the numbers are exact in floats.
