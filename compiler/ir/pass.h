@@ -90,6 +90,13 @@ struct PassUpdate {
     std::uint32_t copied = 0;              ///< of copies: a buffer of fewer elements has copies
 };
 
+/// Loads that the invocations of a workgroup share through workgroup memory (lower/transform/stage.h).
+struct PassStaged {
+    std::uint32_t binding = 0;
+    std::uint32_t rounds = 0;   ///< of the kernel's loop, whose elements are loaded together
+    std::uint32_t entries = 0;  ///< elements that a workgroup loads for them
+};
+
 struct Pass {
     KernelId kernel;  ///< empty: a function of a library
     Form form = Form::direct;
@@ -118,6 +125,7 @@ struct Pass {
     /// only, or are valid under assumptions only.
     std::vector<Variant> variants = std::vector<Variant>(1);
     std::vector<PassUpdate> updates;    ///< if shaders combine any before they reach memory: all, in the body's order
+    std::vector<PassStaged> staged;
     std::vector<FunctionId> functions;  ///< lowered functions that the bodies call, callees before callers
     std::vector<LocalId> shared;        ///< arrays in workgroup memory
     std::vector<std::vector<LocalId>>

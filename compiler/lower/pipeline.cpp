@@ -23,6 +23,7 @@
 #include "lower/transform/fold_constants.h"
 #include "lower/transform/privatise.h"
 #include "lower/transform/split_chains.h"
+#include "lower/transform/stage.h"
 #include "lower/transform/temporaries.h"
 #include "lower/transform/uniforms.h"
 #include "lower/transform/widen.h"
@@ -266,6 +267,16 @@ bool add_privatised(Context& cx, const std::vector<StmtId>& expanded, const std:
     return true;
 }
 
+/// Adds the variant for shaders in which a workgroup stages loads of a loop; false: there is no gain.
+bool add_staged(Context& cx, const std::vector<StmtId>& expanded) {
+    std::optional<Staged> made = staged(cx, expanded);
+    if (!made) return false;
+    finished(cx, "stage", made->body, {}, "staged loads");
+    made->body = simplified(cx, "staged loads", std::move(made->body));
+    cx.pass.variants.push_back({Part::whole, Devices::shaders, {made->elements, std::nullopt}, std::move(made->body)});
+    return true;
+}
+
 /// Adds the variant for shaders in which invocations take several elements, if there is a gain.
 void add_coarsened(Context& cx, const std::vector<StmtId>& expanded, const Expander& expander, Elements elements,
                    const std::vector<ExprId>& facts) {
@@ -297,7 +308,7 @@ void lower_computation(Context& cx, Elements elements) {
     cx.traits.clear();
     const std::vector<StmtId> expanded = body;
     pass.plain().body = simplified(cx, "body", std::move(body), facts);
-    if (elements != Elements::one && !add_privatised(cx, expanded, facts))
+    if (elements != Elements::one && !add_privatised(cx, expanded, facts) && !add_staged(cx, expanded))
         add_coarsened(cx, expanded, expander, elements, facts);
     std::vector<StmtId> holders;
     add_interior(cx, expander, facts, holders);

@@ -6,6 +6,8 @@
 // amounts count modulo the width, indices are clamped to the valid range, conversions of floats to integers saturate.
 #include "emit/glsl/printer.h"
 
+#include <algorithm>
+
 namespace gliftc::glsl {
 
 using ir::Expr;
@@ -39,7 +41,49 @@ bool is_state_of_structures(const Printer& p, std::uint32_t parameter) {
     return false;
 }
 
+constexpr std::uint64_t most_uint = UINT32_MAX;
+
+std::uint64_t most_of_binary(const Printer& p, const Expr& expr) {
+    const std::uint64_t a = largest(p, expr.operands[0]), b = largest(p, expr.operands[1]);
+    const auto unless_wrapped = [](std::uint64_t value) { return std::min(value, most_uint); };
+    const Expr& right = p.program.exprs[expr.operands[1]];
+    const bool is_known = right.op == Op::constant && right.bits != 0;
+    switch (expr.binary) {
+    case ir::BinaryOp::bit_and: return std::min(a, b);
+    case ir::BinaryOp::add: return unless_wrapped(a + b);
+    case ir::BinaryOp::multiply: return unless_wrapped(a * b);
+    case ir::BinaryOp::divide: return is_known ? a / right.bits : most_uint;
+    case ir::BinaryOp::remainder: return is_known ? std::min(a, right.bits - 1) : most_uint;
+    case ir::BinaryOp::shift_right: return is_known ? a >> (right.bits & 31) : a;
+    default: return most_uint;
+    }
+}
+
 }  // namespace
+
+std::uint64_t largest(const Printer& p, ExprId id) {
+    const Expr& expr = p.program.exprs[id];
+    if (expr.type != p.program.types.uint) return most_uint;
+    switch (expr.op) {
+    case Op::constant: return expr.bits;
+    case Op::local: {
+        const auto found = p.bounds.find(expr.local);
+        if (found == p.bounds.end() || found->second.low < 0 || found->second.high <= 0) return most_uint;
+        return std::min(static_cast<std::uint64_t>(found->second.high) - 1, most_uint);
+    }
+    case Op::builtin: {
+        const auto& group = p.pass.group;
+        const bool is_index = expr.builtin == ir::Builtin::local_index;
+        return is_index ? std::uint64_t{group[0]} * group[1] * group[2] - 1 : most_uint;
+    }
+    case Op::select: return std::max(largest(p, expr.operands[1]), largest(p, expr.operands[2]));
+    case Op::intrinsic:
+        if (expr.intrinsic != ir::Intrinsic::min) return most_uint;
+        return std::min(largest(p, expr.operands[0]), largest(p, expr.operands[1]));
+    case Op::binary: return most_of_binary(p, expr);
+    default: return most_uint;
+    }
+}
 
 bool divisor_is_safe(const Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
@@ -78,6 +122,7 @@ bool shift_is_safe(const Printer& p, ExprId id, std::uint32_t width) {
 std::string guarded_index(Printer& p, ExprId id, std::uint32_t count) {
     const Expr& expr = p.program.exprs[id];
     if (expr.op == Op::constant && expr.bits < count) return print_any(p, id);
+    if (largest(p, id) < count) return print_any(p, id);
     if (expr.op == Op::local) {
         auto found = p.bounds.find(expr.local);
         if (found != p.bounds.end() && found->second.low >= 0 && found->second.high <= static_cast<std::int64_t>(count))

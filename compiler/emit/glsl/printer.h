@@ -183,6 +183,8 @@ bool is_constant(const Printer& p, ir::ExprId expr);  ///< a literal, or constru
 bool divisor_is_safe(const Printer& p, ir::ExprId divisor);
 bool shift_is_safe(const Printer& p, ir::ExprId amount, std::uint32_t width);
 std::string guarded_index(Printer& p, ir::ExprId index, std::uint32_t count);
+/// An upper bound of a value, 2^32 - 1 if none is known or if it is not a uint.
+std::uint64_t largest(const Printer& p, ir::ExprId value);
 
 // blocks.cpp: structs and arrays have another type in a GLSL block (buffer, parameters) than in a variable
 /// Whether the value is read from a block, not from a variable.

@@ -68,9 +68,11 @@ bool is_left_whole(Printer& p, const Stmt& stmt) {
     return print_any(p, value.operands[0]) == print(p, stmt.target, Level::postfix);
 }
 
-/// Notes the lower bound of a local whose value is max(…, constant).
-void note_low_bound(Printer& p, const Stmt& stmt) {
+/// Notes the lower bound of a local whose value is max(…, constant), and the upper bound of a uint.
+void note_bounds_of_let(Printer& p, const Stmt& stmt) {
     const Expr& value = p.program.exprs[stmt.value];
+    if (const std::uint64_t most = largest(p, stmt.value); most < UINT32_MAX)
+        p.bounds[stmt.local] = {0, static_cast<std::int64_t>(most) + 1};
     if (value.op != ir::Op::intrinsic || value.intrinsic != ir::Intrinsic::max) return;
     const Expr& low = p.program.exprs[value.operands[1]];
     if (low.op == ir::Op::constant && p.program.types.is_integer(value.type))
@@ -85,7 +87,7 @@ void print_let(Printer& p, const Stmt& stmt) {
     p.local_names[stmt.local] = name;
     bool is_table = !local.is_mutable && p.program.types.kind(local.type) == ir::TypeKind::array && stmt.value &&
                     is_constant(p, stmt.value);
-    if (stmt.value && !local.is_mutable) note_low_bound(p, stmt);
+    if (stmt.value && !local.is_mutable) note_bounds_of_let(p, stmt);
     line(p, (is_table ? "const " : "") + declaration(p, local.type, name) + value + ";");
 }
 
@@ -124,8 +126,11 @@ bool is_steady(const Printer& p, ExprId id) {
 void note_bounds(Printer& p, const Stmt& stmt) {
     const Expr& low = p.program.exprs[stmt.value];
     const Expr& high = p.program.exprs[stmt.limit];
-    if (low.op != ir::Op::constant || high.op != ir::Op::constant) return;
-    p.bounds[stmt.local] = {static_cast<std::int64_t>(low.bits), static_cast<std::int64_t>(high.bits)};
+    if (low.op != ir::Op::constant) return;
+    const std::uint64_t most = largest(p, stmt.limit);
+    if (high.op != ir::Op::constant && most == UINT32_MAX) return;
+    const std::uint64_t limit = high.op == ir::Op::constant ? high.bits : most;
+    p.bounds[stmt.local] = {static_cast<std::int64_t>(low.bits), static_cast<std::int64_t>(limit)};
 }
 
 void print_for(Printer& p, const Stmt& stmt) {
