@@ -2,7 +2,7 @@
 //
 // A device's quotients may be 2.5 units in the last place off, and its roots are only as exact as 1 / inversesqrt
 // (Vulkan, "Precision of core SPIR-V instructions"). Markstein's corrections, made with fused multiply-adds, get the
-// correctly rounded result from an approximation. Operands of roots, and quotients' operands far from 1, are scaled
+// correctly rounded result from an approximation of the reciprocal. Operands of roots, and quotients' operands far from 1, are scaled
 // to near 1 first, so that nothing overflows or is flushed to zero. Quotients and roots of halves are computed as
 // floats and rounded to halves: a float has more than twice the digits, so that rounding twice gives the same as
 // rounding once. tests/device/accuracy compares the results with the host device's. Where the device's own results are
@@ -70,20 +70,33 @@ float scaled_quotient(float a, float b) {
     return uintBitsToFloat(((floatBitsToUint(a) ^ floatBitsToUint(b)) & 0x80000000u) | magnitude);
 }
 
+// Whether a and b are between 2^-63 and 2^63, or a is zero.
+bool is_ordinary(float a, float b) {
+    float x = abs(a), y = abs(b), low = 1.0842021724855044e-19, high = 9223372036854775808.0;
+    return ((x >= low && x < high) || floatBitsToUint(a) == 0u) && y >= low && y < high;
+}
+
+float ordinary_quotient(float a, float b) {
+    float r = 1.0 / b;
+    r = rounded_reciprocal(b, fma(fma(-b, r, 1.0), r, r));
+    float q = a * r;
+    q = fma(fma(-b, q, a), r, q);
+    return fma(fma(-b, q, a), r, q);
+}
+
 float divide(float a, float b) {
-    float q = a / b;
-    if (!exact_division) {
-        uint x = (floatBitsToUint(a) >> 23) & 0xffu, y = (floatBitsToUint(b) >> 23) & 0xffu;
-        if (x - 64u >= 126u || y - 64u >= 126u) {
-            q = scaled_quotient(a, b);
-        } else {
-            float r = 1.0 / b;
-            r = rounded_reciprocal(b, fma(fma(-b, r, 1.0), r, r));
-            q = fma(fma(-b, q, a), r, q);
-            q = fma(fma(-b, q, a), r, q);
-        }
-    }
-    return q;
+    if (exact_division) return a / b;
+    if (is_ordinary(a, b)) return ordinary_quotient(a, b);
+    return scaled_quotient(a, b);
+}
+)";
+
+constexpr const char* quick_quotient_text = R"(// Whether all results of quick_divide are right.
+bool quotients_hold = true;
+
+float quick_divide(float a, float b) {
+    quotients_hold = quotients_hold && is_ordinary(a, b);
+    return ordinary_quotient(a, b);
 }
 )";
 
@@ -130,6 +143,7 @@ std::string division_definition(const Printer& p, const HelperUse& use) {
     const bool half = use.a == p.program.types.half;
     switch (use.helper) {
     case Helper::split_float: return common;
+    case Helper::quick_divide: return quick_quotient_text;
     case Helper::divide: return half ? half_quotient_text : quotient_text;
     default: return half ? half_root_text : root_text;
     }

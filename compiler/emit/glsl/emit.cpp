@@ -112,8 +112,10 @@ void print_prologue(Printer& p) {
 const char* elements_text(const ir::Pass& pass) {
     if (pass.of_blocks) return "// Each invocation takes several elements of a block, a workgroup's width apart.";
     const auto& elements = variant_for(pass, ir::Devices::shaders).assumes.elements;
-    if (elements[0] > 2 || elements[1] > 2 || elements[2] > 2)
+    if (!pass.updates.empty())
         return "// Each invocation takes several elements, and combines their updates before it makes them.";
+    if (elements[1] > 2)
+        return "// Each invocation takes four elements: its own, and those in the next three rows if there are such.";
     if (pass.rank == 1)
         return "// Each invocation takes two elements: its own, and the one a workgroup's width further on if there is "
                "one.";
@@ -132,6 +134,10 @@ std::string main_text(Printer& p) {
     const bool is_coarsened = variant.assumes.elements != p.pass.plain().assumes.elements;
     if (is_coarsened && p.options.lines == LineMarks::comments) line(p, elements_text(p.pass));
     find_choices(p, {}, p.body());
+    if (has_quick_body(p)) {
+        print_quick_body(p);
+        line(p, "if (quotients_hold) return;");
+    }
     print_body(p, p.body());
     p.indent = 0;
     p.names.leave();

@@ -45,6 +45,7 @@ const char* name_of(Helper helper) {
     case Helper::whole_vector: return "whole_vector";
     case Helper::split_float: return "split";
     case Helper::divide: return "divide";
+    case Helper::quick_divide: return "quick_divide";
     case Helper::square_root: return "square_root";
     case Helper::shuffled: return "shuffled";
     case Helper::shuffled_xor: return "shuffled_xor";
@@ -384,12 +385,13 @@ std::string definition(Printer& p, const HelperUse& use) {
                "component 0.\n" +
                one_line(type_text(p, use.a) + " whole_vector(" + type_text(p, use.a) + " v)", "v");
     case Helper::split_float: return division_definition(p, use);
+    case Helper::quick_divide:
     case Helper::divide:
     case Helper::square_root: {
         std::uint32_t count = p.program.types.components(use.a);
         if (count == 1) return division_definition(p, use);
         return by_component(type_text(p, use.a), name_of(use.helper), type_text(p, use.a), count,
-                            use.helper == Helper::divide);
+                            use.helper != Helper::square_root);
     }
     case Helper::shuffled:
     case Helper::shuffled_xor:
@@ -432,9 +434,12 @@ void need_inner(Printer& p, const HelperUse& use) {
     case Helper::vector_matrix:
     case Helper::reflection: need(p, Helper::ordered_dot, use.a); break;
     case Helper::divide:
+    case Helper::quick_divide:
     case Helper::square_root:
         if (types.components(use.a) > 1) {
             need(p, use.helper, scalar);
+        } else if (use.helper == Helper::quick_divide) {
+            need(p, Helper::divide, types.float_);
         } else if (use.a == types.half) {
             need(p, use.helper, types.float_);
             need(p, Helper::to_half, types.float_);

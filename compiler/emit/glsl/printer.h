@@ -68,6 +68,7 @@ enum class Helper : std::uint8_t {
     whole_vector,
     split_float,
     divide,
+    quick_divide,
     square_root,
     shuffled,
     shuffled_xor,
@@ -145,6 +146,7 @@ struct Printer {
     std::unordered_map<ir::LocalId, std::string> local_names;
     std::unordered_map<ir::LocalId, Bounds> bounds;
     std::unordered_set<ir::LocalId> choices;  ///< locals that may hold a choice between constants (signs.h)
+    bool divides_quickly = false;             ///< quotients are computed by quick_divide (quick.cpp)
     bool in_range_is_known = false;           ///< the shader has returned already if in_range is false
 
     std::set<std::string> extensions;
@@ -244,6 +246,12 @@ void name_order(Printer& p);
 std::string ordered_atomic(Printer& p, const char* name, const ir::Expr& expr);
 std::string subgroup_barrier(Printer& p, const std::string& memory);
 std::string order_definitions(const Printer& p);
+
+// quick.cpp: bodies with many quotients
+bool has_quick_form(const Printer& p, const ir::Expr& expr);  ///< a quotient that quick_divide can compute
+bool has_quick_body(const Printer& p);
+/// Prints the body with quick quotients. Afterwards quotients_hold is true if nothing is left to do.
+void print_quick_body(Printer& p);
 
 // division.cpp
 std::string division_definition(const Printer& p, const HelperUse& use);

@@ -7,6 +7,7 @@
 #include "lower/expand/dispatch.h"
 
 #include <algorithm>
+#include <deque>
 #include <unordered_map>
 
 namespace gliftc::lower {
@@ -28,6 +29,9 @@ namespace {
 
 /// Kernels with more loads or nodes have enough to do with one element, and two would take too many registers.
 constexpr std::size_t most_loads = 16, most_of_one = 600;
+
+/// The same of kernels whose elements share loads: of four elements together.
+constexpr std::size_t fewest_shared = 8, most_shared_loads = 64, most_of_four = 4000;
 
 /// Whether a function, or one that it calls, has a loop: then one element is work enough for an invocation, and
 /// lavapipe limits the iterations that an invocation may execute.
@@ -135,27 +139,60 @@ bool keeps(const Context& cx, ExprId value, bool ends_in_stores) {
     return ends_in_stores || !cx.p.locals[node.local].is_mutable;
 }
 
+/// How neighbour reads of one element are those of the next element along y.
+struct Sharing {
+    std::size_t loads = 0;  ///< of one element
+    std::size_t more = 0;   ///< that each further element needs
+};
+
+using NearValues = std::vector<Expander::NearValue>;
+
+/// A neighbour at offset (x, y + 1) of one element is the neighbour at (x, y) of the next one.
+const Expander::NearValue* in_next_row(const NearValues& near, const Expander::NearValue& one) {
+    std::vector<std::int64_t> offset = one.offset;
+    ++offset[1];
+    const auto is_same = [&](const Expander::NearValue& other) {
+        return other.root == one.root && other.offset == offset;
+    };
+    const auto found = std::ranges::find_if(near, is_same);
+    return found == near.end() ? nullptr : &*found;
+}
+
+Sharing sharing_of(const Context& cx, const NearValues& near) {
+    if (cx.pass.rank < 2) return {near.size(), near.size()};
+    const auto is_new = [&](const Expander::NearValue& one) { return in_next_row(near, one) == nullptr; };
+    return {near.size(), static_cast<std::size_t>(std::ranges::count_if(near, is_new))};
+}
+
 class Coarsening {
 public:
-    explicit Coarsening(Context& context) : cx(context) {}
+    Coarsening(Context& context, std::uint32_t count) : cx(context), count_(count) {}
 
+    /// Loads that elements share are made for the first of them.
     Coarsened run(const std::vector<StmtId>& body, const Expander& made) {
         const auto computes = [&](StmtId id) { return !has_store(cx.p, cx.p.stmts[id]); };
         ends_in_stores_ = std::ranges::is_partitioned(body, computes);
-        StatementCopy second(cx, next_address());
-        const bool shares = cx.pass.rank > 1 && share_rows(second, made.near_values);
-        if (shares) share_guards(second, made.row_guards);
-        std::vector<StmtId> stores, next_stores;
+        const Sharing sharing = sharing_of(cx, made.near_values);
+        const bool shares = sharing.more < sharing.loads;
+        std::vector<StmtId> stores;
         for (StmtId id : body) add(id, stores);
-        for (StmtId id : body) add(second.of(id), next_stores);
+        for (std::uint32_t number = 1; number < count_; ++number) {
+            StatementCopy& next = copies_.emplace_back(cx, next_address(number));
+            if (shares) {
+                share_rows(number, made.near_values);
+                share_guards(number, made.row_guards);
+            }
+            std::vector<StmtId> next_stores;
+            for (StmtId id : body) add(next.of(id), next_stores);
+            if (shares) next_stores = {where_there_is_one(next_stores)};
+            stores.insert(stores.end(), next_stores.begin(), next_stores.end());
+        }
         result_.insert(result_.end(), stores.begin(), stores.end());
-        if (shares) next_stores = {where_there_is_one(next_stores)};
-        result_.insert(result_.end(), next_stores.begin(), next_stores.end());
-        return {std::move(result_), second.of(in_range_condition(cx)), elements_};
+        return {std::move(result_), copies_.front().of(in_range_condition(cx)), elements_};
     }
 
     Coarsened run_in_turn(const std::vector<StmtId>& body) {
-        StatementCopy second(cx, next_address());
+        StatementCopy& second = copies_.emplace_back(cx, next_address(1));
         result_.insert(result_.end(), body.begin(), body.end());
         std::vector<StmtId> again;
         for (StmtId id : body) again.push_back(second.of(id));
@@ -174,18 +211,18 @@ private:
         return local;
     }
 
-    /// The address of the second element: in one dimension a workgroup's width further, so that the lanes of a subgroup
-    /// still access consecutive elements; else in the next row.
-    ExprId next_address() {
+    /// The address of element `number`: in one dimension a workgroup's width further, so that the lanes of a subgroup
+    /// still access consecutive elements; else in the next row. If there is no such element, the address of the first.
+    ExprId next_address(std::uint32_t number) {
         const ExprId address = cx.build.local(cx.pass.address);
         if (cx.pass.rank == 1) {
-            elements_ = {2, 1, 1};
-            return next_of("next", address, cx.pass.group[0], cx.size);
+            elements_ = {count_, 1, 1};
+            return next_of("next", address, number * cx.pass.group[0], cx.size);
         }
-        elements_ = {1, 2, 1};
+        elements_ = {1, count_, 1};
         Operands parts;
         for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis) parts.push_back(cx.build.component(address, axis));
-        parts[1] = next_of("next_y", parts[1], 1, cx.build.component(cx.size, 1));
+        parts[1] = next_of("next_y", parts[1], number, cx.build.component(cx.size, 1));
         return cx.build.construct(cx.kernel.domain_type, std::move(parts));
     }
 
@@ -196,38 +233,30 @@ private:
         return cx.build.local(let(name, cx.build.select(has_next_, next, at), cx.kernel.span));
     }
 
-    /// A neighbour of the first element at offset (x, y + 1) is the neighbour of the second one at (x, y): it is loaded
-    /// once.
-    static bool share_rows(StatementCopy& second, const std::vector<Expander::NearValue>& near) {
-        bool found_any = false;
-        for (const Expander::NearValue& one : near) {
-            const auto is_same = [&](const Expander::NearValue& other) {
-                std::vector<std::int64_t> offset = one.offset;
-                ++offset[1];
-                return other.root == one.root && other.offset == offset;
-            };
-            const auto found = std::ranges::find_if(near, is_same);
-            if (found == near.end()) continue;
-            second.replace(one.value, found->value);
-            found_any = true;
-        }
-        return found_any;
+    /// The expression of element `number`.
+    ExprId of(std::uint32_t number, ExprId id) { return number == 0 ? id : copies_[number - 1].of(id); }
+
+    /// Neighbours of the element that are neighbours of the one before are loaded once.
+    void share_rows(std::uint32_t number, const NearValues& near) {
+        for (const Expander::NearValue& one : near)
+            if (const auto* found = in_next_row(near, one))
+                copies_[number - 1].replace(one.value, of(number - 1, found->value));
     }
 
-    /// Replaces the second element's guards of reads at offsets that are positive along y by those of the first
-    /// element's reads one row further. Where there is no second element, its code has the first one's address, and
-    /// these guards test the row after the one that is read. That is harmless, since this code then stores nothing.
-    void share_guards(StatementCopy& second, const std::vector<Expander::RowGuard>& guards) {
+    /// Replaces the element's guards of reads at offsets that are positive along y by those of the first element's
+    /// reads some rows further. Where the element does not exist, its code has the first one's address, and these
+    /// guards test another row than the one that is read. That is harmless, since this code then stores nothing.
+    void share_guards(std::uint32_t number, const std::vector<Expander::RowGuard>& guards) {
         for (const Expander::RowGuard& guard : guards) {
-            const ExprId distance = cx.build.uint(static_cast<std::uint64_t>(guard.distance + 1));
-            second.replace(guard.condition,
-                           cx.build.binary(BinaryOp::less, cx.build.add(guard.at, distance), guard.extent));
+            const ExprId distance = cx.build.uint(static_cast<std::uint64_t>(guard.distance + number));
+            copies_[number - 1].replace(
+                guard.condition, cx.build.binary(BinaryOp::less, cx.build.add(guard.at, distance), guard.extent));
         }
     }
 
-    /// The statements under the condition that there is a second element. Where both elements are computed before the
-    /// first store (run), the second one's stores need the condition only if loads are shared: otherwise the second
-    /// element is a copy of the first where there is none, and storing it again changes nothing.
+    /// The statements under the condition that there is such an element. Where all elements are computed before the
+    /// first store (run), the stores need the condition only if loads are shared: otherwise the element is a copy of
+    /// the first where there is none, and storing it again changes nothing.
     StmtId where_there_is_one(const std::vector<StmtId>& statements) {
         Stmt stmt = statement(StmtOp::if_, cx.p.stmts[statements.front()].span);
         stmt.value = has_next_;
@@ -235,18 +264,29 @@ private:
         return cx.add(std::move(stmt));
     }
 
-    /// Adds a statement; stores are put into `stores` instead, to come after both elements are computed.
+    /// Adds a statement; stores are put into `stores` instead, to come after all elements are computed.
     void add(StmtId id, std::vector<StmtId>& stores) {
         if (!has_store(cx.p, cx.p.stmts[id])) return result_.push_back(id);
         stores.push_back(with_named_value(cx, id, ends_in_stores_, result_));
     }
 
     Context& cx;
+    std::uint32_t count_;  ///< of elements
+    std::deque<StatementCopy> copies_;  ///< of the second element, the third, …
     std::vector<StmtId> result_;
-    ExprId has_next_;
+    ExprId has_next_;  ///< whether the element that is being copied exists
     std::array<std::uint32_t, 3> elements_{};
     bool ends_in_stores_ = true;  ///< only statements with stores follow the first store in the body
 };
+
+/// How many elements an invocation takes. Four if each needs less than half of the loads of the first one.
+std::uint32_t elements_for(const StoredLast& last, const Sharing& sharing) {
+    const std::size_t others = last.loads - std::min(last.loads, sharing.loads);
+    const std::size_t loads_of_four = last.loads + 3 * (sharing.more + others);
+    const bool is_shared = sharing.loads >= fewest_shared && 2 * sharing.more < sharing.loads;
+    if (is_shared && loads_of_four <= most_shared_loads && 4 * last.nodes <= most_of_four) return 4;
+    return last.loads <= most_loads && last.nodes <= most_of_one ? 2 : 1;
+}
 
 }  // namespace
 
@@ -267,11 +307,12 @@ StmtId with_named_value(Context& cx, StmtId id, bool ends_in_stores, std::vector
 
 Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander& made) {
     const StoredLast last = stored_last(cx, body);
-    if (!last.holds || last.loads > most_loads || last.nodes > most_of_one) return {};
-    return Coarsening(cx).run(body, made);
+    if (!last.holds) return {};
+    const std::uint32_t count = elements_for(last, sharing_of(cx, made.near_values));
+    return count == 1 ? Coarsened{} : Coarsening(cx, count).run(body, made);
 }
 
-Coarsened coarsened_in_turn(Context& cx, const std::vector<StmtId>& body) { return Coarsening(cx).run_in_turn(body); }
+Coarsened coarsened_in_turn(Context& cx, const std::vector<StmtId>& body) { return Coarsening(cx, 2).run_in_turn(body); }
 
 bool is_coarsened(const Pass& pass) {
     return variant_for(pass, Devices::shaders).assumes.elements != pass.plain().assumes.elements;

@@ -1,4 +1,5 @@
-// Thread coarsening: an invocation of a shader takes several elements: two, in kernels over blocks up to eight. If each
+// Thread coarsening: an invocation of a shader takes several elements: two, with
+// large neighbourhoods four, in kernels over blocks up to eight. If each
 // invocation takes one element that needs little work, GPUs spend most of the time on starting invocations and on
 // waiting for memory (docs/performance.md).
 //
@@ -19,9 +20,9 @@ struct Coarsened {
     std::array<std::uint32_t, 3> elements = {1, 1, 1};  ///< how many elements along each axis
 };
 
-/// Two elements, both computed before the first store; loads after a store are of memory that the pass does not write.
-/// `made` is the expander that made the body: it knows which values neighbour reads gave, some of which the second
-/// element uses again.
+/// Two elements, or four that share most loads of neighbours, all computed before the first store; loads after a store
+/// are of memory that the pass does not write. `made` is the expander that made the body: it knows which values
+/// neighbour reads gave, some of which the next element uses again.
 Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander& made);
 
 /// Two elements, one after the other: the statements of the first, then, if there is a second one, those of the second.
