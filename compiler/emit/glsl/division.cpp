@@ -70,10 +70,11 @@ float scaled_quotient(float a, float b) {
     return uintBitsToFloat(((floatBitsToUint(a) ^ floatBitsToUint(b)) & 0x80000000u) | magnitude);
 }
 
-// Whether a and b are between 2^-63 and 2^63, or a is zero.
+// Whether a and b are between 2^-63 and 2^63, or a is zero. Without && and ||, which are branches.
 bool is_ordinary(float a, float b) {
-    float x = abs(a), y = abs(b), low = 1.0842021724855044e-19, high = 9223372036854775808.0;
-    return ((x >= low && x < high) || floatBitsToUint(a) == 0u) && y >= low && y < high;
+    vec2 sizes = abs(vec2(floatBitsToUint(a) == 0u ? 1.0 : a, b));
+    vec2 low = vec2(1.0842021724855044e-19), high = vec2(9223372036854775808.0);
+    return all(bvec4(greaterThanEqual(sizes, low), lessThan(sizes, high)));
 }
 
 float ordinary_quotient(float a, float b) {
@@ -95,7 +96,7 @@ constexpr const char* quick_quotient_text = R"(// Whether all results of quick_d
 bool quotients_hold = true;
 
 float quick_divide(float a, float b) {
-    quotients_hold = quotients_hold && is_ordinary(a, b);
+    quotients_hold = all(bvec2(quotients_hold, is_ordinary(a, b)));
     return ordinary_quotient(a, b);
 }
 )";

@@ -109,10 +109,11 @@ private:
         stmt.value = value;
         return cx.add(std::move(stmt));
     }
-    StmtId where(ExprId condition, std::vector<StmtId> body) {
+    StmtId where(ExprId condition, std::vector<StmtId> body, std::vector<StmtId> otherwise = {}) {
         Stmt stmt = statement(StmtOp::if_, loop().span);
         stmt.value = condition;
         stmt.body = std::move(body);
+        stmt.otherwise = std::move(otherwise);
         return cx.add(std::move(stmt));
     }
     ExprId named(std::string_view name, ExprId value, std::vector<StmtId>& to) {
@@ -203,11 +204,11 @@ private:
 
     void add_loop() {
         const Stmt loop = this->loop();
-        const ExprId rounds =
+        const ExprId all =
             build.select(less(loop.value, loop.limit), minus(loop.limit, loop.value), build.uint(0));
-        // (rounds - 1) / rounds_ + 1 does not wrap around.
-        const ExprId last = quotient(minus(rounds, build.uint(1)), rounds_);
-        const ExprId steps = build.select(less(build.uint(0), rounds), build.add(last, build.uint(1)), build.uint(0));
+        // (all - 1) / rounds_ + 1 does not wrap around.
+        const ExprId last = quotient(minus(all, build.uint(1)), rounds_);
+        const ExprId steps = build.select(less(build.uint(0), all), build.add(last, build.uint(1)), build.uint(0));
         cx.name(steps, "steps");
         made_.body.push_back(loop_to("step", steps, [&](ExprId step, std::vector<StmtId>& body) {
             const ExprId done = build.multiply(step, build.uint(rounds_));
@@ -218,9 +219,14 @@ private:
             barrier(body);
             for (const Tile& tile : tiles_) fill(tile, begin, count, body);
             barrier(body);
-            body.push_back(loop_to("round", count, [&](ExprId round, std::vector<StmtId>& inner) {
+            // Compilers unroll the loop only if they know its length.
+            const ExprId is_whole = build.binary(BinaryOp::equal, count, build.uint(rounds_));
+            const StmtId whole = loop_to("round", build.uint(rounds_), [&](ExprId round, std::vector<StmtId>& inner) {
                 execute(build.add(begin, round), round, inner);
-            }));
+            });
+            const StmtId part = StatementCopy(cx, build.local(cx.pass.address)).of(whole);
+            cx.p.stmts[part].limit = count;
+            body.push_back(where(is_whole, {whole}, {part}));
         }));
     }
 
@@ -294,10 +300,12 @@ private:
             body.push_back(where(less(number, build.uint(all)), std::move(inner)));
         };
         if (all <= group) return load(lane_, to);
-        to.push_back(
-            loop_to("turn", build.uint((all + group - 1) / group), [&](ExprId turn, std::vector<StmtId>& body) {
-                load(named("entry", build.add(build.multiply(turn, build.uint(group)), lane_), body), body);
-            }));
+        const std::uint32_t turns = (all + group - 1) / group;
+        const StmtId filling = loop_to("turn", build.uint(turns), [&](ExprId turn, std::vector<StmtId>& body) {
+            load(named("entry", build.add(build.multiply(turn, build.uint(group)), lane_), body), body);
+        });
+        cx.p.stmts[filling].unrolled = turns <= elements_of_column;
+        to.push_back(filling);
     }
 
     /// Entries of rounds or of elements that do not exist get the value of others.
