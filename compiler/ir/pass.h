@@ -90,6 +90,15 @@ struct PassUpdate {
     std::uint32_t copied = 0;              ///< of copies: a buffer of fewer elements has copies
 };
 
+/// An access that shaders make through a tile in workgroup memory, in which x and `axis` are exchanged
+/// (lower/transform/tile.h).
+struct PassTile {
+    std::uint32_t binding = 0;
+    std::uint32_t axis = 1;
+    bool is_store = false;
+    bool operator==(const PassTile&) const = default;
+};
+
 struct Pass {
     KernelId kernel;  ///< empty: a function of a library
     Form form = Form::direct;
@@ -118,6 +127,7 @@ struct Pass {
     /// only, or are valid under assumptions only.
     std::vector<Variant> variants = std::vector<Variant>(1);
     std::vector<PassUpdate> updates;    ///< if shaders combine any before they reach memory: all, in the body's order
+    std::vector<PassTile> tiles;        ///< of the variant for shaders
     std::vector<FunctionId> functions;  ///< lowered functions that the bodies call, callees before callers
     std::vector<LocalId> shared;        ///< arrays in workgroup memory
     std::vector<std::vector<LocalId>>
