@@ -90,8 +90,8 @@ struct PassUpdate {
     std::uint32_t copied = 0;              ///< of copies: a buffer of fewer elements has copies
 };
 
-/// An access that shaders make through a tile in workgroup memory, in which x and `axis` are exchanged
-/// (lower/transform/tile.h).
+/// An access whose address exchanges x and `axis`, the same for all tiles of a pass. Shaders make it through a tile in
+/// workgroup memory (lower/transform/tile.h); the host device visits the elements tile by tile.
 struct PassTile {
     std::uint32_t binding = 0;
     std::uint32_t axis = 1;
@@ -127,7 +127,7 @@ struct Pass {
     /// only, or are valid under assumptions only.
     std::vector<Variant> variants = std::vector<Variant>(1);
     std::vector<PassUpdate> updates;    ///< if shaders combine any before they reach memory: all, in the body's order
-    std::vector<PassTile> tiles;        ///< of the variant for shaders
+    std::vector<PassTile> tiles;        ///< the same in all forms
     std::vector<FunctionId> functions;  ///< lowered functions that the bodies call, callees before callers
     std::vector<LocalId> shared;        ///< arrays in workgroup memory
     std::vector<std::vector<LocalId>>

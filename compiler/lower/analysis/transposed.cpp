@@ -61,9 +61,21 @@ std::uint64_t distance(std::int64_t step) {
 
 }  // namespace
 
+TransposedAccesses::TransposedAccesses(Context& context) : cx(context), dependence_(context), numbers_(context) {
+    for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis) {
+        slopes_.emplace_back(cx.p, cx.pass.address, 0, axis);
+        slopes_.back().assume_no_wrap();
+        for (const KernelParam& param : cx.kernel.params)
+            if (param.local) slopes_.back().learn_steady(param.local);
+    }
+}
+
 std::vector<TransposedAccess> TransposedAccesses::of(const std::vector<StmtId>& body) {
     dependence_.of(body);
     if (!dependence_.may_repeat() || !may_be_tiled(body)) return {};
+    for_each_statement(cx.p, body, [&](const Stmt& stmt) {
+        for (RowSlopes& slopes : slopes_) slopes.learn(stmt);
+    });
     find_stores(body);
     std::erase_if(stores_, [&](const TransposedAccess& store) { return !is_only_access(store.binding, body); });
     for (StmtId id : body) {
@@ -118,10 +130,12 @@ void TransposedAccesses::find_stores(const std::vector<StmtId>& body) {
         if (stmt.op == StmtOp::block) find_stores(stmt.body);
         if (stmt.op != StmtOp::if_) continue;
         conditions_.push_back({stmt.value, true});
+        spans_.push_back(stmt.span);
         find_stores(stmt.body);
         conditions_.back().is_true = false;
         find_stores(stmt.otherwise);
         conditions_.pop_back();
+        spans_.pop_back();
     }
 }
 
@@ -131,6 +145,9 @@ void TransposedAccesses::note_store(StmtId id) {
     if (!access) return;
     access->store = id;
     access->conditions = conditions_;
+    // The guards that the expander makes have the span of the statement.
+    const auto is_of_source = [&](const Span& span) { return span != stmt.span; };
+    access->is_conditional = std::ranges::any_of(spans_, is_of_source);
     stores_.push_back(std::move(*access));
 }
 
@@ -179,11 +196,12 @@ std::optional<TransposedAccess> TransposedAccesses::transposed(std::uint32_t slo
     const std::uint32_t bytes = bytes_of(cx.p, type);
     if (binding.shape != MemoryShape::buffer || binding.in_rows || binding.atomic || binding.coherent) return {};
     if (type != binding.element || bytes > largest_element || !is_of_address(address)) return {};
-    const Slope along_x = dependence_.slope(0, address);
+    const Slope along_x = slopes_[0].of(address)[0];
     if (along_x.known && distance(along_x.step) * bytes < sector) return {};
     for (std::uint32_t axis = 1; axis < cx.pass.rank; ++axis) {
-        const Slope slope = dependence_.slope(axis, address);
-        if (slope.known && distance(slope.step) == 1) return TransposedAccess{slot, axis, bytes, {}, {}, {}};
+        const Slope slope = slopes_[axis].of(address)[0];
+        if (slope.known && distance(slope.step) == 1)
+            return TransposedAccess{.binding = slot, .axis = axis, .bytes = bytes};
     }
     return {};
 }

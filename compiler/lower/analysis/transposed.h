@@ -16,6 +16,7 @@ struct TransposedAccess {
     std::uint32_t bytes = 0;            ///< of an element, at most 16
     StmtId store;                       ///< absent: a load
     std::vector<Condition> conditions;  ///< of the ifs around the store, the outermost first
+    bool is_conditional = false;        ///< some of these ifs are in the source, and are not guards of the address
     std::vector<ExprId> loads;          ///< the nodes that load the element: all of them have the same value
 
     bool is_store() const { return static_cast<bool>(store); }
@@ -24,7 +25,7 @@ struct TransposedAccess {
 /// Finds the transposed accesses of an expanded body.
 class TransposedAccesses {
 public:
-    explicit TransposedAccesses(Context& context) : cx(context), dependence_(context), numbers_(context) {}
+    explicit TransposedAccesses(Context& context);
 
     /// The stores first. All have the same axis, and an address and guards that depend on the element's address alone.
     /// No element depends on the order of the stores, and the pass writes no memory that is loaded. Empty if the body
@@ -48,8 +49,10 @@ private:
     Context& cx;
     Updates dependence_;
     Numbers numbers_;
+    std::vector<RowSlopes> slopes_;  ///< one an axis
     IdSet<ir::Expr> seen_;
     std::vector<Condition> conditions_;
+    std::vector<Span> spans_;  ///< of the ifs with these conditions
     NodeMap<ExprId, bool> of_address_{cx.first_expr};
     std::vector<TransposedAccess> stores_, loads_;
 };

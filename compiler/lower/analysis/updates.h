@@ -37,8 +37,6 @@ public:
     bool is_fixed(ExprId value) { return numbers_.is_fixed(value); }
     bool has_load(ExprId value) { return numbers_.has_load(value); }
     bool is_same_along(std::uint32_t axis, ExprId value);
-    /// How a scalar changes from an element to the next along the axis.
-    Slope slope(std::uint32_t axis, ExprId value) { return slopes_[axis].of(value)[0]; }
 
 private:
     void visit(StmtId id);

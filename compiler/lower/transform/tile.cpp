@@ -236,7 +236,7 @@ private:
     void take_elements(const std::vector<StmtId>& body) {
         entry_ = cx.new_local("entry", cx.p.types.uint, cx.kernel.span);
         divide(body);
-        std::vector<StmtId> all;
+        std::vector<StmtId> writes, rest;
         for (std::uint32_t i = 0; i < elements; ++i) {
             const Element element = element_at(own(i));
             const ExprId entry = named("entry", this->entry(element.position));
@@ -245,21 +245,24 @@ private:
             for (const Tile& tile : tiles_)
                 for (ExprId load : tile.loads) copy.replace(load, entry_of(tile.array, entry));
             for (StmtId id : hoisted_) made_.body.push_back(copy.of(id));
+            for (StmtId id : writes_) writes.push_back(copy.of(id));
             std::vector<StmtId> statements;
             for (const Tile& tile : tiles_)
                 if (tile.is_written)
                     statements.push_back(assign(cx.kernel.span, entry_of(tile.is_written, entry), build.uint(0)));
             for (StmtId id : rest_) statements.push_back(copy.of(id));
-            all.push_back(where(element.exists, std::move(statements)));
+            if (!statements.empty()) rest.push_back(where(element.exists, std::move(statements)));
         }
-        made_.body.insert(made_.body.end(), all.begin(), all.end());
+        made_.body.insert(made_.body.end(), writes.begin(), writes.end());
+        made_.body.insert(made_.body.end(), rest.begin(), rest.end());
     }
 
     /// Hoists `let`s of values that cannot change, conditions that load, and the values of tiles' stores: they can run
     /// at any address of the range, and run for all elements of the invocation before the rest does, so that their
     /// loads overlap.
     void divide(const std::vector<StmtId>& body) {
-        for (StmtId id : body) take(rewritten(id));
+        for (StmtId id : body)
+            if (const StmtId made = rewritten(id)) take(made);
     }
 
     void take(StmtId id) {
@@ -283,32 +286,40 @@ private:
         return result;
     }
 
-    /// The statement with stores to tiles in place of those to memory.
+    /// The statement with stores to tiles in place of those to memory; absent if nothing is left of it.
     StmtId rewritten(StmtId id) {
         const auto tile = std::ranges::find_if(tiles_, [&](const Tile& one) { return one.store == id; });
         if (tile != tiles_.end()) return tile_store(*tile);
         const Stmt stmt = cx.p.stmts[id];
         if (stmt.body.empty() && stmt.otherwise.empty()) return id;
-        return build.again(id, {stmt.target, stmt.value, stmt.limit, rewritten(stmt.body), rewritten(stmt.otherwise)});
+        Builder::Parts parts{stmt.target, stmt.value, stmt.limit, rewritten(stmt.body), {}};
+        parts.otherwise = rewritten(stmt.otherwise);
+        if (parts.body.empty() && parts.otherwise.empty()) return {};
+        return build.again(id, std::move(parts));
     }
 
     std::vector<StmtId> rewritten(const std::vector<StmtId>& body) {
         std::vector<StmtId> result;
         for (StmtId id : body) {
-            result.push_back(rewritten(id));
+            if (const StmtId made = rewritten(id)) result.push_back(made);
             const Stmt& stmt = cx.p.stmts[id];
             if (stmt.op == StmtOp::let) unhoisted_.insert(stmt.local);
         }
         return result;
     }
 
+    /// The store of the invocation's element to the tile. If the source stores all elements, their values are written
+    /// to the tile whether the address is guarded or not: absent.
     StmtId tile_store(const Tile& tile) {
         const Stmt stmt = cx.p.stmts[tile.store];
         const ExprId entry = build.local(entry_);
-        ExprId value = stmt.value;
-        if (!tile.is_written && !is_trivial(cx, value) && may_be_hoisted(value))
-            value = named(stmt.span, cx.pass.bindings[tile.binding].name + "_value", value, hoisted_);
-        const StmtId written = assign(stmt.span, entry_of(tile.array, entry), value);
+        if (!tile.is_conditional && !tile.is_written && may_be_hoisted(stmt.value)) {
+            const std::string name = cx.pass.bindings[tile.binding].name + "_value";
+            const ExprId value = is_trivial(cx, stmt.value) ? stmt.value : named(stmt.span, name, stmt.value, hoisted_);
+            writes_.push_back(assign(stmt.span, entry_of(tile.array, entry), value));
+            return {};
+        }
+        const StmtId written = assign(stmt.span, entry_of(tile.array, entry), stmt.value);
         if (!tile.is_written) return written;
         Stmt both = statement(StmtOp::block, stmt.span);
         both.body = {written, assign(stmt.span, entry_of(tile.is_written, entry), build.uint(1))};
@@ -325,9 +336,11 @@ private:
     ExprId first_;            ///< the address of the tile's first element
     ExprId width_, height_;   ///< how many elements the range has along x and axis_ from the tile's first one on
     std::vector<Element> exchanged_;
-    LocalId entry_;  ///< stands for the entry of an element in the statements that are copied for each
-    std::vector<StmtId> hoisted_, rest_;
-    IdSet<Local> unhoisted_;  ///< locals that statements which are not hoisted declare
+    LocalId entry_;                ///< stands for the entry of an element in the statements that are copied for each
+    std::vector<StmtId> hoisted_;  ///< run first, for all elements
+    std::vector<StmtId> writes_;   ///< to tiles: run next
+    std::vector<StmtId> rest_;     ///< run last, for elements that exist
+    IdSet<Local> unhoisted_;       ///< locals that statements which are not hoisted declare
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "lowered.h"
 
+#include "ir/validate.h"
 #include "ir/walk.h"
 
 #include <gmock/gmock.h>
@@ -49,6 +50,8 @@ Body body_of(const std::string& kernel) {
     EXPECT_EQ(variant_for(general, ir::Devices::shaders).assumes.elements, variant.assumes.elements);
     EXPECT_EQ(general.group, pass.group);
     EXPECT_EQ(general.tiles, pass.tiles);
+    EXPECT_THAT(validate(lowering.program, pass), testing::IsEmpty());
+    EXPECT_THAT(validate(lowering.program, general), testing::IsEmpty());
     EXPECT_EQ(has_any_barrier(lowering.program, variant.body), !pass.tiles.empty());
     return {ir::print(lowering.program, variant.body, &pass), pass.group, variant.assumes.elements, pass.tiles};
 }
@@ -68,6 +71,16 @@ TEST(Tile, StoresBehindABarrier) {
     EXPECT_LT(body.text.rfind("= x_data["), barrier) << body.text;
     EXPECT_GT(body.text.find("to_data["), barrier) << body.text;
     EXPECT_EQ(count(body.text, " to_data["), 4u) << body.text;
+}
+
+/// A store under a condition of the source may be rare: its value is not computed for all elements.
+TEST(Tile, ConditionsOfAddressesAreAskedTwice) {
+    const Body body = body_of("kernel k(a: at<Picture>, x: in each<Picture>, to: out scatter<Picture>) "
+                              "{ if a.x < 7u { to[a.yx] = x; } }");
+    EXPECT_EQ(body.tiles.size(), 1u);
+    EXPECT_THAT(body.text, testing::Not(HasSubstr("is_written"))) << body.text;
+    EXPECT_EQ(count(body.text, ".x < 7u"), 8u) << body.text;
+    EXPECT_GT(body.text.find("= x_data["), body.text.find(".x < 7u")) << body.text;
 }
 
 TEST(Tile, LoadsBeforeABarrier) {

@@ -483,7 +483,10 @@ std::string row_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::s
     out.close();
     out.gap();
     out.open("static void " + name + "(const glift::HostCall& call)");
-    if (pass.items == 1) {
+    if (!pass.tiles.empty() && !rows.body.caches_updates) {
+        out.line(concat("glift::host::for_tiles<", std::to_string(pass.tiles.front().axis),
+                        ">(call.size, [&](const glift::host::Rows& rows) { ", name, "_rows(call, rows); });"));
+    } else if (pass.items == 1) {
         // A task ends with the updates in the cache.
         const char* const task = rows.body.caches_updates ? ", glift::host::large_task(call.size)" : "";
         out.line(concat("glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { ", name,
