@@ -1,5 +1,6 @@
-// `gliftc explain FILE`: prints properties of translators, structures, draws and updates, and with --made the sizes of
-// memories. Of a translator's mapping and inverse it says whether they are declared or were tested (trials.h).
+// `gliftc explain FILE`: prints properties of translators, structures and draws, how kernels update and transpose, and
+// with --made the sizes of memories. Of a translator's mapping and inverse it says whether they are declared or were
+// tested (trials.h).
 #include "driver/command_line.h"
 #include "driver/commands.h"
 #include "driver/compile.h"
@@ -77,7 +78,8 @@ std::string inverse_of(const ir::Properties& properties, const Trial& trial) {
 class Explainer {
 public:
     explicit Explainer(const Compilation& c)
-        : draws(explained_draws(c)), updates(explained_updates(c)), c_(c), program_(c.program) {
+        : draws(explained_draws(c)), updates(explained_updates(c)), tiles(explained_tiles(c)), c_(c),
+          program_(c.program) {
         for (const ir::Structure& structure : program_.structures) explain(structure);
         for (ir::TranslatorId i : program_.translators.ids())
             if (shown_.insert(i).second) translators.push_back(explained(program_.translators[i], {}));
@@ -85,7 +87,7 @@ public:
 
     std::vector<ExplainedStructure> structures;
     std::vector<Explained> translators;  ///< those that none of `structures` uses
-    std::vector<ExplainedKernel> draws, updates;
+    std::vector<ExplainedKernel> draws, updates, tiles;
 
 private:
     std::string place(Span span) const {
@@ -235,6 +237,7 @@ std::string as_text(const Explainer& explainer, const std::vector<ExplainedMade>
     };
     add("raster", explainer.draws);
     add("kernel", explainer.updates);
+    add("kernel", explainer.tiles);
     for (const ExplainedMade& m : made) text += text_of(m);
     return text;
 }
@@ -350,6 +353,7 @@ std::string as_json(const Explainer& explainer, const std::vector<ExplainedMade>
         };
         add("draws", explainer.draws);
         add("updates", explainer.updates);
+        add("tiles", explainer.tiles);
     });
     return out.take();
 }

@@ -106,7 +106,34 @@ std::string text_of(const ir::PassUpdate& update, const ir::Pass& pass) {
     return "";
 }
 
+std::string text_of(const ir::PassTile& tile) {
+    return std::string("through a tile of 32 x 32 elements in workgroup memory: its address exchanges x and ") +
+           "xyz"[tile.axis];
+}
+
+std::string text_of(const ir::PassStaged& staged) {
+    return "staged in workgroup memory: " + std::to_string(staged.entries) + " elements for " +
+           std::to_string(staged.rounds) + " rounds of the loop, each loaded once by a workgroup";
+}
+
 }  // namespace
+
+std::vector<ExplainedKernel> explained_tiles(const Compilation& c) {
+    std::vector<ExplainedKernel> shown;
+    for (ir::KernelId i : c.program.kernels.ids()) {
+        const ir::Kernel& kernel = c.program.kernels[i];
+        const ir::Pass& pass = c.lowered.passes[i].direct;
+        if ((pass.tiles.empty() && pass.staged.empty()) || !c.program.modules[kernel.module].is_root) continue;
+        ExplainedKernel& one = shown.emplace_back(ExplainedKernel{kernel.display, place_of(c, kernel), {}});
+        for (const ir::PassTile& tile : pass.tiles) {
+            const std::string what = tile.is_store ? "stores to " : "loads from ";
+            one.facts.emplace_back(what + pass.bindings[tile.binding].name, text_of(tile));
+        }
+        for (const ir::PassStaged& staged : pass.staged)
+            one.facts.emplace_back("loads from " + pass.bindings[staged.binding].name, text_of(staged));
+    }
+    return shown;
+}
 
 std::vector<ExplainedKernel> explained_updates(const Compilation& c) {
     std::vector<ExplainedKernel> shown;

@@ -1,4 +1,5 @@
-// What `gliftc explain` says of kernels: of draws (`raster`), and how updates of other kernels reach memory.
+// What `gliftc explain` says of kernels: of draws (`raster`), and how updates and transposed accesses of other kernels
+// reach memory.
 #pragma once
 
 #include "driver/compile.h"
@@ -21,5 +22,8 @@ std::vector<ExplainedKernel> explained_draws(const Compilation& c);
 /// The other kernels in the modules on the command line that write by `scatter` with an operation, if what their
 /// elements write is combined before it updates memory.
 std::vector<ExplainedKernel> explained_updates(const Compilation& c);
+
+/// The kernels in the modules on the command line whose shaders load or store through a tile in workgroup memory.
+std::vector<ExplainedKernel> explained_tiles(const Compilation& c);
 
 }  // namespace gliftc

@@ -97,6 +97,15 @@ struct PassStaged {
     std::uint32_t entries = 0;  ///< elements that a workgroup loads for them
 };
 
+/// An access whose address exchanges x and `axis`, the same for all tiles of a pass. Shaders make it through a tile in
+/// workgroup memory (lower/transform/tile.h); the host device visits the elements tile by tile.
+struct PassTile {
+    std::uint32_t binding = 0;
+    std::uint32_t axis = 1;
+    bool is_store = false;
+    bool operator==(const PassTile&) const = default;
+};
+
 struct Pass {
     KernelId kernel;  ///< empty: a function of a library
     Form form = Form::direct;
@@ -126,6 +135,7 @@ struct Pass {
     std::vector<Variant> variants = std::vector<Variant>(1);
     std::vector<PassUpdate> updates;    ///< if shaders combine any before they reach memory: all, in the body's order
     std::vector<PassStaged> staged;
+    std::vector<PassTile> tiles;        ///< the same in all forms
     std::vector<FunctionId> functions;  ///< lowered functions that the bodies call, callees before callers
     std::vector<LocalId> shared;        ///< arrays in workgroup memory
     std::vector<std::vector<LocalId>>

@@ -79,6 +79,8 @@ constexpr KernelPass kernels[] = {
      "a second body, for many elements per invocation, that combines their updates before it makes them"},
     {"stage", "the expanded body of a kernel without a group, with one loop over a uniform range",
      "a second body, in which a workgroup loads together what its invocations load in the loop"},
+    {"tile", "the expanded body of a kernel in two or three dimensions, without a group, loops or returns",
+     "a second body, for the elements of a tile, that makes transposed accesses through workgroup memory"},
     {"move_uniforms", "all bodies of the pass", "uniform values are parameters that the host computes"},
     {"split_blocks", "the host device's body for blocks all of whose elements are visited",
      "values that depend on the block alone are computed once per block"},

@@ -25,6 +25,7 @@
 #include "lower/transform/split_chains.h"
 #include "lower/transform/stage.h"
 #include "lower/transform/temporaries.h"
+#include "lower/transform/tile.h"
 #include "lower/transform/uniforms.h"
 #include "lower/transform/widen.h"
 
@@ -213,10 +214,11 @@ void check_whole([[maybe_unused]] const Context& cx) {
 #endif
 }
 
-/// How many elements an invocation of a shader takes. two_where_it_helps: two, if coarsened() of coarsen.h finds a
-/// gain. two_in_turn: two, the second computed after the first has been stored. In kernels over blocks both mean up to
-/// eight, as coarsened_in_block() chooses.
-enum class Elements { one, two_where_it_helps, two_in_turn };
+/// How many elements an invocation of a shader takes. many_where_it_helps: those of a tile or of staged loads (tile.h,
+/// stage.h), or up to four as coarsened() of coarsen.h chooses. two_where_it_helps: at most two, as it chooses.
+/// two_in_turn: two, the second computed after the first has been stored. In kernels over blocks all three mean up to
+/// eight, as coarsened_in_block() chooses. All but `one` allow many elements, if privatised() of privatise.h finds a gain.
+enum class Elements { one, two_in_turn, two_where_it_helps, many_where_it_helps };
 
 /// The last steps, after move_uniforms: variants for the host device, properties of bindings, the summary.
 void complete(Context& cx) {
@@ -277,6 +279,17 @@ bool add_staged(Context& cx, const std::vector<StmtId>& expanded) {
     return true;
 }
 
+/// Adds the variant for shaders in which workgroups make transposed accesses through a tile; false: there are none.
+bool add_tiled(Context& cx, const std::vector<StmtId>& expanded) {
+    std::optional<Tiled> made = tiled(cx, expanded);
+    if (!made) return false;
+    finished(cx, "tile", made->body, {}, "tile");
+    cx.pass.group = made->group;
+    made->body = simplified(cx, "tile", std::move(made->body));
+    cx.pass.variants.push_back({Part::whole, Devices::shaders, {made->elements, std::nullopt}, std::move(made->body)});
+    return true;
+}
+
 /// Adds the variant for shaders in which invocations take several elements, if there is a gain.
 void add_coarsened(Context& cx, const std::vector<StmtId>& expanded, const Expander& expander, Elements elements,
                    const std::vector<ExprId>& facts) {
@@ -284,8 +297,8 @@ void add_coarsened(Context& cx, const std::vector<StmtId>& expanded, const Expan
     if (cx.kernel.space) {
         several = coarsened_in_block(cx, expanded, Expander(cx, Guards::block).kernel_body());
         cx.traits.clear();
-    } else if (elements == Elements::two_where_it_helps) {
-        several = coarsened(cx, expanded, expander);
+    } else if (elements != Elements::two_in_turn) {
+        several = coarsened(cx, expanded, expander, elements == Elements::many_where_it_helps ? 4 : 2);
     } else {
         several = coarsened_in_turn(cx, expanded);
     }
@@ -294,6 +307,14 @@ void add_coarsened(Context& cx, const std::vector<StmtId>& expanded, const Expan
     several.body = simplified(cx, "two elements", std::move(several.body), {facts[0], several.in_range});
     cx.pass.variants.push_back(
         {Part::whole, Devices::shaders, {several.elements, std::nullopt}, std::move(several.body)});
+}
+
+/// Adds a variant for shaders in which invocations take several elements, if there is a gain.
+void add_several(Context& cx, const std::vector<StmtId>& expanded, const Expander& expander, Elements elements,
+                 const std::vector<ExprId>& facts) {
+    if (elements == Elements::one || add_privatised(cx, expanded, facts)) return;
+    if (elements == Elements::many_where_it_helps && (add_tiled(cx, expanded) || add_staged(cx, expanded))) return;
+    add_coarsened(cx, expanded, expander, elements, facts);
 }
 
 void lower_computation(Context& cx, Elements elements) {
@@ -308,8 +329,7 @@ void lower_computation(Context& cx, Elements elements) {
     cx.traits.clear();
     const std::vector<StmtId> expanded = body;
     pass.plain().body = simplified(cx, "body", std::move(body), facts);
-    if (elements != Elements::one && !add_privatised(cx, expanded, facts) && !add_staged(cx, expanded))
-        add_coarsened(cx, expanded, expander, elements, facts);
+    add_several(cx, expanded, expander, elements, facts);
     std::vector<StmtId> holders;
     add_interior(cx, expander, facts, holders);
     add_whole_block(cx, expander, facts);
@@ -348,21 +368,27 @@ Lowered::Forms all_forms(Program& program, Diagnostics& diagnostics, KernelId ke
     const auto lower = [&](Form form, Elements elements) {
         return lowered(program, diagnostics, kernel, form, settings, elements, bindings);
     };
-    forms.direct = lower(Form::direct, Elements::two_where_it_helps);
-    forms.general = lower(Form::general, Elements::two_where_it_helps);
+    forms.direct = lower(Form::direct, Elements::many_where_it_helps);
+    forms.general = lower(Form::general, Elements::many_where_it_helps);
     const std::array all = forms.all();
     if (!have_common_bindings(all)) {
         bindings = union_of_bindings(all);
-        for (Pass* pass : all) *pass = lower(pass->form, Elements::two_where_it_helps);
+        for (Pass* pass : all) *pass = lower(pass->form, Elements::many_where_it_helps);
     }
+    // A workgroup must cover the same elements in all forms, since they share one description of the kernel
+    // (glift::Kernel::items), and the host device visits them in the same order.
+    const auto agrees = [&](const Pass* pass) {
+        const auto elements = [](const Pass& of) { return variant_for(of, Devices::shaders).assumes.elements; };
+        return elements(*pass) == elements(forms.direct) && pass->group == forms.direct.group &&
+               pass->tiles == forms.direct.tiles;
+    };
+    if (!std::ranges::all_of(all, agrees))
+        for (Pass* pass : all) *pass = lower(pass->form, Elements::two_where_it_helps);
     if (is_coarsened(forms.direct) && !is_coarsened(forms.general) && has_one_place(forms.general))
         forms.general = lower(Form::general, Elements::two_in_turn);
-    // A workgroup must cover the same number of elements in all forms, since they share one description of the kernel
-    // (glift::Kernel::items): if one form takes one element per invocation, all do.
-    const auto takes_one = [](const Pass* pass) { return !is_coarsened(*pass); };
-    if (std::ranges::any_of(all, takes_one))
+    if (!std::ranges::all_of(all, agrees))
         for (Pass* pass : all)
-            if (!takes_one(pass)) *pass = lower(pass->form, Elements::one);
+            if (is_coarsened(*pass)) *pass = lower(pass->form, Elements::one);
     if (settings.trace != nullptr && !settings.trace->stop_after.empty()) return forms;
     if (!have_common_bindings(all)) throw std::logic_error("lower: the forms of a kernel have different bindings");
     agree(program, all);

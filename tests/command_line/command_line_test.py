@@ -236,6 +236,16 @@ expect("kernel rows  (sums.glift:5)" in text and "combined along x: 16 elements 
 expect("updates to_data" in text and "in copies in workgroup memory" in text, "explain names copies", text)
 updates = json.loads(here.run("explain", "--json", "sums.glift").stdout)["updates"]
 expect({kernel["name"] for kernel in updates} == {"rows", "bins"}, "updates in JSON", updates)
+# Transposed accesses.
+here.write("pictures.glift", "module pictures;\nuse std.array;\npub structure Picture = Array<2, float>;\n"
+           "kernel store(a: at<Picture>, x: in each<Picture>, to: out scatter<Picture>) { to[a.yx] = x; }\n"
+           "kernel load(a: at<Picture>, x: in any<Picture>, to: out each<Picture>) { to = x[a.yx]; }\n")
+text = here.run("explain", "pictures.glift").stdout
+expect("kernel store  (pictures.glift:4)" in text and "stores to to_data   through a tile of 32 x 32 elements" in text,
+       "explain says how a picture is transposed", text)
+expect("loads from x_data   through a tile" in text and "exchanges x and y" in text, "explain names the axes", text)
+tiles = json.loads(here.run("explain", "--json", "pictures.glift").stdout)["tiles"]
+expect({kernel["name"] for kernel in tiles} == {"store", "load"}, "tiles in JSON", tiles)
 
 # `explain --made`: the bytes that a structure or adaptor takes.
 here.write("grids.glift", """module grids;

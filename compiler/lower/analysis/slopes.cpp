@@ -141,6 +141,12 @@ bool RowSlopes::is_word(ir::TypeId type) const {
     return scalar == program_.types.int_ || scalar == program_.types.uint;
 }
 
+/// Whether the slope of a value is also that of the converted value.
+bool RowSlopes::is_kept_by_conversion(ir::TypeId from, ir::TypeId to) const {
+    if (is_word(from) && is_word(to)) return true;
+    return !may_wrap_ && is_word(from) && program_.types.is_integer(program_.types.scalar_of(to));
+}
+
 /// The slope of `vector[i]`; absent: i is not a constant from 0 to 3, or what is indexed is no vector.
 std::optional<Slope> RowSlopes::of_component(const Expr& expr) {
     const Slope index = of(expr.operands[1])[0];
@@ -167,7 +173,7 @@ Slopes RowSlopes::of(ExprId id) {
     }
     case Op::construct: return of_construct(expr);
     case Op::convert:
-        if (is_word(expr.type) && is_word(program_.exprs[expr.operands[0]].type)) return of(expr.operands[0]);
+        if (is_kept_by_conversion(program_.exprs[expr.operands[0]].type, expr.type)) return of(expr.operands[0]);
         break;
     case Op::unary:
         if (expr.unary == ir::UnaryOp::minus) {
@@ -216,7 +222,7 @@ Slopes RowSlopes::of(ExprId id) {
 Slopes RowSlopes::of_call(const Expr& expr) {
     if (depth_ >= deepest_call) return unknown();
     const ir::Function& function = program_.functions[expr.function];
-    RowSlopes callee(program_, depth_ + 1);
+    RowSlopes callee(program_, depth_ + 1, may_wrap_);
     for (std::size_t i = 0; i < function.params.size() && i < expr.operands.size(); ++i)
         callee.locals_[function.params[i]] = of(expr.operands[i]);
     std::optional<Slopes> result;

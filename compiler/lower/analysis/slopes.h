@@ -32,6 +32,9 @@ public:
 
     /// Takes note of a statement that every element executes. Called in the order of the statements.
     void learn(const ir::Stmt& stmt);
+    /// Takes a uint that is converted to 64 bits for one that does not wrap around along the row. For choices that do
+    /// not decide what a kernel computes.
+    void assume_no_wrap() { may_wrap_ = false; }
     /// Says that the local has the same value for the whole row.
     void learn_steady(ir::LocalId local);
     Slopes of(ir::ExprId expr);
@@ -40,18 +43,21 @@ public:
     bool is_steady(ir::ExprId expr);
 
 private:
-    explicit RowSlopes(const ir::Program& program, int depth) : program_(program), depth_(depth) {}
+    RowSlopes(const ir::Program& program, int depth, bool may_wrap)
+        : program_(program), depth_(depth), may_wrap_(may_wrap) {}
     Slopes of_call(const ir::Expr& expr);
     Slopes of_construct(const ir::Expr& expr);
     Slopes of_binary(const ir::Expr& expr);
     std::optional<Slope> of_component(const ir::Expr& expr);
     bool is_word(ir::TypeId type) const;
+    bool is_kept_by_conversion(ir::TypeId from, ir::TypeId to) const;
     /// Follows a function body; false if that is not possible. A return sets `result`.
     bool run(const std::vector<ir::StmtId>& body, std::optional<Slopes>& result);
     bool assign(ir::ExprId target, const Slopes& value);
 
     const ir::Program& program_;
     int depth_ = 0;
+    bool may_wrap_ = true;
     std::unordered_map<ir::LocalId, Slopes> locals_;
 };
 

@@ -31,6 +31,8 @@ public:
     /// rounds lavapipe limits, a return, or a call of a function with a loop.
     std::vector<Update> of(const std::vector<StmtId>& body);
 
+    /// Whether the body that was given to of() has no such statement.
+    bool may_repeat() const { return may_repeat_; }
     /// Whether the value cannot change within the pass.
     bool is_fixed(ExprId value) { return numbers_.is_fixed(value); }
     bool has_load(ExprId value) { return numbers_.has_load(value); }

@@ -279,11 +279,11 @@ private:
     bool ends_in_stores_ = true;  ///< only statements with stores follow the first store in the body
 };
 
-/// How many elements an invocation takes. Four if each needs less than half of the loads of the first one.
-std::uint32_t elements_for(const StoredLast& last, const Sharing& sharing) {
+/// How many elements an invocation takes, of at most `most`. Four if each needs less than half of the loads of the first one.
+std::uint32_t elements_for(const StoredLast& last, const Sharing& sharing, std::uint32_t most) {
     const std::size_t others = last.loads - std::min(last.loads, sharing.loads);
     const std::size_t loads_of_four = last.loads + 3 * (sharing.more + others);
-    const bool is_shared = sharing.loads >= fewest_shared && 2 * sharing.more < sharing.loads;
+    const bool is_shared = most >= 4 && sharing.loads >= fewest_shared && 2 * sharing.more < sharing.loads;
     if (is_shared && loads_of_four <= most_shared_loads && 4 * last.nodes <= most_of_four) return 4;
     return last.loads <= most_loads && last.nodes <= most_of_one ? 2 : 1;
 }
@@ -305,10 +305,10 @@ StmtId with_named_value(Context& cx, StmtId id, bool ends_in_stores, std::vector
     return cx.add(std::move(stmt));
 }
 
-Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander& made) {
+Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander& made, std::uint32_t most) {
     const StoredLast last = stored_last(cx, body);
     if (!last.holds) return {};
-    const std::uint32_t count = elements_for(last, sharing_of(cx, made.near_values));
+    const std::uint32_t count = elements_for(last, sharing_of(cx, made.near_values), most);
     return count == 1 ? Coarsened{} : Coarsening(cx, count).run(body, made);
 }
 

@@ -1,7 +1,6 @@
-// Thread coarsening: an invocation of a shader takes several elements: two, with
-// large neighbourhoods four, in kernels over blocks up to eight. If each
-// invocation takes one element that needs little work, GPUs spend most of the time on starting invocations and on
-// waiting for memory (docs/performance.md).
+// Thread coarsening: an invocation of a shader takes several elements: two, with large neighbourhoods four, in kernels
+// over blocks up to eight. If each invocation takes one element that needs little work, GPUs spend most of the time on
+// starting invocations and on waiting for memory (docs/performance.md).
 //
 // Needs: the statements of a kernel after "expand". Guarantees: at the end of the range, where an invocation has no
 // second element, the code for the second one stores nothing, or the same again as that for the first one. In kernels
@@ -20,10 +19,10 @@ struct Coarsened {
     std::array<std::uint32_t, 3> elements = {1, 1, 1};  ///< how many elements along each axis
 };
 
-/// Two elements, or four that share most loads of neighbours, all computed before the first store; loads after a store
+/// Two elements, or four, if `most` allows them, that share most loads of neighbours, all computed before the first store; loads after a store
 /// are of memory that the pass does not write. `made` is the expander that made the body: it knows which values
 /// neighbour reads gave, some of which the next element uses again.
-Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander& made);
+Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander& made, std::uint32_t most);
 
 /// Two elements, one after the other: the statements of the first, then, if there is a second one, those of the second.
 /// Valid for any loads and stores.

@@ -1,6 +1,6 @@
-// host::for_rows visits each element of a range exactly once, for any shape of range; for_strides does so with
-// invocations. load_rows and store_rows copy between arrays and buffers; their index counts rows of four numbers. Also
-// the middle of a row along x, where windows stay in the domain or clamps change nothing, and atomics of floats.
+// host::for_rows and for_tiles visit each element of a range exactly once, for any shape of range; for_strides does so
+// with invocations. load_rows and store_rows copy between arrays and buffers; their index counts rows of four numbers.
+// Also the middle of a row along x, where windows stay in the domain or clamps change nothing, and atomics of floats.
 #include <glift/host/atomics.h>
 #include <glift/host/parallel.h>
 #include <glift/host/updates.h>
@@ -33,6 +33,30 @@ TEST(Rows, CoverEveryElementOnce) {
             }
         });
         for (std::uint8_t count : seen) ASSERT_EQ(count, 1);
+    }
+}
+
+template <unsigned axis> void cover_by_tiles(const std::array<std::uint32_t, 4>& size) {
+    std::vector<std::uint8_t> seen(std::size_t{size[0]} * size[1] * size[2] * size[3]);
+    host::for_tiles<axis>(size, [&](const host::Rows& rows) {
+        for (const host::Row row : rows) {
+            const std::size_t first = ((std::size_t{row.w} * size[2] + row.z) * size[1] + row.y) * size[0];
+            for (uint x = row.begin; x < row.end; ++x) ++seen[first + x];
+        }
+    });
+    for (std::uint8_t count : seen) ASSERT_EQ(count, 1);
+}
+
+TEST(Tiles, CoverEveryElementOnce) {
+    for (const std::array<std::uint32_t, 4> size : {std::array<std::uint32_t, 4>{1, 1, 1, 1},
+                                                    {33, 65, 1, 1},
+                                                    {1, 100, 7, 1},
+                                                    {64, 5, 40, 1},
+                                                    {0, 5, 1, 1},
+                                                    {5, 0, 1, 1},
+                                                    {5, 7, 33, 3}}) {
+        cover_by_tiles<1>(size);
+        cover_by_tiles<2>(size);
     }
 }
 

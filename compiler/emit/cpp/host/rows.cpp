@@ -483,15 +483,12 @@ std::string row_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::s
     out.close();
     out.gap();
     out.open("static void " + name + "(const glift::HostCall& call)");
-    if (pass.items == 1) {
-        // A task ends with the updates in the cache.
-        const char* const task = rows.body.caches_updates ? ", glift::host::large_task(call.size)" : "";
-        out.line(concat("glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { ", name,
-                        "_rows(call, rows); }", task, ");"));
-    } else {
-        out.line("glift::host::for_strides(call.size[0], " + std::to_string(pass.items) +
-                 ", [&](const glift::host::Rows& rows) { " + name + "_rows(call, rows); });");
-    }
+    std::string loop = "for_rows(call.size, ", task;
+    if (pass.items != 1) loop = "for_strides(call.size[0], " + std::to_string(pass.items) + ", ";
+    else if (rows.body.caches_updates) task = ", glift::host::large_task(call.size)";  // a task ends with the updates
+    else if (!pass.tiles.empty()) loop = concat("for_tiles<", std::to_string(pass.tiles[0].axis), ">(call.size, ");
+    out.line(concat("glift::host::", loop, "[&](const glift::host::Rows& rows) { ", name, "_rows(call, rows); }", task,
+                    ");"));
     out.close();
     return out.take();
 }

@@ -169,6 +169,31 @@ void for_rows(const std::array<std::uint32_t, 4>& size, const Body& body, std::s
     detail::spread(rows, grain, [&](std::size_t first, std::size_t last) { run(0, size[0], first, last - first); });
 }
 
+/// Like for_rows, but for tiles: 32 elements along x, and 32 rows along `axis` (1: y, 2: z). If an address exchanges
+/// these two axes, the rows of a tile share the cache lines that each of them accesses with a stride.
+template <unsigned axis, class Body> void for_tiles(const std::array<std::uint32_t, 4>& size, const Body& body) {
+    static_assert(axis == 1 || axis == 2);
+    constexpr std::size_t side = 32;
+    const std::size_t columns = (size[0] + side - 1) / side, bands = (size[axis] + side - 1) / side;
+    const std::size_t other = size[3 - axis];
+    const auto run = [&](std::size_t i) {
+        const std::size_t x = i % columns * side, band = i / columns % bands * side, rest = i / columns / bands;
+        const uint begin = static_cast<uint>(x), end = static_cast<uint>(detail::least<std::size_t>(x + side, size[0]));
+        const uint first = static_cast<uint>(band);
+        const uint last = static_cast<uint>(detail::least<std::size_t>(band + side, size[axis]));
+        const uint fixed = static_cast<uint>(rest % other), w = static_cast<uint>(rest / other);
+        if constexpr (axis == 1) {
+            body(Rows({begin, end, first, fixed, w}, last - first, size));
+        } else {
+            for (uint z = first; z < last; ++z) body(Rows({begin, end, fixed, z, w}, 1, size));
+        }
+    };
+    detail::spread(columns * bands * other * size[3], detail::task_elements / (side * side),
+                   [&](std::size_t begin, std::size_t end) {
+                       for (std::size_t i = begin; i < end; ++i) run(i);
+                   });
+}
+
 /// Calls `body(const Rows&)` in parallel for parts of one row of invocations. Each invocation takes `items` consecutive
 /// elements; all together take `size`. Invocations start in order, so that one which waits for its predecessors
 /// (decoupled look-back) finds them running or done.
