@@ -22,6 +22,7 @@ using Leaves = std::vector<bool>;
 struct Origin {
     LocalId holder;  ///< the local whose `let` has the load; none: it is in the expression itself
     ExprId load;
+    ExprId guard;  ///< if not absent, the value comes from the load only where this condition holds
     std::uint32_t leaf = 0;  ///< index among the leaves of the loaded element
     bool operator==(const Origin&) const = default;
 };
@@ -38,8 +39,9 @@ public:
 private:
     /// A local that holds a struct.
     struct Holder {
-        ExprId initial;
-        std::vector<ExprId> assigned;  ///< the values of assignments to all of it
+        ExprId initial;  ///< its value where `guard` holds, from its `let` on or from the `if` behind the `let` on
+        ExprId guard;    ///< absent: its `let` gives it the value
+        std::vector<ExprId> assigned;  ///< the values of other assignments to all of it
         Leaves kept;                   ///< the leaves that have their initial value throughout
         std::uint64_t time = 0;        ///< when it was declared
     };
@@ -51,8 +53,12 @@ private:
 
     bool takes_part(const PassBinding& binding) const;
     Memory* memory_of(const Stmt& store);
-    void learn(const Stmt& stmt);
+    void learn_values(const std::vector<StmtId>& body);
+    bool learn_let(const Stmt& let, const Stmt* next);
     void learn_assignment(const Stmt& stmt);
+    void learn_stores(const std::vector<StmtId>& body);
+    void learn_store(const Stmt& stmt);
+    bool holds(ExprId condition);
     bool keeps_less(Holder& holder) const;
     std::optional<Origin> origin(ExprId id, std::uint32_t leaf) const;
     bool is_own(const Stmt& store, const std::optional<Origin>& origin, std::uint32_t leaf);
@@ -66,6 +72,7 @@ private:
     Context& cx;
     Program& p;
     Numbers numbers_;  ///< is told of no changes, and asked for values that do not change
+    std::vector<ExprId> conditions_;  ///< of the `if`s around the current statement
     std::uint64_t time_ = 0;
     std::map<LocalId, Holder> holders_;
     std::map<std::uint32_t, Memory> memories_;  ///< by PassBinding::one_place
@@ -96,7 +103,7 @@ std::optional<Origin> Narrowing::origin(ExprId id, std::uint32_t leaf) const {
     const MemberOf member = member_of(p, id);
     const Expr& node = p.exprs[member.whole];
     leaf += member.first;
-    if (node.op == Op::load) return Origin{{}, member.whole, leaf};
+    if (node.op == Op::load) return Origin{{}, member.whole, {}, leaf};
     if (node.op == Op::construct && is_struct(p, node.type)) {
         for (ExprId part : node.operands) {
             const std::uint32_t count = leaves_in(p, p.exprs[part].type);
@@ -110,6 +117,7 @@ std::optional<Origin> Narrowing::origin(ExprId id, std::uint32_t leaf) const {
     if (found == holders_.end() || !found->second.kept[leaf]) return std::nullopt;
     std::optional<Origin> result = origin(found->second.initial, leaf);
     if (result && !result->holder) result->holder = node.local;
+    if (result && found->second.guard) result->guard = found->second.guard;
     return result;
 }
 
@@ -132,13 +140,30 @@ void Narrowing::learn_assignment(const Stmt& stmt) {
     else found->second.kept.assign(found->second.kept.size(), false);
 }
 
-void Narrowing::learn(const Stmt& stmt) {
-    if (stmt.op == StmtOp::let && stmt.value && is_struct(p, p.locals[stmt.local].type)) {
-        const bool is_first = !holders_.contains(stmt.local);
-        Leaves kept(leaves_in(p, p.locals[stmt.local].type), is_first);
-        holders_[stmt.local] = {stmt.value, {}, std::move(kept)};
-    } else if (stmt.op == StmtOp::assign) {
-        learn_assignment(stmt);
+/// Learns the `let` of a struct. Returns whether `next`, the statement behind it, is a part of it: `if guard { local =
+/// load; }`, as accesses under a condition are expanded.
+bool Narrowing::learn_let(const Stmt& let, const Stmt* next) {
+    Holder holder{let.value, {}, {}, Leaves(leaves_in(p, p.locals[let.local].type), !holders_.contains(let.local))};
+    bool is_guarded = false;
+    if (next != nullptr && next->op == StmtOp::if_ && next->body.size() == 1 && next->otherwise.empty()) {
+        const Stmt& inner = p.stmts[next->body[0]];
+        is_guarded = inner.op == StmtOp::assign && p.exprs[inner.target].op == Op::local &&
+                     p.exprs[inner.target].local == let.local && p.exprs[inner.value].op == Op::load &&
+                     numbers_.is_fixed(next->value);
+        if (is_guarded) holder.initial = inner.value, holder.guard = next->value;
+    }
+    if (holder.initial) holders_.insert_or_assign(let.local, std::move(holder));
+    return is_guarded;
+}
+
+void Narrowing::learn_values(const std::vector<StmtId>& body) {
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        const Stmt& stmt = p.stmts[body[i]];
+        if (stmt.op == StmtOp::assign) learn_assignment(stmt);
+        learn_values(stmt.body);
+        learn_values(stmt.otherwise);
+        if (stmt.op != StmtOp::let || !is_struct(p, p.locals[stmt.local].type)) continue;
+        if (learn_let(stmt, i + 1 < body.size() ? &p.stmts[body[i + 1]] : nullptr)) ++i;
     }
 }
 
@@ -157,30 +182,50 @@ bool Narrowing::keeps_less(Holder& holder) const {
     return any;
 }
 
+void Narrowing::learn_store(const Stmt& stmt) {
+    const PassBinding& binding = cx.pass.bindings[stmt.slot];
+    if (!is_struct(p, binding.element)) return;
+    const std::uint32_t count = leaves_in(p, binding.element);
+    Memory& memory = memories_.try_emplace(binding.one_place, Memory{Leaves(count, true), {}}).first->second;
+    memory.times.resize(count);
+    for (std::uint32_t leaf = 0; leaf < count; ++leaf)
+        if (!is_own(stmt, origin(stmt.value, leaf), leaf)) memory.constant[leaf] = false;
+}
+
+void Narrowing::learn_stores(const std::vector<StmtId>& body) {
+    for (StmtId id : body) {
+        const Stmt& stmt = p.stmts[id];
+        if (stmt.op == StmtOp::store) learn_store(stmt);
+        if (stmt.op == StmtOp::if_) conditions_.push_back(stmt.value);
+        learn_stores(stmt.body);
+        if (stmt.op == StmtOp::if_) conditions_.pop_back();
+        learn_stores(stmt.otherwise);
+    }
+}
+
 void Narrowing::learn(const std::vector<StmtId>& body) {
-    for_each_statement(p, body, [&](const Stmt& stmt) { learn(stmt); });
+    learn_values(body);
     bool any = true;
     while (any) {
         any = false;
         for (auto& [local, holder] : holders_) any |= keeps_less(holder);
     }
-    const auto learn_store = [&](const Stmt& stmt) {
-        const PassBinding& binding = cx.pass.bindings[stmt.slot];
-        if (stmt.op != StmtOp::store || !is_struct(p, binding.element)) return;
-        const std::uint32_t count = leaves_in(p, binding.element);
-        Memory& memory = memories_.try_emplace(binding.one_place, Memory{Leaves(count, true), {}}).first->second;
-        memory.times.resize(count);
-        for (std::uint32_t leaf = 0; leaf < count; ++leaf)
-            if (!is_own(stmt, origin(stmt.value, leaf), leaf)) memory.constant[leaf] = false;
-    };
-    for_each_statement(p, body, learn_store);
+    learn_stores(body);
+}
+
+/// Whether an `if` around the statement asks for the condition, whose value does not change.
+bool Narrowing::holds(ExprId condition) {
+    return std::ranges::any_of(conditions_, [&](ExprId known) {
+        return numbers_.is_fixed(known) && numbers_.of(known) == numbers_.of(condition);
+    });
 }
 
 /// Whether the origin is a load of this leaf from the binding and address of the store. The address does not change
-/// between the two: is_fixed() leaves the locals that it uses no values but one for each iteration of the loop around
-/// their `let`s, and these lets are around the holder's, too.
+/// between the two, nor does the guard: is_fixed() leaves the locals that they use no values but one for each iteration
+/// of the loop around their `let`s, and these lets are around the holder's, too.
 bool Narrowing::is_own(const Stmt& store, const std::optional<Origin>& origin, std::uint32_t leaf) {
     if (!origin || origin->leaf != leaf || !store.path.empty()) return false;
+    if (origin->guard && !holds(origin->guard)) return false;
     const Expr& load = p.exprs[origin->load];
     if (load.slot != store.slot || !takes_part(cx.pass.bindings[store.slot])) return false;
     const ExprId from = load.operands[0];
@@ -264,9 +309,11 @@ void Narrowing::store(StmtId id, std::vector<StmtId>& result) {
 /// The statement's inner statements. What one branch of an `if` stores is not stored before the other one.
 void Narrowing::run_inner(const Stmt& stmt, Builder::Parts& parts) {
     if (stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_) note_changes(stmt.body);
-    if (stmt.otherwise.empty()) return void(parts.body = run(stmt.body));
     const std::map<std::uint32_t, Memory> before = memories_;
+    if (stmt.op == StmtOp::if_) conditions_.push_back(stmt.value);
     parts.body = run(stmt.body);
+    if (stmt.op == StmtOp::if_) conditions_.pop_back();
+    if (stmt.otherwise.empty()) return;
     const std::map<std::uint32_t, Memory> first = std::exchange(memories_, before);
     parts.otherwise = run(stmt.otherwise);
     for (auto& [place, memory] : memories_)
