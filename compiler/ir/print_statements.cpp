@@ -91,9 +91,8 @@ void Printer::stmt(const Stmt& stmt) {
 /// The member of an element that a store changes, as it stands behind the element; nothing if it changes all of it.
 std::string Printer::member(const Stmt& stmt) const {
     std::string text;
-    for_each_step(p, *pass_, stmt, [&](std::uint32_t slot, StructId of) {
-        text += "." + name(p.structs[of].fields[slot].name);
-    });
+    for_each_step(p, *pass_, stmt,
+                  [&](std::uint32_t slot, StructId of) { text += "." + name(p.structs[of].fields[slot].name); });
     return text;
 }
 

@@ -22,7 +22,7 @@ using Leaves = std::vector<bool>;
 struct Origin {
     LocalId holder;  ///< the local whose `let` has the load; none: it is in the expression itself
     ExprId load;
-    ExprId guard;  ///< if not absent, the value comes from the load only where this condition holds
+    ExprId guard;            ///< if not absent, the value comes from the load only where this condition holds
     std::uint32_t leaf = 0;  ///< index among the leaves of the loaded element
     bool operator==(const Origin&) const = default;
 };
@@ -59,8 +59,9 @@ private:
     void learn_stores(const std::vector<StmtId>& body);
     void learn_store(const Stmt& stmt);
     bool holds(ExprId condition);
-    bool keeps_less(Holder& holder) const;
+    bool keeps_less(LocalId local, Holder& holder) const;
     std::optional<Origin> origin(ExprId id, std::uint32_t leaf) const;
+    std::optional<Origin> origin(LocalId local, std::uint32_t leaf) const;
     bool is_own(const Stmt& store, const std::optional<Origin>& origin, std::uint32_t leaf);
     Leaves changed_by(const Stmt& store, Memory& memory);
     void note_changes(const std::vector<StmtId>& loop);
@@ -71,7 +72,7 @@ private:
 
     Context& cx;
     Program& p;
-    Numbers numbers_;  ///< is told of no changes, and asked for values that do not change
+    Numbers numbers_;                 ///< is told of no changes, and asked for values that do not change
     std::vector<ExprId> conditions_;  ///< of the `if`s around the current statement
     std::uint64_t time_ = 0;
     std::map<LocalId, Holder> holders_;
@@ -112,11 +113,14 @@ std::optional<Origin> Narrowing::origin(ExprId id, std::uint32_t leaf) const {
         }
         return std::nullopt;
     }
-    if (node.op != Op::local) return std::nullopt;
-    const auto found = holders_.find(node.local);
+    return node.op == Op::local ? origin(node.local, leaf) : std::nullopt;
+}
+
+std::optional<Origin> Narrowing::origin(LocalId local, std::uint32_t leaf) const {
+    const auto found = holders_.find(local);
     if (found == holders_.end() || !found->second.kept[leaf]) return std::nullopt;
     std::optional<Origin> result = origin(found->second.initial, leaf);
-    if (result && !result->holder) result->holder = node.local;
+    if (result && !result->holder) result->holder = local;
     if (result && found->second.guard) result->guard = found->second.guard;
     return result;
 }
@@ -168,13 +172,13 @@ void Narrowing::learn_values(const std::vector<StmtId>& body) {
 }
 
 /// Takes from the leaves that the local keeps those to which it is assigned another value than its initial one.
-bool Narrowing::keeps_less(Holder& holder) const {
+bool Narrowing::keeps_less(LocalId local, Holder& holder) const {
     bool any = false;
     for (ExprId value : holder.assigned) {
         for (std::uint32_t leaf = 0; leaf < holder.kept.size(); ++leaf) {
             if (!holder.kept[leaf]) continue;
             const std::optional<Origin> now = origin(value, leaf);
-            if (now && now->holder && now == origin(holder.initial, leaf)) continue;
+            if (now && now->holder && now == origin(local, leaf)) continue;
             holder.kept[leaf] = false;
             any = true;
         }
@@ -208,7 +212,7 @@ void Narrowing::learn(const std::vector<StmtId>& body) {
     bool any = true;
     while (any) {
         any = false;
-        for (auto& [local, holder] : holders_) any |= keeps_less(holder);
+        for (auto& [local, holder] : holders_) any |= keeps_less(local, holder);
     }
     learn_stores(body);
 }
@@ -229,8 +233,7 @@ bool Narrowing::is_own(const Stmt& store, const std::optional<Origin>& origin, s
     const Expr& load = p.exprs[origin->load];
     if (load.slot != store.slot || !takes_part(cx.pass.bindings[store.slot])) return false;
     const ExprId from = load.operands[0];
-    return numbers_.is_fixed(from) && numbers_.is_fixed(store.target) &&
-           numbers_.of(from) == numbers_.of(store.target);
+    return numbers_.is_fixed(from) && numbers_.is_fixed(store.target) && numbers_.of(from) == numbers_.of(store.target);
 }
 
 /// The leaves that the store may change. Notes when they changed.
@@ -295,8 +298,7 @@ void Narrowing::store(StmtId id, std::vector<StmtId>& result) {
     // The members are computed before the first of them is stored, and the address is computed once.
     std::vector<StmtId> stores(result.begin() + static_cast<std::ptrdiff_t>(before), result.end());
     result.resize(before);
-    const ExprId address =
-        is_trivial(cx, stmt.target) ? stmt.target : in_temporary(stmt.target, "at", result);
+    const ExprId address = is_trivial(cx, stmt.target) ? stmt.target : in_temporary(stmt.target, "at", result);
     for (StmtId& member : stores) {
         Stmt made = p.stmts[member];
         made.target = address;
@@ -331,8 +333,7 @@ std::vector<StmtId> Narrowing::run(const std::vector<StmtId>& body) {
             continue;
         }
         if (stmt.op == StmtOp::let)
-            if (const auto holder = holders_.find(stmt.local); holder != holders_.end())
-                holder->second.time = ++time_;
+            if (const auto holder = holders_.find(stmt.local); holder != holders_.end()) holder->second.time = ++time_;
         Builder::Parts parts{stmt.target, stmt.value, stmt.limit, {}, {}};
         run_inner(stmt, parts);
         result.push_back(cx.build.again(id, std::move(parts)));

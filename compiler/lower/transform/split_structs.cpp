@@ -35,7 +35,7 @@ private:
     struct Whole {
         std::vector<bool> needed;     ///< the leaves (leaves.h) whose values are used
         std::vector<bool> read;       ///< those of them that are used otherwise than by copies of the whole local
-        std::vector<ExprId> given;  ///< what its `let` and assignments to all of it give it
+        std::vector<ExprId> given;    ///< what its `let` and assignments to all of it give it
         std::vector<LocalId> copies;  ///< the locals to which all of it is copied
         bool stays = false;
         bool is_split = false;
@@ -87,7 +87,8 @@ private:
 bool Splitting::can_be_given(ExprId value) {
     const Expr& node = p.exprs[member_of(p, value).whole];
     if (node.op == Op::load) return !cx.pass.bindings[node.slot].coherent;
-    return node.op == Op::local || (node.op == Op::construct && numbers_.is_pure(value));
+    if (node.op == Op::construct) return numbers_.is_pure(value);
+    return node.op == Op::local || node.op == Op::member || node.op == Op::parameter;
 }
 
 void Splitting::learn_assignment(const Stmt& stmt) {
@@ -287,7 +288,8 @@ LocalId Splitting::copy_in(const std::vector<StmtId>& body, LocalId from) {
 }
 
 /// Declares the local of a split local's member.
-void Splitting::declare(const Stmt& stmt, LocalId whole, std::uint32_t slot, ExprId value, std::vector<StmtId>& result) {
+void Splitting::declare(const Stmt& stmt, LocalId whole, std::uint32_t slot, ExprId value,
+                        std::vector<StmtId>& result) {
     const Local of = p.locals[whole];
     const StructField field = fields_of(of.type)[slot];
     Member& member = whole_of(whole)->members[slot];

@@ -152,9 +152,9 @@ void print_outer(Body& body, const Stmt& stmt) {
     case StmtOp::row_store:
     case StmtOp::store: {
         std::string member;
-        const ir::TypeId type = ir::for_each_step(
-            p.program, body.pass, stmt,
-            [&](std::uint32_t slot, ir::StructId of) { member += "." + p.globals.field_names[of][slot]; });
+        const ir::TypeId type = ir::for_each_step(p.program, body.pass, stmt, [&](std::uint32_t slot, ir::StructId of) {
+            member += "." + p.globals.field_names[of][slot];
+        });
         std::string value = cpp::print_any(p, stmt.value);
         if (is_row(p.program.types, body.pass.bindings[stmt.slot], p.program.exprs[stmt.value].type))
             return p.out.line("glift::host::store_row(" + row_arguments(body, stmt.slot, stmt.target) + ", " + value +
