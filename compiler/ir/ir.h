@@ -156,6 +156,8 @@ struct Stmt {
     Operands arguments;
     RareVector<LocalId> locals;  ///< of a release: the temporaries
     Place place;
+    RareVector<std::uint32_t>
+        path;  ///< of a store to a member of an element: the fields that lead to it, outermost first
 
     KernelId kernel() const { return {slot}; }  ///< of a dispatch
 };

@@ -169,6 +169,19 @@ struct Pass {
     bool has_status() const { return has_reports || counts_rounds(); }
 };
 
+/// Calls visit(slot, struct) for each field of a store's path, outermost first. Returns the type of what the store
+/// changes: an element, or the member to which the path leads.
+template <class Visit>
+TypeId for_each_step(const Program& program, const Pass& pass, const Stmt& store, Visit&& visit) {
+    TypeId type = pass.bindings[store.slot].element;
+    for (std::uint32_t slot : store.path) {
+        const StructId of = program.types[type].struct_;
+        visit(slot, of);
+        type = program.structs[of].fields[slot].type;
+    }
+    return type;
+}
+
 /// A function of a structure, lowered for the user's own shaders. Its body ends with an `evaluate` of the result, or it
 /// returns nothing.
 struct LibraryFunction {

@@ -63,7 +63,9 @@ void Printer::stmt(const Stmt& stmt) {
         line(place(stmt.place) + "[" + expr(stmt.target) + "] = " + expr(stmt.value) + ";" +
              (stmt.combine == Combine::replace ? "" : "  // " + std::string(spelling(stmt.combine))));
         break;
-    case StmtOp::store: line(binding(stmt.slot) + "[" + expr(stmt.target) + "] = " + expr(stmt.value) + ";"); break;
+    case StmtOp::store:
+        line(binding(stmt.slot) + "[" + expr(stmt.target) + "]" + member(stmt) + " = " + expr(stmt.value) + ";");
+        break;
     case StmtOp::image_store:
         line("image_store(" + binding(stmt.slot) + ", " + expr(stmt.target) + ", " + expr(stmt.value) + ");");
         break;
@@ -86,10 +88,18 @@ void Printer::stmt(const Stmt& stmt) {
     }
 }
 
+/// The member of an element that a store changes, as it stands behind the element; nothing if it changes all of it.
+std::string Printer::member(const Stmt& stmt) const {
+    std::string text;
+    for_each_step(p, *pass_, stmt,
+                  [&](std::uint32_t slot, StructId of) { text += "." + name(p.structs[of].fields[slot].name); });
+    return text;
+}
+
 void Printer::cpu_stmt(const Stmt& stmt) {
     switch (stmt.op) {
     case StmtOp::row_store:
-        line(binding(stmt.slot) + ".row[" + expr(stmt.target) + "] = " + expr(stmt.value) + ";");
+        line(binding(stmt.slot) + ".row[" + expr(stmt.target) + "]" + member(stmt) + " = " + expr(stmt.value) + ";");
         break;
     case StmtOp::row_update:
         line("row_update_" + std::string(spelling(stmt.combine)) + "(" + binding(stmt.slot) + "[" + expr(stmt.target) +

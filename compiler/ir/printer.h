@@ -48,6 +48,7 @@ private:
     void nested(const std::string& head, const std::vector<StmtId>& body);
     void let(const Stmt& stmt);
     void host_stmt(const Stmt& stmt);
+    std::string member(const Stmt& stmt) const;
     void cpu_stmt(const Stmt& stmt);
     std::string declaration(LocalId local);
 

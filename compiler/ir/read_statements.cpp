@@ -1,5 +1,6 @@
 #include "ir/reader.h"
 #include "ir/spelling.h"
+#include "ir/walk.h"
 
 namespace gliftc::ir {
 
@@ -128,13 +129,26 @@ Stmt Reader::memory_statement(StmtOp op, Combine combine) {
     return stmt;
 }
 
-/// Reads an assignment, a store (a load on the left of '='), or an expression that is evaluated for its effect.
+/// The fields that lead from an element of memory to a member of it, outermost first.
+std::vector<std::uint32_t> Reader::path_of(ExprId member) {
+    std::vector<std::uint32_t> path;
+    for (const Expr* node = &p.exprs[member]; node->op != Op::load && node->op != Op::row_load;
+         node = &p.exprs[node->operands[0]]) {
+        if (node->op != Op::field) fail("a store changes an element or a member of one, not a part of a member");
+        path.insert(path.begin(), node->slot);
+    }
+    return path;
+}
+
+/// Reads an assignment, a store (a load, or a member of one, on the left of '='), or an expression that is evaluated
+/// for its effect.
 Stmt Reader::assignment() {
     Stmt stmt;
     const ExprId first = expr();
     if (accept("=")) {
-        const Expr& target = p.exprs[first];
+        const Expr& target = place_of(p, first);
         const bool is_store = target.op == Op::load || target.op == Op::row_load;
+        if (is_store) stmt.path = path_of(first);
         stmt.op = target.op == Op::row_load ? StmtOp::row_store : is_store ? StmtOp::store : StmtOp::assign;
         stmt.slot = is_store ? target.slot : 0;
         stmt.target = is_store ? target.operands[0] : first;

@@ -73,6 +73,7 @@ private:
     Stmt copy_of_row();
     Stmt keep();
     Stmt memory_statement(StmtOp op, Combine combine);
+    std::vector<std::uint32_t> path_of(ExprId member);
     Stmt assignment();
     Stmt simple(StmtOp op);
 

@@ -41,6 +41,7 @@ private:
         problems.push_back(what + (id ? ": " + print(p, id, &pass_) : ""));
     }
     void no_cpu_level(const std::vector<StmtId>& body);
+    bool has_path(const Stmt& store) const;
     void stmt(const Stmt& stmt);
     void expr(ExprId id);
     void expect_type(ExprId id, TypeId type, const char* where) {
@@ -148,6 +149,17 @@ void Validator::expr(ExprId id) {
     low_level(id);
 }
 
+bool Validator::has_path(const Stmt& store) const {
+    TypeId type = pass_.bindings[store.slot].element;
+    for (std::uint32_t slot : store.path) {
+        if (p.types.kind(type) != TypeKind::struct_) return false;
+        const std::vector<StructField>& fields = p.structs[p.types[type].struct_].fields;
+        if (slot >= fields.size()) return false;
+        type = fields[slot].type;
+    }
+    return true;
+}
+
 void Validator::stmt(const Stmt& stmt) {
     if (stmt.value) expr(stmt.value);
     if (stmt.target) expr(stmt.target);
@@ -180,8 +192,9 @@ void Validator::stmt(const Stmt& stmt) {
     case StmtOp::row_update:
         if (stmt.slot >= pass_.bindings.size()) return fail("no such binding");
         if (pass_.bindings[stmt.slot].access == Access::read) fail("a store to memory that is only read");
+        if (!has_path(stmt)) return fail("a store to a member that the element does not have");
         if (!is_row(p.types, pass_.bindings[stmt.slot], p.exprs[stmt.value].type))
-            expect_type(stmt.value, pass_.bindings[stmt.slot].element, "a store");
+            expect_type(stmt.value, for_each_step(p, pass_, stmt, [](std::uint32_t, StructId) {}), "a store");
         return;
     case StmtOp::report:
         if (stmt.slot >= pass_.bindings.size() && stmt.slot != no_binding) return fail("no such binding");

@@ -7,8 +7,10 @@
 #include "lower/transform/dead.h"
 #include "lower/transform/guard.h"
 #include "lower/transform/narrow_loads.h"
+#include "lower/transform/narrow_stores.h"
 #include "lower/transform/share.h"
 #include "lower/transform/split_chains.h"
+#include "lower/transform/split_structs.h"
 #include "lower/transform/strength.h"
 
 #include <algorithm>
@@ -49,6 +51,11 @@ constexpr BodyPass bodies[] = {
      without_facts<strengthen>},
     share_pass,
     drop_dead_pass,
+    {"narrow_stores", "trees", "stores of a struct are stores of those members that may differ from what memory holds",
+     without_facts<narrow_stores>},
+    {"split_structs", "trees",
+     "of structs that are loaded, those of which only some members are used are a local for each such member",
+     without_facts<split_structs>},
     {"merge_single_uses", "trees", "temporaries that are used once, in no deeper loop, stand where they are used",
      without_facts<merge_single_uses>},
     {"narrow_loads", "trees", "loads of a vector of which one component is used are loads of that component",

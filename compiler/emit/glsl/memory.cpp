@@ -350,7 +350,10 @@ void print_store(Printer& p, const ir::Stmt& stmt) {
     if (is_row(p.program.types, binding, p.program.exprs[stmt.value].type))
         return line(p, row_text(p, stmt.slot, stmt.target) + " = " + value + ";");
     if (stored_as_bits(p, binding)) value = as_bits(binding, value);
-    print_store(p, element_text(p, stmt.slot, stmt.target), value, binding.element);
+    std::string place = element_text(p, stmt.slot, stmt.target);
+    const ir::TypeId type = ir::for_each_step(
+        p.program, p.pass, stmt, [&](std::uint32_t slot, ir::StructId of) { place += "." + p.field_names[of][slot]; });
+    print_store(p, place, value, type);
 }
 
 }  // namespace gliftc::glsl

@@ -151,13 +151,16 @@ void print_outer(Body& body, const Stmt& stmt) {
     switch (stmt.op) {
     case StmtOp::row_store:
     case StmtOp::store: {
-        const ir::TypeId element = body.pass.bindings[stmt.slot].element;
+        std::string member;
+        const ir::TypeId type = ir::for_each_step(p.program, body.pass, stmt, [&](std::uint32_t slot, ir::StructId of) {
+            member += "." + p.globals.field_names[of][slot];
+        });
         std::string value = cpp::print_any(p, stmt.value);
         if (is_row(p.program.types, body.pass.bindings[stmt.slot], p.program.exprs[stmt.value].type))
             return p.out.line("glift::host::store_row(" + row_arguments(body, stmt.slot, stmt.target) + ", " + value +
                               ");");
-        if (cpp::is_bool_vector(p.program, element)) value = cpp::storage_text(p.globals, element) + "(" + value + ")";
-        const std::string place = element_text(body, stmt.slot, stmt.target);
+        if (cpp::is_bool_vector(p.program, type)) value = cpp::storage_text(p.globals, type) + "(" + value + ")";
+        const std::string place = element_text(body, stmt.slot, stmt.target) + member;
         if (body.pass.bindings[stmt.slot].coherent)
             return p.out.line("glift::host::memory::write(" + place + ", " + value + ");");
         p.out.line(place + " = " + value + ";");
