@@ -6,10 +6,13 @@
 // to near 1 first, so that nothing overflows or is flushed to zero. Quotients and roots of halves are computed as
 // floats and rounded to halves: a float has more than twice the digits, so that rounding twice gives the same as
 // rounding once. tests/device/accuracy compares the results with the host device's. Where the device's own results are
-// correctly rounded (lavapipe, whose fma is not fused), the runtime says so by specialisation constant 100.
+// correctly rounded (lavapipe, whose fma is not fused), the runtime says so by specialisation constant 100. By a constant
+// one correction is enough (Brisebarre, Muller and Raina, Accelerating Correctly Rounded Floating-Point Division When the
+// Divisor Is Known in Advance, IEEE Transactions on Computers 53, 2004).
 #include "emit/glsl/printer.h"
 
 #include <bit>
+#include <cmath>
 
 namespace gliftc::glsl {
 
@@ -77,27 +80,28 @@ bool is_ordinary(float a, float b) {
     return all(bvec4(greaterThanEqual(sizes, low), lessThan(sizes, high)));
 }
 
-float ordinary_quotient(float a, float b) {
+float divide(float a, float b) {
+    if (exact_division) return a / b;
+    if (!is_ordinary(a, b)) return scaled_quotient(a, b);
     float r = 1.0 / b;
     r = rounded_reciprocal(b, fma(fma(-b, r, 1.0), r, r));
     float q = a * r;
     q = fma(fma(-b, q, a), r, q);
     return fma(fma(-b, q, a), r, q);
 }
-
-float divide(float a, float b) {
-    if (exact_division) return a / b;
-    if (is_ordinary(a, b)) return ordinary_quotient(a, b);
-    return scaled_quotient(a, b);
-}
 )";
 
-constexpr const char* quick_quotient_text = R"(// Whether all results of quick_divide are right.
-bool quotients_hold = true;
+constexpr const char* quotient_by_constant_text = R"(bool is_ordinary_dividend(float a) {
+    float x = floatBitsToUint(a) == 0u ? 1.0 : abs(a);
+    return all(bvec2(x >= 1.0842021724855044e-19, x < 9223372036854775808.0));
+}
 
-float quick_divide(float a, float b) {
-    quotients_hold = all(bvec2(quotients_hold, is_ordinary(a, b)));
-    return ordinary_quotient(a, b);
+// r is 1 / b rounded; b is between 2^-62 and 2^62.
+float divide_by(float a, float b, float r) {
+    if (exact_division) return a / b;
+    if (!is_ordinary_dividend(a)) return scaled_quotient(a, b);
+    float q = a * r;
+    return fma(fma(-b, q, a), r, q);
 }
 )";
 
@@ -144,7 +148,7 @@ std::string division_definition(const Printer& p, const HelperUse& use) {
     const bool half = use.a == p.program.types.half;
     switch (use.helper) {
     case Helper::split_float: return common;
-    case Helper::quick_divide: return quick_quotient_text;
+    case Helper::divide_by: return quotient_by_constant_text;
     case Helper::divide: return half ? half_quotient_text : quotient_text;
     default: return half ? half_root_text : root_text;
     }
@@ -166,10 +170,32 @@ bool is_power_of_two(const Printer& p, ir::ExprId id) {
     return false;
 }
 
+/// Whether the expression is a scalar constant whose rounded reciprocal is enough for correct quotients
+/// (quotient_by_constant_text).
+bool is_ordinary_constant(const Printer& p, ir::ExprId id) {
+    const ir::Expr& expr = p.program.exprs[id];
+    if (expr.op != ir::Op::constant || expr.type != p.program.types.float_) return false;
+    const float value = std::abs(static_cast<float>(expr.number));
+    const std::uint32_t mantissa = std::bit_cast<std::uint32_t>(value) & 0x007fffffu;
+    return value >= 0x1p-62f && value <= 0x1p62f && mantissa != 0x007fffffu;
+}
+
 bool corrects_division(const Printer& p, ir::TypeId type) {
     const ir::Types& types = p.program.types;
     const ir::TypeId scalar = types.scalar_of(type);
     return p.options.rounding == Rounding::correct && (scalar == types.float_ || scalar == types.half);
+}
+
+Text print_quotient(Printer& p, const ir::Expr& expr) {
+    const ir::ExprId a = expr.operands[0], b = expr.operands[1];
+    if (is_ordinary_constant(p, b)) {
+        const float r = 1.0f / static_cast<float>(p.program.exprs[b].number);
+        const std::string name = need(p, Helper::divide_by, expr.type);
+        return {name + "(" + print_as(p, a, expr.type) + ", " + print_any(p, b) + ", " +
+                literal(p, p.program.types.float_, 0, r) + ")"};
+    }
+    const std::string name = need(p, Helper::divide, expr.type);
+    return {name + "(" + print_as(p, a, expr.type) + ", " + print_as(p, b, expr.type) + ")"};
 }
 
 std::string quotient_of(Printer& p, ir::TypeId type, const std::string& a, const std::string& b) {

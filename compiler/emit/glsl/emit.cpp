@@ -136,10 +136,6 @@ std::string main_text(Printer& p) {
     const bool is_coarsened = variant.assumes.elements != p.pass.plain().assumes.elements;
     if (is_coarsened && p.options.lines == LineMarks::comments) line(p, elements_text(p.pass));
     find_choices(p, {}, p.body());
-    if (has_quick_body(p)) {
-        print_quick_body(p);
-        line(p, "if (quotients_hold) return;");
-    }
     print_body(p, p.body());
     p.indent = 0;
     p.names.leave();

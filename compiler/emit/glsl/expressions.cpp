@@ -102,9 +102,7 @@ Text print_division(Printer& p, const Expr& expr) {
         if (types.is_matrix(expr.type) && types.is_scalar(p.program.exprs[b].type))
             return {need(p, Helper::matrix_scalar_quotient, expr.type) + "(" + print_any(p, a) + ", " +
                     print_any(p, b) + ")"};
-        if (corrects_division(p, expr.type) && !is_power_of_two(p, b))
-            return helper_call(p, p.divides_quickly && has_quick_form(p, expr) ? Helper::quick_divide : Helper::divide,
-                               expr, expr.type);
+        if (corrects_division(p, expr.type) && !is_power_of_two(p, b)) return print_quotient(p, expr);
         return plain_binary(p, expr.binary, a, b);
     }
     bool safe = divisor_is_safe(p, b);

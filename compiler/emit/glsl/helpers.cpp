@@ -45,7 +45,7 @@ const char* name_of(Helper helper) {
     case Helper::whole_vector: return "whole_vector";
     case Helper::split_float: return "split";
     case Helper::divide: return "divide";
-    case Helper::quick_divide: return "quick_divide";
+    case Helper::divide_by: return "divide_by";
     case Helper::square_root: return "square_root";
     case Helper::shuffled: return "shuffled";
     case Helper::shuffled_xor: return "shuffled_xor";
@@ -84,6 +84,14 @@ std::string by_component(const std::string& result, const std::string& name, con
         std::string lane(1, "xyzw"[i]);
         text += (i ? ", " : "") + name + "(a." + lane + (two ? ", b." + lane : "") + ")";
     }
+    return text + ");\n}\n";
+}
+
+/// A function of each component of a, of the constant b and its reciprocal r.
+std::string quotients_by_constant(const std::string& type, const std::string& name, std::uint32_t count) {
+    std::string text = type + " " + name + "(" + type + " a, float b, float r) {\n    return " + type + "(";
+    for (std::uint32_t i = 0; i < count; ++i)
+        text += std::string(i ? ", " : "") + name + "(a." + "xyzw"[i] + ", b, r)";
     return text + ");\n}\n";
 }
 
@@ -385,13 +393,15 @@ std::string definition(Printer& p, const HelperUse& use) {
                "component 0.\n" +
                one_line(type_text(p, use.a) + " whole_vector(" + type_text(p, use.a) + " v)", "v");
     case Helper::split_float: return division_definition(p, use);
-    case Helper::quick_divide:
+    case Helper::divide_by:
+        if (p.program.types.components(use.a) == 1) return division_definition(p, use);
+        return quotients_by_constant(type_text(p, use.a), name_of(use.helper), p.program.types.components(use.a));
     case Helper::divide:
     case Helper::square_root: {
         std::uint32_t count = p.program.types.components(use.a);
         if (count == 1) return division_definition(p, use);
         return by_component(type_text(p, use.a), name_of(use.helper), type_text(p, use.a), count,
-                            use.helper != Helper::square_root);
+                            use.helper == Helper::divide);
     }
     case Helper::shuffled:
     case Helper::shuffled_xor:
@@ -434,11 +444,11 @@ void need_inner(Printer& p, const HelperUse& use) {
     case Helper::vector_matrix:
     case Helper::reflection: need(p, Helper::ordered_dot, use.a); break;
     case Helper::divide:
-    case Helper::quick_divide:
+    case Helper::divide_by:
     case Helper::square_root:
         if (types.components(use.a) > 1) {
             need(p, use.helper, scalar);
-        } else if (use.helper == Helper::quick_divide) {
+        } else if (use.helper == Helper::divide_by) {
             need(p, Helper::divide, types.float_);
         } else if (use.a == types.half) {
             need(p, use.helper, types.float_);

@@ -68,7 +68,7 @@ enum class Helper : std::uint8_t {
     whole_vector,
     split_float,
     divide,
-    quick_divide,
+    divide_by,
     square_root,
     shuffled,
     shuffled_xor,
@@ -146,7 +146,6 @@ struct Printer {
     std::unordered_map<ir::LocalId, std::string> local_names;
     std::unordered_map<ir::LocalId, Bounds> bounds;
     std::unordered_set<ir::LocalId> choices;  ///< locals that may hold a choice between constants (signs.h)
-    bool divides_quickly = false;             ///< quotients are computed by quick_divide (quick.cpp)
     bool in_range_is_known = false;           ///< the shader has returned already if in_range is false
 
     std::set<std::string> extensions;
@@ -247,12 +246,6 @@ std::string ordered_atomic(Printer& p, const char* name, const ir::Expr& expr);
 std::string subgroup_barrier(Printer& p, const std::string& memory);
 std::string order_definitions(const Printer& p);
 
-// quick.cpp: bodies with many quotients
-bool has_quick_form(const Printer& p, const ir::Expr& expr);  ///< a quotient that quick_divide can compute
-bool has_quick_body(const Printer& p);
-/// Prints the body with quick quotients. Afterwards quotients_hold is true if nothing is left to do.
-void print_quick_body(Printer& p);
-
 // division.cpp
 std::string division_definition(const Printer& p, const HelperUse& use);
 /// Whether the expression is a constant power of two, or a vector of such constants. Of floats it may be negative, and
@@ -260,6 +253,8 @@ std::string division_definition(const Printer& p, const HelperUse& use);
 /// correction.
 bool is_power_of_two(const Printer& p, ir::ExprId expr);
 bool corrects_division(const Printer& p, ir::TypeId type);
+/// The quotient of floats, or halves, correctly rounded.
+Text print_quotient(Printer& p, const ir::Expr& expr);
 std::string quotient_of(Printer& p, ir::TypeId type, const std::string& a, const std::string& b);
 
 // subgroups.cpp

@@ -46,7 +46,7 @@ void main() {
     if (in_range) {
         value_value = value_data[address];
     }
-    part[min(i, 63u)] = value_value;
+    part[i] = value_value;
     // group.glift:12
     barrier();
     // group.glift:13
@@ -55,7 +55,7 @@ void main() {
     while (another_round(0u, 14u) && step_1 > 0u) {
         // group.glift:15
         if (i < step_1) {
-            part[min(i, 63u)] += part[min(i + step_1, 63u)];
+            part[i] += part[min(i + step_1, 63u)];
         }
         // group.glift:16
         barrier();

@@ -29,10 +29,10 @@ void main() {
             [[unroll]] for (uint row_1 = 0u; row_1 < 4u; ++row_1) {
                 uvec4 from_four = from_data_rows[from_vector + row_1];
                 uint value = row_1 * 4u;
-                from_items[min(value, 15u)] = from_four.x;
-                from_items[min(value + 1u, 15u)] = from_four.y;
-                from_items[min(value + 2u, 15u)] = from_four.z;
-                from_items[min(value + 3u, 15u)] = from_four.w;
+                from_items[value] = from_four.x;
+                from_items[value + 1u] = from_four.y;
+                from_items[value + 2u] = from_four.z;
+                from_items[value + 3u] = from_four.w;
             }
         } else {
             [[unroll]] for (uint row_1 = 0u; row_1 < 4u; ++row_1) {
@@ -40,19 +40,19 @@ void main() {
                 uint from0_address = from_first + value;
                 bool from0_value_inside = from0_address < tile_extent;
                 uint from0_value = from_data[from0_value_inside ? from0_address : 0u];
-                from_items[min(value, 15u)] = from0_value_inside ? from0_value : 0u;
+                from_items[value] = from0_value_inside ? from0_value : 0u;
                 uint from1_address = from0_address + 1u;
                 bool from1_value_inside = from1_address < tile_extent;
                 uint from1_value = from_data[from1_value_inside ? from1_address : 0u];
-                from_items[min(value + 1u, 15u)] = from1_value_inside ? from1_value : 0u;
+                from_items[value + 1u] = from1_value_inside ? from1_value : 0u;
                 uint from2_address = from0_address + 2u;
                 bool from2_value_inside = from2_address < tile_extent;
                 uint from2_value = from_data[from2_value_inside ? from2_address : 0u];
-                from_items[min(value + 2u, 15u)] = from2_value_inside ? from2_value : 0u;
+                from_items[value + 2u] = from2_value_inside ? from2_value : 0u;
                 uint from3_address = from0_address + 3u;
                 bool from3_value_inside = from3_address < tile_extent;
                 uint from3_value = from_data[from3_value_inside ? from3_address : 0u];
-                from_items[min(value + 3u, 15u)] = from3_value_inside ? from3_value : 0u;
+                from_items[value + 3u] = from3_value_inside ? from3_value : 0u;
             }
         }
         uint items[16] = from_items;
@@ -69,28 +69,27 @@ void main() {
             uint to_vector = from_first / 4u;
             [[unroll]] for (uint row_1 = 0u; row_1 < 4u; ++row_1) {
                 uint value = row_1 * 4u;
-                to_data_rows[to_vector + row_1] = uvec4(to_items[min(value, 15u)],
-                    to_items[min(value + 1u, 15u)], to_items[min(value + 2u, 15u)],
-                    to_items[min(value + 3u, 15u)]);
+                to_data_rows[to_vector + row_1] = uvec4(to_items[value], to_items[value + 1u],
+                    to_items[value + 2u], to_items[value + 3u]);
             }
         } else {
             [[unroll]] for (uint row_1 = 0u; row_1 < 4u; ++row_1) {
                 uint value = row_1 * 4u;
                 uint to_address = from_first + value;
                 if (to_address < tile_extent) {
-                    to_data[to_address] = to_items[min(value, 15u)];
+                    to_data[to_address] = to_items[value];
                 }
                 uint to_address_1 = to_address + 1u;
                 if (to_address_1 < tile_extent) {
-                    to_data[to_address_1] = to_items[min(value + 1u, 15u)];
+                    to_data[to_address_1] = to_items[value + 1u];
                 }
                 uint to_address_2 = to_address + 2u;
                 if (to_address_2 < tile_extent) {
-                    to_data[to_address_2] = to_items[min(value + 2u, 15u)];
+                    to_data[to_address_2] = to_items[value + 2u];
                 }
                 uint to_address_3 = to_address + 3u;
                 if (to_address_3 < tile_extent) {
-                    to_data[to_address_3] = to_items[min(value + 3u, 15u)];
+                    to_data[to_address_3] = to_items[value + 3u];
                 }
             }
         }

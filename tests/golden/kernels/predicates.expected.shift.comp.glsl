@@ -40,7 +40,7 @@ void main() {
     if (in_range) {
         x_value = x_data[address];
     }
-    part[min(gl_LocalInvocationIndex, 63u)] = x_value + next;
+    part[gl_LocalInvocationIndex] = x_value + next;
     // predicates.glift:16
     barrier();
     // predicates.glift:17

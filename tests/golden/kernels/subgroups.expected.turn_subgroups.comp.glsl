@@ -27,7 +27,7 @@ void main() {
     if (in_range) {
         from_value = from_data[address];
     }
-    values[min(gl_LocalInvocationIndex, 63u)] = from_value;
+    values[gl_LocalInvocationIndex] = from_value;
     // subgroups.glift:39
     if (!fences_are_barriers) controlBarrier(gl_ScopeSubgroup, gl_ScopeSubgroup, gl_StorageSemanticsShared,
         gl_SemanticsAcquireRelease);
