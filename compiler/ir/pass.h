@@ -133,7 +133,7 @@ struct Pass {
     /// vertex part; the fragment part, if there is one, is another variant. All other variants are for some devices
     /// only, or are valid under assumptions only.
     std::vector<Variant> variants = std::vector<Variant>(1);
-    std::vector<PassUpdate> updates;    ///< if shaders combine any before they reach memory: all, in the body's order
+    std::vector<PassUpdate> updates;  ///< if shaders combine any before they reach memory: all, in the body's order
     std::vector<PassStaged> staged;
     std::vector<PassTile> tiles;        ///< the same in all forms
     std::vector<FunctionId> functions;  ///< lowered functions that the bodies call, callees before callers

@@ -16,16 +16,15 @@
 #include "lower/lower.h"
 #include "lower/overlay.h"
 #include "lower/passes.h"
+#include "lower/run_passes.h"
+#include "lower/shader_variants.h"
 #include "lower/transform/coarsen.h"
 #include "lower/transform/common_bindings.h"
 #include "lower/transform/compact.h"
 #include "lower/transform/dead.h"
 #include "lower/transform/fold_constants.h"
-#include "lower/transform/privatise.h"
 #include "lower/transform/split_chains.h"
-#include "lower/transform/stage.h"
 #include "lower/transform/temporaries.h"
-#include "lower/transform/tile.h"
 #include "lower/transform/uniforms.h"
 #include "lower/transform/widen.h"
 
@@ -46,45 +45,6 @@ namespace {
 /// The least number of kernels for a thread: with fewer, starting the thread and making its overlay of the program
 /// (overlay.h) costs more time than it saves.
 constexpr std::size_t kernels_of_a_thread = 8;
-
-/// In development builds: validates a body after a pass.
-void check([[maybe_unused]] const Context& cx, [[maybe_unused]] const std::vector<StmtId>& body,
-           [[maybe_unused]] std::string_view pass) {
-#ifndef NDEBUG
-    std::vector<std::string> problems = validate(cx.p, cx.pass, body, cx.params);
-    for (const std::string& problem : problems)
-        std::fprintf(stderr, "gliftc: %.*s of %s: %s\n", static_cast<int>(pass.size()), pass.data(),
-                     (*cx.p.names)[cx.kernel.name].c_str(), problem.c_str());
-    assert(problems.empty());
-#endif
-}
-
-/// Called after each pass: validates its result in development builds, writes it to the trace if --dump-after names
-/// this pass, and notes whether lowering stops here (--stop-after).
-void finished(Context& cx, std::string_view pass, const std::vector<Variant>& variants,
-              const std::vector<ExprId>& facts, std::string_view what) {
-    for (const Variant& variant : variants) check(cx, statements_of(variant), pass);
-    if (cx.trace == nullptr) return;
-    cx.trace->note(pass, cx.p, cx.pass, variants, facts, what);
-    cx.is_stopped |= pass == cx.trace->stop_after;
-}
-
-void finished(Context& cx, std::string_view pass, const std::vector<StmtId>& body, const std::vector<ExprId>& facts,
-              std::string_view what) {
-    finished(cx, pass, std::vector<Variant>{{.part = cx.part, .assumes = cx.pass.plain().assumes, .body = body}}, facts,
-             what);
-}
-
-/// Runs the body passes over a body; `what` names it in the trace.
-std::vector<StmtId> simplified(Context& cx, std::string_view what, std::vector<StmtId> body,
-                               const std::vector<ExprId>& facts = {}) {
-    for (const BodyPass& pass : body_passes()) {
-        if (cx.is_stopped) break;
-        body = pass.run(cx, body, facts);
-        finished(cx, pass.name, body, facts, what);
-    }
-    return body;
-}
 
 /// The slot of the parameter that the expression is, or no_parameter.
 std::uint32_t parameter_of(const Context& cx, ExprId id) {
@@ -214,12 +174,6 @@ void check_whole([[maybe_unused]] const Context& cx) {
 #endif
 }
 
-/// How many elements an invocation of a shader takes. many_where_it_helps: those of a tile or of staged loads (tile.h,
-/// stage.h), or up to four as coarsened() of coarsen.h chooses. two_where_it_helps: at most two, as it chooses.
-/// two_in_turn: two, the second computed after the first has been stored. In kernels over blocks all three mean up to
-/// eight, as coarsened_in_block() chooses. All but `one` allow many elements, if privatised() of privatise.h finds a gain.
-enum class Elements { one, two_in_turn, two_where_it_helps, many_where_it_helps };
-
 /// The last steps, after move_uniforms: variants for the host device, properties of bindings, the summary.
 void complete(Context& cx) {
     if (!cx.is_direct()) add_host_variants(cx);
@@ -255,66 +209,6 @@ void lower_draw(Context& cx) {
     if (!cx.is_stopped) complete(cx);
     pass.address = {};
     pass.in_range = {};
-}
-
-/// Adds the variant for shaders in which invocations combine the updates of many elements; false: there is no gain.
-bool add_privatised(Context& cx, const std::vector<StmtId>& expanded, const std::vector<ExprId>& facts) {
-    std::optional<Privatised> many = privatised(cx, expanded);
-    if (!many) return false;
-    finished(cx, "privatise", many->body, {}, "many elements");
-    cx.pass.group = many->group;
-    const bool is_in_range = !has_any_barrier(cx.p, many->body);  // else invocations beyond the range run it, too
-    many->body = simplified(cx, "many elements", std::move(many->body), is_in_range ? facts : std::vector<ExprId>{});
-    cx.pass.variants.push_back({Part::whole, Devices::shaders, {many->elements, std::nullopt}, std::move(many->body)});
-    return true;
-}
-
-/// Adds the variant for shaders in which a workgroup stages loads of a loop; false: there is no gain.
-bool add_staged(Context& cx, const std::vector<StmtId>& expanded) {
-    std::optional<Staged> made = staged(cx, expanded);
-    if (!made) return false;
-    finished(cx, "stage", made->body, {}, "staged loads");
-    made->body = simplified(cx, "staged loads", std::move(made->body));
-    cx.pass.variants.push_back({Part::whole, Devices::shaders, {made->elements, std::nullopt}, std::move(made->body)});
-    return true;
-}
-
-/// Adds the variant for shaders in which workgroups make transposed accesses through a tile; false: there are none.
-bool add_tiled(Context& cx, const std::vector<StmtId>& expanded) {
-    std::optional<Tiled> made = tiled(cx, expanded);
-    if (!made) return false;
-    finished(cx, "tile", made->body, {}, "tile");
-    cx.pass.group = made->group;
-    made->body = simplified(cx, "tile", std::move(made->body));
-    cx.pass.variants.push_back({Part::whole, Devices::shaders, {made->elements, std::nullopt}, std::move(made->body)});
-    return true;
-}
-
-/// Adds the variant for shaders in which invocations take several elements, if there is a gain.
-void add_coarsened(Context& cx, const std::vector<StmtId>& expanded, const Expander& expander, Elements elements,
-                   const std::vector<ExprId>& facts) {
-    Coarsened several;
-    if (cx.kernel.space) {
-        several = coarsened_in_block(cx, expanded, Expander(cx, Guards::block).kernel_body());
-        cx.traits.clear();
-    } else if (elements != Elements::two_in_turn) {
-        several = coarsened(cx, expanded, expander, elements == Elements::many_where_it_helps ? 4 : 2);
-    } else {
-        several = coarsened_in_turn(cx, expanded);
-    }
-    if (several.body.empty()) return;
-    finished(cx, "coarsen", several.body, facts, "two elements");
-    several.body = simplified(cx, "two elements", std::move(several.body), {facts[0], several.in_range});
-    cx.pass.variants.push_back(
-        {Part::whole, Devices::shaders, {several.elements, std::nullopt}, std::move(several.body)});
-}
-
-/// Adds a variant for shaders in which invocations take several elements, if there is a gain.
-void add_several(Context& cx, const std::vector<StmtId>& expanded, const Expander& expander, Elements elements,
-                 const std::vector<ExprId>& facts) {
-    if (elements == Elements::one || add_privatised(cx, expanded, facts)) return;
-    if (elements == Elements::many_where_it_helps && (add_tiled(cx, expanded) || add_staged(cx, expanded))) return;
-    add_coarsened(cx, expanded, expander, elements, facts);
 }
 
 void lower_computation(Context& cx, Elements elements) {

@@ -2,13 +2,13 @@
 //
 // A device's quotients may be 2.5 units in the last place off, and its roots are only as exact as 1 / inversesqrt
 // (Vulkan, "Precision of core SPIR-V instructions"). Markstein's corrections, made with fused multiply-adds, get the
-// correctly rounded result from an approximation of the reciprocal. Operands of roots, and quotients' operands far from 1, are scaled
-// to near 1 first, so that nothing overflows or is flushed to zero. Quotients and roots of halves are computed as
-// floats and rounded to halves: a float has more than twice the digits, so that rounding twice gives the same as
-// rounding once. tests/device/accuracy compares the results with the host device's. Where the device's own results are
-// correctly rounded (lavapipe, whose fma is not fused), the runtime says so by specialisation constant 100. By a constant
-// one correction is enough (Brisebarre, Muller and Raina, Accelerating Correctly Rounded Floating-Point Division When the
-// Divisor Is Known in Advance, IEEE Transactions on Computers 53, 2004).
+// correctly rounded result from an approximation of the reciprocal. Operands of roots, and quotients' operands far from
+// 1, are scaled to near 1 first, so that nothing overflows or is flushed to zero. Quotients and roots of halves are
+// computed as floats and rounded to halves: a float has more than twice the digits, so that rounding twice gives the
+// same as rounding once. tests/device/accuracy compares the results with the host device's. Where the device's own
+// results are correctly rounded (lavapipe, whose fma is not fused), the runtime says so by specialisation constant 100.
+// By a constant one correction is enough (Brisebarre, Muller and Raina, Accelerating Correctly Rounded Floating-Point
+// Division When the Divisor Is Known in Advance, IEEE Transactions on Computers 53, 2004).
 #include "emit/glsl/printer.h"
 
 #include <bit>
@@ -142,13 +142,24 @@ constexpr const char* half_root_text = R"(float16_t square_root(float16_t x) {
 }
 )";
 
+/// A function of each component of a, of the constant b and its reciprocal r.
+std::string quotients_by_constant(const std::string& type, std::uint32_t count) {
+    std::string text = type + " divide_by(" + type + " a, float b, float r) {\n    return " + type + "(";
+    for (std::uint32_t i = 0; i < count; ++i)
+        text += std::string(i ? ", " : "") + "divide_by(a." + "xyzw"[i] + ", b, r)";
+    return text + ");\n}\n";
+}
+
 }  // namespace
 
-std::string division_definition(const Printer& p, const HelperUse& use) {
+std::string division_definition(Printer& p, const HelperUse& use) {
     const bool half = use.a == p.program.types.half;
     switch (use.helper) {
     case Helper::split_float: return common;
-    case Helper::divide_by: return quotient_by_constant_text;
+    case Helper::divide_by: {
+        const std::uint32_t count = p.program.types.components(use.a);
+        return count == 1 ? quotient_by_constant_text : quotients_by_constant(type_text(p, use.a), count);
+    }
     case Helper::divide: return half ? half_quotient_text : quotient_text;
     default: return half ? half_root_text : root_text;
     }

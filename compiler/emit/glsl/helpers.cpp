@@ -87,14 +87,6 @@ std::string by_component(const std::string& result, const std::string& name, con
     return text + ");\n}\n";
 }
 
-/// A function of each component of a, of the constant b and its reciprocal r.
-std::string quotients_by_constant(const std::string& type, const std::string& name, std::uint32_t count) {
-    std::string text = type + " " + name + "(" + type + " a, float b, float r) {\n    return " + type + "(";
-    for (std::uint32_t i = 0; i < count; ++i)
-        text += std::string(i ? ", " : "") + name + "(a." + "xyzw"[i] + ", b, r)";
-    return text + ");\n}\n";
-}
-
 std::string one_line(const std::string& head, const std::string& value) {
     return head + " {\n    return " + value + ";\n}\n";
 }
@@ -392,10 +384,8 @@ std::string definition(Printer& p, const HelperUse& use) {
         return "// Keeps Mesa from combining this load with one of a single component by address, which would give "
                "component 0.\n" +
                one_line(type_text(p, use.a) + " whole_vector(" + type_text(p, use.a) + " v)", "v");
-    case Helper::split_float: return division_definition(p, use);
-    case Helper::divide_by:
-        if (p.program.types.components(use.a) == 1) return division_definition(p, use);
-        return quotients_by_constant(type_text(p, use.a), name_of(use.helper), p.program.types.components(use.a));
+    case Helper::split_float:
+    case Helper::divide_by: return division_definition(p, use);
     case Helper::divide:
     case Helper::square_root: {
         std::uint32_t count = p.program.types.components(use.a);

@@ -247,7 +247,7 @@ std::string subgroup_barrier(Printer& p, const std::string& memory);
 std::string order_definitions(const Printer& p);
 
 // division.cpp
-std::string division_definition(const Printer& p, const HelperUse& use);
+std::string division_definition(Printer& p, const HelperUse& use);
 /// Whether the expression is a constant power of two, or a vector of such constants. Of floats it may be negative, and
 /// its exponent is from -60 to 60 (halves: -14 to 14), so that its reciprocal is exact and quotients by it need no
 /// correction.

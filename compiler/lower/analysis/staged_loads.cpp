@@ -116,7 +116,8 @@ bool StagedLoads::may_be_staged(const Expr& node) const {
     if (node.op != Op::load && node.op != Op::guarded_load) return false;
     const PassBinding& binding = cx.pass.bindings[node.slot];
     const Types& types = cx.p.types;
-    if (binding.shape != MemoryShape::buffer || !(types.is_scalar(node.type) || types.is_vector(node.type))) return false;
+    if (binding.shape != MemoryShape::buffer || !(types.is_scalar(node.type) || types.is_vector(node.type)))
+        return false;
     const TypeId scalar = types.scalar_of(node.type);
     return scalar == types.float_ || scalar == types.uint || scalar == types.int_;
 }
@@ -138,7 +139,8 @@ void StagedLoads::note(ExprId id) {
     if (load.axes == (1u << cx.pass.rank) - 1) return;
     const ValueNumber value = numbers_.of(id);
     const auto known = std::ranges::find(values_, value);
-    if (known != values_.end()) return found_.loads[static_cast<std::size_t>(known - values_.begin())].nodes.push_back(id);
+    if (known != values_.end())
+        return found_.loads[static_cast<std::size_t>(known - values_.begin())].nodes.push_back(id);
     values_.push_back(value);
     found_.loads.push_back(std::move(load));
 }

@@ -11,10 +11,10 @@ namespace gliftc::lower {
 
 /// Loads of one element in one round of the loop.
 struct StagedLoad {
-    std::vector<ExprId> nodes;   ///< loads or guarded loads of the same value
+    std::vector<ExprId> nodes;  ///< loads or guarded loads of the same value
     std::uint32_t binding = 0;
-    std::uint8_t axes = 0;       ///< bit i: the element depends on component i of the invocation's address
-    bool is_row = false;         ///< consecutive x have consecutive elements
+    std::uint8_t axes = 0;  ///< bit i: the element depends on component i of the invocation's address
+    bool is_row = false;    ///< consecutive x have consecutive elements
 };
 
 /// The kernel's loop, and what is before and after it.

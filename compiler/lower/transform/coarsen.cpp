@@ -271,7 +271,7 @@ private:
     }
 
     Context& cx;
-    std::uint32_t count_;  ///< of elements
+    std::uint32_t count_;               ///< of elements
     std::deque<StatementCopy> copies_;  ///< of the second element, the third, …
     std::vector<StmtId> result_;
     ExprId has_next_;  ///< whether the element that is being copied exists
@@ -279,7 +279,8 @@ private:
     bool ends_in_stores_ = true;  ///< only statements with stores follow the first store in the body
 };
 
-/// How many elements an invocation takes, of at most `most`. Four if each needs less than half of the loads of the first one.
+/// How many elements an invocation takes, of at most `most`. Four if each needs less than half of the loads of the
+/// first one.
 std::uint32_t elements_for(const StoredLast& last, const Sharing& sharing, std::uint32_t most) {
     const std::size_t others = last.loads - std::min(last.loads, sharing.loads);
     const std::size_t loads_of_four = last.loads + 3 * (sharing.more + others);
@@ -312,7 +313,9 @@ Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander
     return count == 1 ? Coarsened{} : Coarsening(cx, count).run(body, made);
 }
 
-Coarsened coarsened_in_turn(Context& cx, const std::vector<StmtId>& body) { return Coarsening(cx, 2).run_in_turn(body); }
+Coarsened coarsened_in_turn(Context& cx, const std::vector<StmtId>& body) {
+    return Coarsening(cx, 2).run_in_turn(body);
+}
 
 bool is_coarsened(const Pass& pass) {
     return variant_for(pass, Devices::shaders).assumes.elements != pass.plain().assumes.elements;

@@ -19,9 +19,9 @@ struct Coarsened {
     std::array<std::uint32_t, 3> elements = {1, 1, 1};  ///< how many elements along each axis
 };
 
-/// Two elements, or four, if `most` allows them, that share most loads of neighbours, all computed before the first store; loads after a store
-/// are of memory that the pass does not write. `made` is the expander that made the body: it knows which values
-/// neighbour reads gave, some of which the next element uses again.
+/// Two elements, or four, if `most` allows them, that share most loads of neighbours, all computed before the first
+/// store; loads after a store are of memory that the pass does not write. `made` is the expander that made the body: it
+/// knows which values neighbour reads gave, some of which the next element uses again.
 Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander& made, std::uint32_t most);
 
 /// Two elements, one after the other: the statements of the first, then, if there is a second one, those of the second.

@@ -70,7 +70,7 @@ public:
         return result;
     }
 
-    Privatised run(const std::vector<StmtId>& body) {
+    SeveralElements run(const std::vector<StmtId>& body) {
         if (std::ranges::any_of(updates_, [](const PrivateUpdate& update) { return update.way == UpdateWay::tree; }))
             made_.group = {invocations, 1, 1};
         else made_.group = cx.pass.group;
@@ -502,7 +502,7 @@ private:
     Builder& build;
     std::vector<PrivateUpdate> updates_;
     Updates& dependence_;
-    Privatised made_;
+    SeveralElements made_;
     std::uint32_t axis_ = 0;
     bool is_chosen_ = false;
     std::uint32_t copies_ = 0;
@@ -514,7 +514,7 @@ private:
 
 }  // namespace
 
-std::optional<Privatised> privatised(Context& cx, const std::vector<StmtId>& body) {
+std::optional<SeveralElements> privatised(Context& cx, const std::vector<StmtId>& body) {
     if (cx.kernel.grouped() || cx.kernel.space || cx.kernel.raster || cx.kernel.items != 1 || cx.pass.rank > 3)
         return {};
     // Workgroups that wait for one another must not wait for elements that an invocation takes later.

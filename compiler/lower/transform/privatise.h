@@ -17,25 +17,14 @@
 // Needs: the statements of a kernel after "expand". Guarantees: the same updates; sums of floats in another order.
 #pragma once
 
-#include "lower/context.h"
+#include "lower/transform/several_elements.h"
 
-#include <array>
 #include <optional>
-#include <vector>
 
 namespace gliftc::lower {
 
-/// A body for many elements an invocation. It tests itself which elements are in the range. If it has barriers, all
-/// invocations of a workgroup must run it.
-struct Privatised {
-    std::vector<StmtId> body;
-    /// The number of elements of an invocation along each axis. Those along x are a workgroup's width apart.
-    std::array<std::uint32_t, 3> elements = {1, 1, 1};
-    std::array<std::uint32_t, 3> group = {256, 1, 1};
-};
-
 /// Absent if there is no gain, or for kernels with a group, blocks, coherent parameters, loops or returns, and draws.
 /// Sets Pass::updates and adds to Pass::shared.
-std::optional<Privatised> privatised(Context& cx, const std::vector<StmtId>& body);
+std::optional<SeveralElements> privatised(Context& cx, const std::vector<StmtId>& body);
 
 }  // namespace gliftc::lower

@@ -32,6 +32,7 @@ public:
 
     /// Takes the loads for which there is memory. False: there are none.
     bool choose() {
+        made_.group = cx.pass.group;
         rounds_ = cx.pass.rank == 1 ? rounds_in_line : rounds_in_space;
         const auto is_same_in_column = [](const StagedLoad& load) { return (load.axes >> 1 & 1) == 0; };
         if (cx.pass.rank > 1 && std::ranges::any_of(loop_.loads, is_same_in_column) && is_short())
@@ -52,7 +53,7 @@ public:
         return result;
     }
 
-    Staged run() {
+    SeveralElements run() {
         for (Tile& tile : tiles_) allocate(tile);
         measure();
         for (std::uint32_t i = 0; i < made_.elements[1]; ++i) begin_element(i);
@@ -204,17 +205,17 @@ private:
 
     void add_loop() {
         const Stmt loop = this->loop();
-        const ExprId all =
-            build.select(less(loop.value, loop.limit), minus(loop.limit, loop.value), build.uint(0));
-        // (all - 1) / rounds_ + 1 does not wrap around.
-        const ExprId last = quotient(minus(all, build.uint(1)), rounds_);
-        const ExprId steps = build.select(less(build.uint(0), all), build.add(last, build.uint(1)), build.uint(0));
+        const bool begins_at_zero = build.bits_of(loop.value) == std::uint64_t{0};
+        const ExprId from = minus(loop.limit, loop.value), zero = build.uint(0);
+        const ExprId all = begins_at_zero ? loop.limit : build.select(less(loop.value, loop.limit), from, zero);
+        const ExprId rest = build.intrinsic(Intrinsic::min, cx.p.types.uint, {remainder(all, rounds_), build.uint(1)});
+        const ExprId steps = build.add(quotient(all, rounds_), rest);
         cx.name(steps, "steps");
         made_.body.push_back(loop_to("step", steps, [&](ExprId step, std::vector<StmtId>& body) {
             const ExprId done = build.multiply(step, build.uint(rounds_));
             const ExprId begin = named("begin", build.add(loop.value, done), body);
-            const ExprId most = build.intrinsic(Intrinsic::min, cx.p.types.uint,
-                                                {minus(loop.limit, begin), build.uint(rounds_)});
+            const ExprId most =
+                build.intrinsic(Intrinsic::min, cx.p.types.uint, {minus(loop.limit, begin), build.uint(rounds_)});
             const ExprId count = named("count", most, body);
             barrier(body);
             for (const Tile& tile : tiles_) fill(tile, begin, count, body);
@@ -340,7 +341,7 @@ private:
     StagedLoop loop_;
     std::vector<Tile> tiles_;
     std::deque<Element> elements_;
-    Staged made_;
+    SeveralElements made_;
     std::uint32_t rounds_ = 0;  ///< that are staged together
     ExprId lane_;
     std::vector<ExprId> at_;     ///< the invocation's first element along each axis, from the workgroup's first one
@@ -350,7 +351,7 @@ private:
 
 }  // namespace
 
-std::optional<Staged> staged(Context& cx, const std::vector<StmtId>& body) {
+std::optional<SeveralElements> staged(Context& cx, const std::vector<StmtId>& body) {
     if (cx.kernel.grouped() || cx.kernel.space || cx.kernel.raster || cx.kernel.items != 1 || cx.pass.rank > 3)
         return {};
     // Workgroups that wait for one another must not wait for elements that an invocation takes later.

@@ -1,7 +1,7 @@
 // Staging of loads in workgroup memory. In a loop such as that over all pairs, or over a row of one matrix and a column
 // of another, the invocations of a workgroup load the same elements, each for itself. Here they load the elements of
-// some rounds together, each element once, wait for one another, and execute these rounds with the loaded values. In two
-// and three dimensions an invocation takes four elements along y, if some loads are the same for these.
+// some rounds together, each element once, wait for one another, and execute these rounds with the loaded values. In
+// two and three dimensions an invocation takes four elements along y, if some loads are the same for these.
 //
 // Needs: the statements of a kernel after "expand". Guarantees: a second body, for shaders, with the same results: each
 // element executes the same rounds in the same order.
@@ -9,22 +9,14 @@
 // Source: Volkov and Demmel, Benchmarking GPUs to Tune Dense Linear Algebra, SC 2008.
 #pragma once
 
-#include "lower/context.h"
+#include "lower/transform/several_elements.h"
 
-#include <array>
 #include <optional>
-#include <vector>
 
 namespace gliftc::lower {
 
-/// A body that tests itself which elements are in the range, and that all invocations of a workgroup must run.
-struct Staged {
-    std::vector<StmtId> body;
-    std::array<std::uint32_t, 3> elements = {1, 1, 1};  ///< of an invocation along each axis
-};
-
 /// Absent if there is no gain, or for kernels with a group, blocks or coherent parameters, and draws. Sets Pass::staged
 /// and adds to Pass::shared.
-std::optional<Staged> staged(Context& cx, const std::vector<StmtId>& body);
+std::optional<SeveralElements> staged(Context& cx, const std::vector<StmtId>& body);
 
 }  // namespace gliftc::lower

@@ -45,7 +45,7 @@ public:
         return result;
     }
 
-    Tiled run(const std::vector<StmtId>& body) {
+    SeveralElements run(const std::vector<StmtId>& body) {
         axis_ = tiles_.front().axis;
         made_.group[0] = side;
         made_.group[axis_] = side / elements;
@@ -330,7 +330,7 @@ private:
     Builder& build;
     TransposedAccesses& accesses_;
     std::vector<Tile> tiles_;
-    Tiled made_;
+    SeveralElements made_;
     std::uint32_t axis_ = 1;  ///< the tile's axis besides x
     ExprId column_, row_;     ///< the position in the tile of the invocation's first element, along x and axis_
     ExprId first_;            ///< the address of the tile's first element
@@ -345,7 +345,7 @@ private:
 
 }  // namespace
 
-std::optional<Tiled> tiled(Context& cx, const std::vector<StmtId>& body) {
+std::optional<SeveralElements> tiled(Context& cx, const std::vector<StmtId>& body) {
     if (cx.kernel.grouped() || cx.kernel.space || cx.kernel.raster || cx.kernel.items != 1) return {};
     if (cx.pass.rank < 2 || cx.pass.rank > 3) return {};
     const auto is_near = [](const KernelParam& param) { return param.pattern == Pattern::near; };

@@ -15,24 +15,14 @@
 // and stores of a workgroup in another order.
 #pragma once
 
-#include "lower/context.h"
+#include "lower/transform/several_elements.h"
 
-#include <array>
 #include <optional>
-#include <vector>
 
 namespace gliftc::lower {
 
-/// A body for four elements an invocation, consecutive along y or z. It tests itself which elements are in the range:
-/// all invocations of a workgroup must run it.
-struct Tiled {
-    std::vector<StmtId> body;
-    std::array<std::uint32_t, 3> elements = {1, 1, 1};
-    std::array<std::uint32_t, 3> group = {1, 1, 1};
-};
-
 /// Absent if there is no transposed access, or for kernels with a group, blocks, reads of neighbours, coherent
 /// parameters, loops or returns, and draws. Sets Pass::tiles and adds to Pass::shared.
-std::optional<Tiled> tiled(Context& cx, const std::vector<StmtId>& body);
+std::optional<SeveralElements> tiled(Context& cx, const std::vector<StmtId>& body);
 
 }  // namespace gliftc::lower

@@ -64,8 +64,9 @@ TEST(Stage, ElementsThatAllInvocationsLoad) {
 }
 
 TEST(Stage, RowsAndColumnsOfMatricesForFourElements) {
-    const Body body = body_of("c: out each<Matrix>, p: at<Matrix>, a: in any<Matrix>, b: in any<Matrix>) { var sum = 0.0; "
-                              "for k in 0..a.domain().x { sum += a[uint2(k, p.y)] * b[uint2(p.x, k)]; } c = sum; }");
+    const Body body =
+        body_of("c: out each<Matrix>, p: at<Matrix>, a: in any<Matrix>, b: in any<Matrix>) { var sum = 0.0; "
+                "for k in 0..a.domain().x { sum += a[uint2(k, p.y)] * b[uint2(p.x, k)]; } c = sum; }");
     ASSERT_THAT(body.staged, SizeIs(2));
     EXPECT_EQ(body.staged[0].entries, 1024u);
     EXPECT_EQ(body.staged[1].entries, 1024u);
