@@ -69,7 +69,8 @@ class Kernels:
 
     def kernel(self, number):
         """Makes a kernel and its test."""
-        maker = self.random.weighted([(10, self.plain), (4, self.grouped), (2, self.rows), (1, self.inexact)])
+        maker = self.random.weighted([(10, self.plain), (4, self.grouped), (2, self.rows), (1, self.inexact), (2, self.shared_loop),
+                                      (2, self.exchanged)])
         return maker(f"k{number}")
 
     # ------------------------------------------------------------------------------------------------ parameters
@@ -316,6 +317,73 @@ class Kernels:
         if kind == "else":
             parts += [" else {\n", write(scope.inner()), "\n}"]
         return Node(*parts)
+
+    def begin_wide(self, name, axes):
+        """A kernel over more than one workgroup, in most cases."""
+        kernel = self.begin(name, axes)
+        most = {1: 1500, 2: 90, 3: 40}[axes]
+        kernel.extent = [self.random.between(1, most if axis < 2 else 7) for axis in range(axes)]
+        return kernel
+
+    def own_address(self, kernel, name):
+        """Adds an `at` parameter; returns the texts of its components."""
+        structure = self.random.choice(self.of_axes(kernel.axes))
+        kernel.params.append(Parameter(name, f"at<{structure.name}>", structure, moves=True))
+        return [name] if kernel.axes == 1 else [f"{name}.{'xyzw'[axis]}" for axis in range(kernel.axes)]
+
+    def shared_loop(self, name):
+        """A kernel with one loop, in which elements that are apart read the same: shaders stage such loads."""
+        kernel = self.begin_wide(name, self.random.choice([s.axes for s in self.structures.all]))
+        own = self.own_address(kernel, "a")
+        lines, bounds = [], [f"{self.random.between(0, 90)}u"]
+        for i in range(self.random.between(1, 2)):
+            structure = self.random.choice(self.structures.all)
+            kernel.params.append(Parameter(f"x{i}", f"in any<{structure.name}>", structure,
+                                           extent=self.extent(structure.axes, 300)))
+            bounds.append(f"x{i}.domain()" + (".y" if structure.axes > 1 else ""))
+            parts = [self.random.weighted([(4, "k"), (4, self.random.choice(own)), (1, f"{self.random.choice(own)} / 3u"),
+                                           (1, f"(k + {self.random.choice(own)})"), (1, "3u")]) for _ in range(structure.axes)]
+            at = parts[0] if structure.axes == 1 else f"uint{structure.axes}({', '.join(parts)})"
+            lines.append(f"sum = sum * 31u + {self.types.digest(structure.element)}(x{i}[{at}]);")
+        if self.random.chance(30):
+            lines[-1] = f"if sum % 3u != 0u {{\n{lines[-1]}\n}}"
+        first = self.random.weighted([(3, "0u"), (1, f"{self.random.between(0, 20)}u")])
+        loop = f"var sum = {self.random.choice(own)};\nfor k in {first}..{self.random.choice(bounds)} {{\n" + "\n".join(lines) + "\n}"
+        self.add_each(kernel, "x9")
+        self.add_outputs(kernel)
+        self.ensure_course(kernel)
+        return self.finished_with(kernel, loop)
+
+    def exchanged(self, name):
+        """A kernel that loads, and sometimes stores, with exchanged axes: shaders make such accesses through tiles."""
+        axes = [s.axes for s in self.structures.all if s.axes > 1]
+        if not axes:
+            return self.plain(name)
+        kernel = self.begin_wide(name, self.random.choice(axes))
+        own = self.own_address(kernel, "a")
+        order = list(range(kernel.axes))
+        while order[0] == 0:
+            order = self.random.shuffled(order)
+        structure = self.random.choice(self.of_axes(kernel.axes))
+        kernel.params.append(Parameter("x0", f"in any<{structure.name}>", structure,
+                                       extent=self.extent(kernel.axes)))
+        at = f"uint{kernel.axes}({', '.join(own[axis] for axis in order)})"
+        start = f"var sum = {self.types.digest(structure.element)}(x0[{at}]);"
+        if self.random.chance(50):
+            target = self.random.choice([s for s in self.of_axes(kernel.axes) if s.owns])
+            kernel.params.append(Parameter("y9", f"out scatter<{target.name}>", target,
+                                           extent=[kernel.extent[axis] for axis in order]))
+            kernel.writes.append(lambda scope: Node(f"y9[{at}] = ", self.mixed(target.element, scope), ";"))
+        self.add_each(kernel, "x9")
+        self.add_outputs(kernel)
+        self.ensure_course(kernel)
+        return self.finished_with(kernel, start)
+
+    def finished_with(self, kernel, start):
+        """A kernel whose body begins with `start`, which declares `sum`, and then writes."""
+        scope = kernel.scope.inner()
+        scope.variables.append(("sum", UINT, True))
+        return self.finished(kernel, Items([Node(start)] + [self.write(write, scope) for write in kernel.writes]))
 
     def inexact(self, name):
         """A kernel that stores results of inexact functions, but does not compute with them."""

@@ -264,6 +264,7 @@ ExprId Narrowing::in_temporary(ExprId value, std::string_view name, std::vector<
     let.local = cx.new_local(name, p.exprs[value].type, let.span);
     p.locals[let.local].is_temporary = true;
     let.value = value;
+    cx.definitions[let.local] = value;
     result.push_back(cx.add(let));
     return cx.build.local(let.local);
 }

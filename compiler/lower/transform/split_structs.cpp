@@ -259,6 +259,7 @@ ExprId Splitting::in_temporary(ExprId value, std::vector<StmtId>& result) {
     let.local = cx.new_local("value", p.exprs[value].type, let.span);
     p.locals[let.local].is_temporary = true;
     let.value = visit(value);
+    cx.definitions[let.local] = let.value;
     result.push_back(cx.add(let));
     return cx.build.local(let.local);
 }
@@ -301,6 +302,7 @@ void Splitting::declare(const Stmt& stmt, LocalId whole, std::uint32_t slot, Exp
     member.value = cx.build.local(let.local);
     has_inner_ |= is_struct(p, field.type);
     if (member.is_assigned) variables_.push_back(let.local);
+    else if (value) cx.definitions[let.local] = value;
     result.push_back(cx.add(std::move(let)));
 }
 
@@ -391,6 +393,7 @@ void Splitting::drop_first_value(LocalId local, std::vector<StmtId>& body) {
         is_assigned = is_assigned || (stmt.op == StmtOp::assign && place_of(p, stmt.target).local == local);
     });
     p.locals[local].is_mutable = is_assigned;
+    if (!is_assigned) cx.definitions[local] = p.stmts[*next].value;
     body.erase(let);
 }
 
