@@ -1,3 +1,4 @@
+// long: the order of all passes
 // Lowers kernels: runs the passes in order. passes.cpp says what each pass needs and what it guarantees.
 #include "base/parallel.h"
 #include "ir/effects.h"
@@ -11,6 +12,7 @@
 #include "lower/expand/expand.h"
 #include "lower/host/copy_rows.h"
 #include "lower/host/find_rows.h"
+#include "lower/host/lockstep.h"
 #include "lower/host/row_updates.h"
 #include "lower/host/split_blocks.h"
 #include "lower/lower.h"
@@ -176,6 +178,10 @@ std::vector<Variant> for_host(Context& cx, const Variant& variant) {
         made.block = copy_rows(cx, *made.block);
         finished(cx, "copy_rows", std::vector{made}, {}, "whole block");
     }
+    if (std::optional<std::vector<StmtId>> body = made.block ? std::nullopt : in_lockstep(cx, made.body)) {
+        made.body = std::move(*body);
+        finished(cx, "lockstep", std::vector{made}, {}, "host");
+    }
     std::vector<Variant> found = find_rows(cx, made);
     finished(cx, "find_rows", found, {}, "host");
     for (Variant& one : found) find_row_updates(cx, one);
@@ -217,7 +223,8 @@ void check_whole([[maybe_unused]] const Context& cx) {
 /// How many elements an invocation of a shader takes. many_where_it_helps: those of a tile or of staged loads (tile.h,
 /// stage.h), or up to four as coarsened() of coarsen.h chooses. two_where_it_helps: at most two, as it chooses.
 /// two_in_turn: two, the second computed after the first has been stored. In kernels over blocks all three mean up to
-/// eight, as coarsened_in_block() chooses. All but `one` allow many elements, if privatised() of privatise.h finds a gain.
+/// eight, as coarsened_in_block() chooses. All but `one` allow many elements, if privatised() of privatise.h finds a
+/// gain.
 enum class Elements { one, two_in_turn, two_where_it_helps, many_where_it_helps };
 
 /// The last steps, after move_uniforms: variants for the host device, properties of bindings, the summary.
