@@ -44,6 +44,7 @@ private:
     bool is_plain(const Stmt& stmt, bool may_store);
     void learn_before();
     void recompute(StmtId let);
+    bool is_stable(ExprId id);
     bool is_affine(const Stmt& let);
     bool is_same(ExprId id);
     bool is_same_after_cuts(ExprId id, std::vector<Stmt>& cuts);
@@ -123,10 +124,20 @@ void Lockstep::recompute(StmtId let) {
     outside_locals_.insert(stmt.local);
 }
 
+/// Whether the value changes only with the loop's variable. Loads do not change it: an element stores after the loop.
+bool Lockstep::is_stable(ExprId id) {
+    bool uses_variables = false;
+    for_each_node(cx.p, id, [&](ExprId part) {
+        const Expr& node = cx.p.exprs[part];
+        uses_variables |= node.op == Op::local && cx.p.locals[node.local].is_mutable;
+    });
+    return !uses_variables && numbers_.is_pure(id);
+}
+
 /// Whether the value of the immutable `let` is a function of the address that advances by a constant along the row, or
 /// is constant, and does not load.
 bool Lockstep::is_affine(const Stmt& let) {
-    if (!numbers_.is_fixed(let.value) || numbers_.has_load(let.value)) return false;
+    if (!is_stable(let.value) || numbers_.has_load(let.value)) return false;
     if (!uses_only(let.value, outside_locals_)) return false;
     const TypeId type = cx.p.locals[let.local].type;
     if (!cx.p.types.is_scalar(type) && !cx.p.types.is_vector(type)) return false;
@@ -154,7 +165,7 @@ bool Lockstep::is_same(ExprId id) {
     const bool is_operation = node.op == Op::binary || node.op == Op::unary || node.op == Op::construct ||
                               node.op == Op::convert || node.op == Op::swizzle || node.op == Op::index ||
                               node.op == Op::field || node.op == Op::select || node.op == Op::intrinsic;
-    const bool is_fixed_load = node.op == Op::load && numbers_.is_fixed(id);
+    const bool is_fixed_load = node.op == Op::load && is_stable(id);
     if (node.operands.empty() || !(is_operation || is_fixed_load)) return false;
     return std::ranges::all_of(node.operands, [&](ExprId operand) { return is_same(operand); });
 }
@@ -201,7 +212,7 @@ bool Lockstep::is_component_same(ExprId less, std::uint32_t at, std::vector<Stmt
 
 /// Whether the value may differ from round to round.
 bool Lockstep::varies(ExprId id) {
-    bool varies = !numbers_.is_fixed(id);
+    bool varies = !is_stable(id);
     for_each_node(cx.p, id, [&](ExprId part) { varies = varies || varying_.contains(cx.p.exprs[part].local); });
     return varies;
 }
