@@ -115,6 +115,7 @@ void Printer::cpu_stmt(const Stmt& stmt) {
         line("copy_row(" + binding(stmt.slot) + ", " + expr(stmt.value) + ", " + expr(stmt.target) + ", " +
              expr(stmt.limit) + ");");
         break;
+    case StmtOp::cut: line("cut(" + expr(stmt.value) + ", " + expr(stmt.limit) + ");"); break;
     case StmtOp::keep: line("keep " + declaration(stmt.local) + ";"); break;
     default: nested("invocations {", stmt.body); line("}");
     }

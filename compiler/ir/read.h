@@ -23,7 +23,7 @@
 //               | "image_store(" binding "," expr "," expr ")" ";" | "atomic_…(" binding "[" expr "]"
 //                 "," expr ")" ";"
 //               | "report(" … ")" ";" | "load_rows(" … ")" ";" | "store_rows(" … ")" ";" | "copy_row(" … ")" ";"
-//               | "invocations" "{" … "}" ;
+//               | "cut(" … ")" ";" | "invocations" "{" … "}" ;
 //     expr      = operand [ operator operand ] | operand "?" operand ":" operand ;
 //     operand   = { "-" | "!" | "~" } primary { "." name | [ ".row" ] "[" expr "]" } ;
 //     primary   = literal | local | "$" parameter | "%" builtin | type "(" … ")" | enum "." name

@@ -92,6 +92,19 @@ Stmt Reader::copy_of_row() {
     return stmt;
 }
 
+/// Reads the rest of: cut(value, limit);
+Stmt Reader::cut() {
+    Stmt stmt;
+    stmt.op = StmtOp::cut;
+    expect("(");
+    stmt.value = expr();
+    expect(",");
+    stmt.limit = expr();
+    expect(")");
+    expect(";");
+    return stmt;
+}
+
 /// Reads the rest of: keep var name: type; where `let` or `tmp` may stand in place of `var`.
 Stmt Reader::keep() {
     const bool is_mutable = accept("var"), is_temporary = !is_mutable && accept("tmp");
@@ -214,6 +227,7 @@ Stmt Reader::statement() {
         return stmt;
     }
     if (accept("copy_row")) return copy_of_row();
+    if (accept("cut")) return cut();
     if (accept("load_rows")) return move_of_rows(StmtOp::load_rows);
     if (accept("store_rows")) return move_of_rows(StmtOp::store_rows);
     if (accept("image_store")) return memory_statement(StmtOp::image_store, Combine::replace);

@@ -71,6 +71,7 @@ private:
     Stmt counted_loop();
     Stmt move_of_rows(StmtOp op);
     Stmt copy_of_row();
+    Stmt cut();
     Stmt keep();
     Stmt memory_statement(StmtOp op, Combine combine);
     std::vector<std::uint32_t> path_of(ExprId member);

@@ -25,6 +25,14 @@ inline bool has_any_barrier(const Program& program, const std::vector<StmtId>& b
     return found;
 }
 
+/// Whether the body runs the elements of a row in lockstep (lower/host/lockstep.h), if it is of a kernel without a
+/// group.
+inline bool is_in_lockstep(const Program& program, const std::vector<StmtId>& body) {
+    for (StmtId id : body)
+        if (program.stmts[id].op == StmtOp::invocations) return true;
+    return false;
+}
+
 /// The variable or element at the bottom of a chain of indices, fields and components: the object that an assignment or
 /// an atomic operation changes.
 inline const Expr& place_of(const Program& program, ExprId id) {

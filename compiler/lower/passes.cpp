@@ -93,6 +93,8 @@ constexpr KernelPass kernels[] = {
      "values that depend on the block alone are computed once per block"},
     {"copy_rows", "split blocks",
      "loops that copy a row of memory to an array that is filled once per block are one statement"},
+    {"lockstep", "variants for the host device of a kernel without a group, blocks, updates or coherent parameters",
+     "elements of a row that run one loop over the same range run it in lockstep: each round for a run of elements"},
     {"find_rows", "variants for the host device of a kernel without a group",
      "accesses whose address advances by one from each element of a row to the next are row_load and row_store; in the "
      "middle of a row none of them is clamped; the order in which elements may be done is known"},

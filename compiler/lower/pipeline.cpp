@@ -11,6 +11,7 @@
 #include "lower/expand/expand.h"
 #include "lower/host/copy_rows.h"
 #include "lower/host/find_rows.h"
+#include "lower/host/lockstep.h"
 #include "lower/host/row_updates.h"
 #include "lower/host/split_blocks.h"
 #include "lower/lower.h"
@@ -135,6 +136,10 @@ std::vector<Variant> for_host(Context& cx, const Variant& variant) {
         finished(cx, "split_blocks", std::vector{made}, {}, "whole block");
         made.block = copy_rows(cx, *made.block);
         finished(cx, "copy_rows", std::vector{made}, {}, "whole block");
+    }
+    if (std::optional<std::vector<StmtId>> body = made.block ? std::nullopt : in_lockstep(cx, made.body)) {
+        made.body = std::move(*body);
+        finished(cx, "lockstep", std::vector{made}, {}, "host");
     }
     std::vector<Variant> found = find_rows(cx, made);
     finished(cx, "find_rows", found, {}, "host");

@@ -6,6 +6,7 @@
 #include "ir/validate.h"
 #include "ir/walk.h"
 #include "lower/host/find_rows.h"
+#include "lower/host/lockstep.h"
 #include "lower/host/row_updates.h"
 #include "lower/passes.h"
 #include "lower/transform/uniforms.h"
@@ -60,6 +61,12 @@ void run(Lowering& lowering, const std::string& name) {
         ir::Variant& variant = lowering.pass.plain();
         variant = {variant.part, ir::Devices::host, variant.assumes,
                    pass.run(lowering.cx, variant.body, lowering.facts)};
+        return;
+    }
+    if (name == "lockstep") {
+        ir::Variant& variant = lowering.pass.plain();
+        variant.devices = ir::Devices::host;
+        if (auto body = lower::in_lockstep(lowering.cx, variant.body)) variant.body = std::move(*body);
         return;
     }
     if (name == "find_rows") {

@@ -3,6 +3,7 @@
 // include neither the classes nor the functions that call kernels, and so compile fast.
 #include "emit/cpp/spirv_file.h"
 #include "emit/cpp/unit.h"
+#include "ir/walk.h"
 
 #include <algorithm>
 
@@ -34,7 +35,7 @@ std::vector<std::vector<ir::KernelId>> spread(const ModuleParts& parts, const st
 void print_includes(const ModuleParts& parts, Writer& out, const std::string& stem,
                     const std::vector<ir::KernelId>& kernels) {
     bool has_images = false, has_cubes = false, has_atomics = false, has_updates = false, has_reports = false,
-         has_draws = false;
+         has_draws = false, has_runs = false;
     for (ir::KernelId kernel : kernels) {
         has_draws |= parts.program.kernels[kernel].raster.has_value();
         const ir::Pass& pass = parts.lowered.passes[kernel].general;
@@ -44,6 +45,8 @@ void print_includes(const ModuleParts& parts, Writer& out, const std::string& st
             (binding.coherent ? has_atomics : has_updates) |= binding.atomic || binding.coherent;
         }
         has_reports |= pass.has_reports;
+        if (parts.program.kernels[kernel].grouped() || parts.program.kernels[kernel].raster) continue;
+        for (const ir::Variant& variant : pass.variants) has_runs |= ir::is_in_lockstep(parts.program, variant.body);
     }
     out.line("#include \"" + stem + ".glift.types.hpp\"");
     out.gap();
@@ -55,6 +58,7 @@ void print_includes(const ModuleParts& parts, Writer& out, const std::string& st
     out.line("#include <glift/host/math.h>");
     out.line("#include <glift/host/parallel.h>");
     if (has_reports) out.line("#include <glift/host/report.h>");
+    if (has_runs) out.line("#include <glift/host/runs.h>");
     if (has_updates) out.line("#include <glift/host/updates.h>");
     out.line("#include <glift/kernel.h>");
     out.gap();

@@ -52,7 +52,8 @@ struct RowPlaces {
 /// at the first statement that may return: not every element executes what follows it.
 class Finder {
 public:
-    Finder(const Context& context, const Variant& variant) : cx(context), slopes_(slopes_of(context, variant)) {
+    Finder(const Context& context, const Variant& variant)
+        : cx(context), slopes_(slopes_of(context, variant)), in_lockstep_(is_in_lockstep(context.p, variant.body)) {
         if (!variant.block) return;
         for (StmtId id : *variant.block) {
             const Stmt& stmt = cx.p.stmts[id];
@@ -69,6 +70,26 @@ public:
 private:
     void visit(const Stmt& stmt) {
         if (stmt.op == StmtOp::block) return walk(stmt.body);
+        if (in_lockstep_) return visit_of_run(stmt);
+        visit_of_element(stmt);
+    }
+
+    /// In lockstep, a row is a run of elements. Within `invocations`, values that are kept may be any; outside of them,
+    /// all are the same for the run.
+    void visit_of_run(const Stmt& stmt) {
+        if (stmt.op == StmtOp::keep) kept_.insert(stmt.local);
+        if (is_element_) {
+            if (stmt.op != StmtOp::let || !kept_.contains(stmt.local)) return visit_of_element(stmt);
+            if (stmt.value) visit(stmt.value);
+            return;
+        }
+        if (stmt.op == StmtOp::let || stmt.op == StmtOp::for_) slopes_.learn_steady(stmt.local);
+        is_element_ = stmt.op == StmtOp::invocations;
+        walk(stmt.body);
+        is_element_ = false;
+    }
+
+    void visit_of_element(const Stmt& stmt) {
         if (stmt.value) visit(stmt.value);
         if (stmt.op == StmtOp::store) note(stmt.slot, stmt.target, cx.p.exprs[stmt.value].type);
         const bool may_return = has_return(cx.p, stmt.body) || has_return(cx.p, stmt.otherwise);
@@ -88,9 +109,19 @@ private:
     }
 
     bool note(std::uint32_t binding, ExprId index, TypeId type) {
-        if (is_row(cx.p.types, cx.pass.bindings[binding], type) || !slopes_.is_row(index)) return false;
+        if (is_row(cx.p.types, cx.pass.bindings[binding], type)) return false;
+        const bool is_read = cx.pass.bindings[binding].access == Access::read;
+        if (!slopes_.is_row(index) && !(is_read && is_choice_of_row(index))) return false;
         places.memory.insert({binding, index});
         return true;
+    }
+
+    /// In lockstep: whether the index is one that advances by one, or else one that is the same for the run, as a
+    /// condition says that is the same for the run.
+    bool is_choice_of_row(ExprId index) {
+        const Expr& node = cx.p.exprs[index];
+        return is_element_ && node.op == Op::select && slopes_.is_steady(node.operands[0]) &&
+               slopes_.is_row(node.operands[1]) && slopes_.is_steady(node.operands[2]);
     }
 
     /// Whether the array is one that is filled once a block. Indices of such an array are in bounds, as row_item needs.
@@ -102,6 +133,9 @@ private:
     const Context& cx;
     RowSlopes slopes_;
     IdSet<Local> arrays_;
+    IdSet<Local> kept_;  ///< in lockstep
+    bool in_lockstep_ = false;
+    bool is_element_ = false;  ///< in lockstep: within `invocations`
     bool all_come_by_ = true;
 };
 
@@ -301,7 +335,7 @@ std::optional<Variant> unclamped(Context& cx, const Variant& variant) {
 }  // namespace
 
 std::vector<Variant> find_rows(Context& cx, const Variant& variant) {
-    std::optional<Variant> middle = unclamped(cx, variant);
+    std::optional<Variant> middle = is_in_lockstep(cx.p, variant.body) ? std::nullopt : unclamped(cx, variant);
     std::optional<std::vector<StmtId>> body = marked(cx, variant, variant.body);
     Variant whole{Part::whole, Devices::host, variant.assumes, body ? std::move(*body) : variant.body, variant.block};
     whole.order = order_of(cx, whole);

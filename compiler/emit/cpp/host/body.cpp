@@ -200,6 +200,7 @@ void print_outer(Body& body, const Stmt& stmt) {
         return p.out.line(concat("glift::host::store_rows(", row_arguments(body, stmt.slot, stmt.target), ", ",
                                  cpp::print_any(p, stmt.value), ");"));
     case StmtOp::copy_row: return print_copy(body, stmt);
+    case StmtOp::cut:
     case StmtOp::keep:
     case StmtOp::discard:
     case StmtOp::invocations:

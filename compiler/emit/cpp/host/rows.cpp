@@ -1,29 +1,18 @@
 // Kernels without a group: a loop along x for each row of elements. Accesses whose index advances by one along the row
 // go through a pointer to the row's first element.
+#include "emit/cpp/host/rows.h"
+
 #include "base/concat.h"
-#include "emit/cpp/host/body.h"
-#include "emit/cpp/host/updates.h"
 #include "emit/cpp/mentions.h"
 #include "ir/walk.h"
 
-#include <map>
-
 namespace gliftc::host {
-
-namespace {
 
 using ir::ExprId;
 using ir::Op;
 using ir::Stmt;
 using ir::StmtId;
 using ir::StmtOp;
-
-/// An access through a row pointer (row_load, row_store, row_item).
-struct RowAccess {
-    std::uint32_t binding;
-    ExprId index;
-    ir::LocalId array;  ///< of row_item: the local array; absent: the access is to the binding
-};
 
 std::vector<RowAccess> row_accesses(const ir::Program& program, const std::vector<StmtId>& body) {
     std::vector<RowAccess> found;
@@ -40,6 +29,8 @@ std::vector<RowAccess> row_accesses(const ir::Program& program, const std::vecto
     return found;
 }
 
+namespace {
+
 /// Whether the statement is a `let` with a value, which can be left out if nothing reads its local.
 bool is_let(const Stmt& stmt) { return stmt.op == StmtOp::let && stmt.value; }
 
@@ -49,41 +40,7 @@ std::string in_blocks_text(const ir::Variant& variant, const std::string& part, 
     return variant.order == ir::RowOrder::in_blocks ? "glift::host::in_blocks(" + part + ", " + end + ")" : part;
 }
 
-struct Rows {
-    Body body;
-    const ir::Program& program;
-    const ir::Pass& pass;
-    cpp::Printer& p;
-    std::map<std::uint32_t, ir::Combine> combined;
-
-    Rows(cpp::Globals& globals, const ir::Pass& pass)
-        : body(globals, pass), program(globals.program), pass(pass), p(body.p),
-          combined(combined_bindings(program, pass)) {
-        for (const auto& [binding, combine] : combined)
-            body.update_names[binding] = p.names.declare(pass.bindings[binding].name + "_updates");
-    }
-
-    void print_address(const std::string& x);
-    std::string type_of(const RowAccess& access);
-    void print_row_pointers(const std::vector<StmtId>& statements, const std::vector<RowAccess>& accesses,
-                            const std::string& begin);
-    std::vector<StmtId> without_unused(const std::vector<StmtId>& statements, IdSet<ir::Local>& read) const;
-    void print_element(const std::vector<StmtId>& statements);
-    void print_values_at(const std::vector<StmtId>& statements, const std::vector<ExprId>& wanted,
-                         const std::string& begin);
-    void print_inside(const ir::Variant& variant, const ir::Variant& bounded, const std::string& begin,
-                      const std::string& end);
-    void print_strides(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
-    void print_updating_loop(const ir::Variant& variant, const std::vector<Stmt>& updates, const std::string& begin,
-                             const std::string& end);
-    void print_plain_loop(const ir::Variant& variant, const std::string& begin, const std::string& end);
-    void print_blocks(const ir::Variant& variant, const std::string& begin, const std::string& end);
-    void print_part(const ir::Variant& variant, const std::string& begin, const std::string& end);
-    void open_sections(const std::string& name, const std::string& begin, const std::string& middle,
-                       const std::string& end);
-    void close_sections();
-    void print_loop(const ir::Variant& variant, const std::string& begin, const std::string& end);
-};
+}  // namespace
 
 void Rows::print_address(const std::string& x) {
     static constexpr const char* others[] = {"", ", row.y", ", row.y, row.z", ", row.y, row.z, row.w"};
@@ -145,7 +102,9 @@ void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::
         if (name.empty()) {
             name = p.names.declare(of + "_row");
             const std::string begin = access.array ? of + ".values" : of;
-            p.out.line(concat(type_of(access), "* ", name, " = glift::host::row_pointer(", begin, " + ", index, ");"));
+            const std::string pointer =
+                program.exprs[access.index].op == Op::select ? chosen_row(access) : begin + " + " + index;
+            p.out.line(concat(type_of(access), "* ", name, " = glift::host::row_pointer(", pointer, ");"));
         }
         if (access.array) body.item_pointers[{access.array, access.index}] = name;
         else body.row_pointers[{access.binding, access.index}] = name;
@@ -297,7 +256,8 @@ void Rows::print_blocks(const ir::Variant& variant, const std::string& begin, co
 }
 
 void Rows::print_part(const ir::Variant& variant, const std::string& begin, const std::string& end) {
-    if (variant.order == ir::RowOrder::in_blocks) print_blocks(variant, begin, end);
+    if (ir::is_in_lockstep(program, variant.body)) print_runs(variant, begin, end);
+    else if (variant.order == ir::RowOrder::in_blocks) print_blocks(variant, begin, end);
     else print_plain_loop(variant, begin, end);
 }
 
@@ -369,6 +329,8 @@ void Rows::print_loop(const ir::Variant& variant, const std::string& begin, cons
     print_part(variant, "stretch.begin", "stretch.end");
     close_sections();
 }
+
+namespace {
 
 /// Prints the declaration of an uninitialised array, which is filled once per block.
 void print_array(Rows& rows, const Stmt& let) {
@@ -486,6 +448,7 @@ std::string row_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::s
     std::string loop = "for_rows(call.size, ", task;
     if (pass.items != 1) loop = "for_strides(call.size[0], " + std::to_string(pass.items) + ", ";
     else if (rows.body.caches_updates) task = ", glift::host::large_task(call.size)";  // a task ends with the updates
+    else if (rows.has_runs) loop = "for_runs(call.size, ";
     else if (!pass.tiles.empty()) loop = concat("for_tiles<", std::to_string(pass.tiles[0].axis), ">(call.size, ");
     out.line(concat("glift::host::", loop, "[&](const glift::host::Rows& rows) { ", name, "_rows(call, rows); }", task,
                     ");"));
