@@ -235,8 +235,12 @@ class Kernels:
     def meeting_place(self, kernel, name, axes):
         """An address at which many elements meet: each part is a constant, a part of the element's address, or a fraction of one."""
         own = f"at_{name}"
-        structure = self.random.choice(self.of_axes(kernel.axes))
-        kernel.params.append(Parameter(own, f"at<{structure.name}>", structure, moves=True))
+        found = [s for s in self.of_axes(kernel.axes) if not s.block]
+        if found:
+            structure = self.random.choice(found)
+            kernel.params.append(Parameter(own, f"at<{structure.name}>", structure, moves=True))
+        else:
+            own = "position()"
 
         def part():
             axis = self.random.between(0, kernel.axes - 1)
@@ -326,9 +330,13 @@ class Kernels:
         return kernel
 
     def own_address(self, kernel, name):
-        """Adds an `at` parameter; returns the texts of its components."""
-        structure = self.random.choice(self.of_axes(kernel.axes))
-        kernel.params.append(Parameter(name, f"at<{structure.name}>", structure, moves=True))
+        """Adds an `at` parameter, if there is a structure without blocks; returns the texts of its components."""
+        found = [s for s in self.of_axes(kernel.axes) if not s.block]
+        if found:
+            structure = self.random.choice(found)
+            kernel.params.append(Parameter(name, f"at<{structure.name}>", structure, moves=True))
+        else:
+            name = "position()"
         return [name] if kernel.axes == 1 else [f"{name}.{'xyzw'[axis]}" for axis in range(kernel.axes)]
 
     def shared_loop(self, name):

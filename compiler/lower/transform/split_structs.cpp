@@ -413,6 +413,15 @@ std::vector<StmtId> Splitting::run(const std::vector<StmtId>& body) {
     return result;
 }
 
+/// Notes the new values of locals. What was known to be uniform, or not to be, may have changed with them.
+void define_again(Context& cx, const std::vector<StmtId>& body) {
+    for_each_statement(cx.p, body, [&](const Stmt& stmt) {
+        if (stmt.op == StmtOp::let && stmt.value && cx.definitions.find(stmt.local) != nullptr)
+            cx.definitions[stmt.local] = stmt.value;
+    });
+    cx.uniform_sizes.clear();
+}
+
 }  // namespace
 
 std::vector<StmtId> split_structs(Context& cx, const std::vector<StmtId>& body) {
@@ -422,6 +431,7 @@ std::vector<StmtId> split_structs(Context& cx, const std::vector<StmtId>& body) 
         if (!splitting.find(result)) break;
         result = splitting.run(result);
         again = splitting.has_inner();
+        define_again(cx, result);
     }
     return result;
 }
