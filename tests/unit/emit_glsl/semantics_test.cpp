@@ -86,7 +86,14 @@ template <class Make> std::string corrected(Make make) {
 TEST(Division, OfFloatsIsCorrectedWhereTheDeviceIsNotExact) {
     auto division = [](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, as_float(b, a), b.f(3)); };
     EXPECT_THAT(stored(division), HasSubstr("= float(address) / 3.0;"));
-    EXPECT_THAT(corrected(division), HasSubstr("= divide(float(address), 3.0);"));
+    EXPECT_THAT(corrected(division), HasSubstr("= divide_by(float(address), 3.0, 0.33333334);"));
+    const auto by_itself = [](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, b.f(3), as_float(b, a)); };
+    EXPECT_THAT(corrected(by_itself), HasSubstr("= divide(3.0, float(address));"));
+    // A reciprocal alone is not enough where it may be subnormal, or b's mantissa is all ones.
+    for (const double by : {1e37, 1e-37, 1.9999998807907104})
+        EXPECT_THAT(
+            corrected([&](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, as_float(b, a), b.f(by)); }),
+            HasSubstr("= divide(float(address), "));
     EXPECT_THAT(corrected([](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, as_float(b, a), b.f(4)); }),
                 HasSubstr("= float(address) / 4.0;"));
     auto vectors = [](Builder& b, ExprId a) {

@@ -111,7 +111,7 @@ TEST(Stage, LeavesAloneLoopsThatInvocationsMayLeave) {
 }
 
 TEST(Stage, LeavesAloneMemoryThatIsWritten) {
-    EXPECT_THAT(staged_in("p: in each<Line>, all: coherent<Line>) "
+    EXPECT_THAT(staged_in("p: in each<Line>, all: inout coherent<Line>) "
                           "{ var sum = p; for i in 0..100u { sum += all[i]; } all[p] = sum; }"),
                 IsEmpty());
 }
