@@ -204,7 +204,10 @@ private:
     // The loop.
 
     void add_loop() {
-        const Stmt loop = this->loop();
+        // The range is the same for all elements: the first one's locals have it.
+        Stmt loop = this->loop();
+        loop.value = elements_.front().copy.of(loop.value);
+        loop.limit = elements_.front().copy.of(loop.limit);
         const bool begins_at_zero = build.bits_of(loop.value) == std::uint64_t{0};
         const ExprId from = minus(loop.limit, loop.value), zero = build.uint(0);
         const ExprId all = begins_at_zero ? loop.limit : build.select(less(loop.value, loop.limit), from, zero);
