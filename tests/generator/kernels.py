@@ -234,17 +234,10 @@ class Kernels:
 
     def meeting_place(self, kernel, name, axes):
         """An address at which many elements meet: each part is a constant, a part of the element's address, or a fraction of one."""
-        own = f"at_{name}"
-        found = [s for s in self.of_axes(kernel.axes) if not s.block]
-        if found:
-            structure = self.random.choice(found)
-            kernel.params.append(Parameter(own, f"at<{structure.name}>", structure, moves=True))
-        else:
-            own = "position()"
+        own = self.own_address(kernel, f"at_{name}")
 
         def part():
-            axis = self.random.between(0, kernel.axes - 1)
-            component = own if kernel.axes == 1 else f"{own}.{'xyzw'[axis]}"
+            component = own[self.random.between(0, kernel.axes - 1)]
             return self.random.weighted([(3, f"{self.random.between(0, 9)}u"), (4, component), (1, f"{component} / 3u"),
                                          (1, f"{component} % 5u")])
         parts = [part() for _ in range(axes)]

@@ -1,5 +1,7 @@
 #include "lower/build/copy_statements.h"
 
+#include "ir/walk.h"
+
 namespace gliftc::lower {
 
 using namespace ir;
@@ -21,6 +23,15 @@ StmtId StatementCopy::of(StmtId id) {
     for (StmtId& inner : stmt.body) inner = of(inner);
     for (StmtId& inner : stmt.otherwise) inner = of(inner);
     return cx.add(std::move(stmt));
+}
+
+ExprId StatementCopy::with_definitions(ExprId id) {
+    for_each_node(cx.p, id, [&](ExprId node) {
+        const Expr& local = cx.p.exprs[node];
+        if (local.op != Op::local) return;
+        if (const ExprId* value = cx.definitions.find(local.local)) replace(node, with_definitions(*value));
+    });
+    return of(id);
 }
 
 ExprId StatementCopy::again(ExprId id) {

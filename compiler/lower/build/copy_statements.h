@@ -18,6 +18,9 @@ public:
 
     ExprId of(ExprId id);
     StmtId of(StmtId id);
+    /// A copy of the expression with their definitions in place of the body's locals that have one: it can stand where
+    /// these are not declared.
+    ExprId with_definitions(ExprId id);
 
 private:
     ExprId again(ExprId id);

@@ -174,17 +174,17 @@ public:
         ends_in_stores_ = std::ranges::is_partitioned(body, computes);
         const Sharing sharing = sharing_of(cx, made.near_values);
         const bool shares = sharing.more < sharing.loads;
+        for (std::uint32_t number = 1; number < count_; ++number) copies_.emplace_back(cx, next_address(number));
         std::vector<StmtId> stores;
         for (StmtId id : body) add(id, stores);
         for (std::uint32_t number = 1; number < count_; ++number) {
-            StatementCopy& next = copies_.emplace_back(cx, next_address(number));
             if (shares) {
                 share_rows(number, made.near_values);
                 share_guards(number, made.row_guards);
             }
             std::vector<StmtId> next_stores;
-            for (StmtId id : body) add(next.of(id), next_stores);
-            if (shares) next_stores = {where_there_is_one(next_stores)};
+            for (StmtId id : body) add(copies_[number - 1].of(id), next_stores);
+            if (shares) next_stores = {where_there_is_one(number, next_stores)};
             stores.insert(stores.end(), next_stores.begin(), next_stores.end());
         }
         result_.insert(result_.end(), stores.begin(), stores.end());
@@ -196,7 +196,7 @@ public:
         result_.insert(result_.end(), body.begin(), body.end());
         std::vector<StmtId> again;
         for (StmtId id : body) again.push_back(second.of(id));
-        result_.push_back(where_there_is_one(again));
+        result_.push_back(where_there_is_one(1, again));
         return {std::move(result_), second.of(in_range_condition(cx)), elements_};
     }
 
@@ -229,8 +229,8 @@ private:
     ExprId next_of(std::string_view name, ExprId at, std::uint32_t step, ExprId size) {
         const ExprId next = cx.build.add(at, cx.build.uint(step));
         const ExprId is_inside = cx.build.binary(BinaryOp::less, next, size);
-        has_next_ = cx.build.local(let("has_next", is_inside, cx.kernel.span));
-        return cx.build.local(let(name, cx.build.select(has_next_, next, at), cx.kernel.span));
+        has_next_.push_back(cx.build.local(let("has_next", is_inside, cx.kernel.span)));
+        return cx.build.local(let(name, cx.build.select(has_next_.back(), next, at), cx.kernel.span));
     }
 
     /// The expression of element `number`.
@@ -254,12 +254,12 @@ private:
         }
     }
 
-    /// The statements under the condition that there is such an element. Where all elements are computed before the
-    /// first store (run), the stores need the condition only if loads are shared: otherwise the element is a copy of
-    /// the first where there is none, and storing it again changes nothing.
-    StmtId where_there_is_one(const std::vector<StmtId>& statements) {
+    /// The statements of element `number` under the condition that there is such an element. Where all elements are
+    /// computed before the first store (run), the stores need the condition only if loads are shared: otherwise the
+    /// element is a copy of the first where there is none, and storing it again changes nothing.
+    StmtId where_there_is_one(std::uint32_t number, const std::vector<StmtId>& statements) {
         Stmt stmt = statement(StmtOp::if_, cx.p.stmts[statements.front()].span);
-        stmt.value = has_next_;
+        stmt.value = has_next_[number - 1];
         stmt.body = statements;
         return cx.add(std::move(stmt));
     }
@@ -274,7 +274,7 @@ private:
     std::uint32_t count_;               ///< of elements
     std::deque<StatementCopy> copies_;  ///< of the second element, the third, …
     std::vector<StmtId> result_;
-    ExprId has_next_;  ///< whether the element that is being copied exists
+    std::vector<ExprId> has_next_;  ///< whether they exist
     std::array<std::uint32_t, 3> elements_{};
     bool ends_in_stores_ = true;  ///< only statements with stores follow the first store in the body
 };

@@ -369,25 +369,15 @@ private:
         condition = build.both(condition, in_range_condition(cx));
         for (const Condition& of : update.conditions) {
             if (!dependence_.is_same_along(axis_, of.value)) continue;
-            const ExprId value = copied(copy, of.value);
+            const ExprId value = copy.with_definitions(of.value);
             condition = build.both(condition, of.is_true ? value : build.negate(value));
         }
         if (combination.type() != build.type(cx.p.stmts[update.stmt].value))
             condition = build.both(condition, build.binary(BinaryOp::not_equal, key, combination.identity()));
         Stmt stmt = cx.p.stmts[update.stmt];
-        stmt.target = copied(copy, stmt.target);
+        stmt.target = copy.with_definitions(stmt.target);
         stmt.value = combination.value(key);
         made_.body.push_back(where(update, condition, {cx.add(std::move(stmt))}));
-    }
-
-    /// A copy of the expression with definitions in place of the locals of the loop over elements.
-    ExprId copied(StatementCopy& copy, ExprId id) {
-        for_each_node(cx.p, id, [&](ExprId node) {
-            const Expr& local = cx.p.exprs[node];
-            if (local.op != Op::local) return;
-            if (const ExprId* value = cx.definitions.find(local.local)) copy.replace(node, copied(copy, *value));
-        });
-        return copy.of(id);
     }
 
     // Copies in workgroup memory.

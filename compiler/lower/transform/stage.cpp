@@ -325,18 +325,9 @@ private:
         StatementCopy copy(cx, address_of(std::move(parts)));
         const ExprId round = build.add(begin, build.select(is_there, entry.round, build.uint(0)));
         copy.replace(loop().local, named((*cx.p.names)[cx.p.locals[loop().local].name], round, to));
-        const ExprId value = named(cx.pass.bindings[tile.binding].name + "_loaded", copied(copy, tile.nodes[0]), to);
+        const ExprId value =
+            named(cx.pass.bindings[tile.binding].name + "_loaded", copy.with_definitions(tile.nodes[0]), to);
         to.push_back(assign(build.index(build.local(tile.array), number_of(tile, entry)), value));
-    }
-
-    /// A copy of the expression with definitions in place of the locals of the body.
-    ExprId copied(StatementCopy& copy, ExprId id) {
-        for_each_node(cx.p, id, [&](ExprId node) {
-            const Expr& local = cx.p.exprs[node];
-            if (local.op != Op::local) return;
-            if (const ExprId* value = cx.definitions.find(local.local)) copy.replace(node, copied(copy, *value));
-        });
-        return copy.of(id);
     }
 
     Context& cx;

@@ -178,16 +178,6 @@ private:
     }
     ExprId entry_of(LocalId array, ExprId entry) { return build.index(build.local(array), entry); }
 
-    /// The expression at another address, with definitions in place of the locals of the body.
-    ExprId copied(StatementCopy& copy, ExprId id) {
-        for_each_node(cx.p, id, [&](ExprId node) {
-            const Expr& local = cx.p.exprs[node];
-            if (local.op != Op::local) return;
-            if (const ExprId* value = cx.definitions.find(local.local)) copy.replace(node, copied(copy, *value));
-        });
-        return copy.of(id);
-    }
-
     void load_tiles() {
         std::vector<StmtId> writes;
         for (const Element& element : exchanged_elements()) {
@@ -196,7 +186,7 @@ private:
             for (const Tile& tile : tiles_) {
                 if (tile.is_store()) continue;
                 const std::string name = cx.pass.bindings[tile.binding].name + "_loaded";
-                const ExprId value = named(name, copied(copy, tile.loads[0]));
+                const ExprId value = named(name, copy.with_definitions(tile.loads[0]));
                 writes.push_back(assign(cx.kernel.span, entry_of(tile.array, entry), value));
             }
         }
@@ -220,12 +210,12 @@ private:
             condition = build.binary(BinaryOp::not_equal, entry_of(tile.is_written, entry), build.uint(0));
         } else {
             for (const Condition& of : tile.conditions) {
-                const ExprId value = copied(copy, of.value);
+                const ExprId value = copy.with_definitions(of.value);
                 condition = build.both(condition, of.is_true ? value : build.negate(value));
             }
         }
         Stmt stmt = cx.p.stmts[tile.store];
-        stmt.target = copied(copy, stmt.target);
+        stmt.target = copy.with_definitions(stmt.target);
         stmt.value = entry_of(tile.array, entry);
         const StmtId made = cx.add(std::move(stmt));
         return condition ? where(condition, {made}) : made;

@@ -18,12 +18,12 @@ void main() {
     uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= index_extent) return;
     // Each invocation takes two elements: its own, and the one a workgroup's width further on if there is one.
-    uint values_address = index_data[address];
-    bool values_value_inside = values_address < values_extent;
-    float values_value = values_data[values_value_inside ? values_address : 0u];
     uint value = address + 256u;
     bool has_next = value < index_extent;
     uint next = has_next ? value : address;
+    uint values_address = index_data[address];
+    bool values_value_inside = values_address < values_extent;
+    float values_value = values_data[values_value_inside ? values_address : 0u];
     uint values_address_1 = index_data[next];
     bool values_value_inside_1 = values_address_1 < values_extent;
     float values_value_1 = values_data[values_value_inside_1 ? values_address_1 : 0u];

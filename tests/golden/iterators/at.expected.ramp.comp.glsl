@@ -15,14 +15,14 @@ void main() {
     uvec2 address = gl_GlobalInvocationID.xy * uvec2(1u, 2u);
     if (any(greaterThanEqual(address, a_extent))) return;
     // Each invocation takes two elements: its own, and the one in the next row if there is one.
+    uint value = address.y + 1u;
+    bool has_next = value < a_extent.y;
+    uint next_y = has_next ? value : address.y;
     uint a_at = address.y * a_extent.x + address.x;
-    float value = float(address.x);
-    float f = value + 10.0 * float(address.y);
-    uint value_1 = address.y + 1u;
-    bool has_next = value_1 < a_extent.y;
-    uint next_y = has_next ? value_1 : address.y;
+    float value_1 = float(address.x);
+    float f = value_1 + 10.0 * float(address.y);
     uint a_at_1 = a_at + (has_next ? a_extent.x : 0u);
-    float f_1 = value + 10.0 * float(next_y);
+    float f_1 = value_1 + 10.0 * float(next_y);
     f_data[a_at] = f;
     f_data[a_at_1] = f_1;
 }

@@ -17,6 +17,7 @@ void main() {
     if (any(greaterThanEqual(address, f_extent))) return;
     // Each invocation takes two elements: its own, and the one in the next row if there is one.
     uint f_extent_yx = f_extent.y * f_extent.x;
+    bool has_next = address.y + 1u < f_extent.y;
     uint f_at = (address.z * f_extent.y + address.y) * f_extent.x + address.x;
     // near.glift:10
     float f_data_value = f_data[f_at];
@@ -29,10 +30,9 @@ void main() {
     uint value_1 = f_xm1_inside ? 1u : 0u;
     float f_xm1 = f_data[f_at - value_1];
     sum += (f_xp1_inside ? f_xp1 : 0.0) + (f_xm1_inside ? f_xm1 : 0.0);
-    bool f_yp1_inside = address.y + 1u < f_extent.y;
-    uint f_at_1 = f_at + (f_yp1_inside ? f_extent.x : 0u);
+    uint f_at_1 = f_at + (has_next ? f_extent.x : 0u);
     float f_yp1 = f_data[f_at_1];
-    float f_yp1_1 = f_yp1_inside ? f_yp1 : 0.0;
+    float f_yp1_1 = has_next ? f_yp1 : 0.0;
     bool f_ym1_inside = address.y >= 1u;
     float f_ym1 = f_data[f_at - (f_ym1_inside ? f_extent.x : 0u)];
     sum += f_yp1_1 + (f_ym1_inside ? f_ym1 : 0.0);
@@ -49,15 +49,15 @@ void main() {
     float f_xp1_1 = f_data[f_at_1 + value];
     float f_xm1_1 = f_data[f_at_1 - value_1];
     sum_1 += (f_xp1_inside ? f_xp1_1 : 0.0) + (f_xm1_inside ? f_xm1_1 : 0.0);
-    bool f_yp1_inside_1 = address.y + 2u < f_extent.y;
-    float f_yp1_2 = f_data[f_at_1 + (f_yp1_inside_1 ? f_extent.x : 0u)];
-    sum_1 += (f_yp1_inside_1 ? f_yp1_2 : 0.0) + f_data_value;
+    bool f_yp1_inside = address.y + 2u < f_extent.y;
+    float f_yp1_2 = f_data[f_at_1 + (f_yp1_inside ? f_extent.x : 0u)];
+    sum_1 += (f_yp1_inside ? f_yp1_2 : 0.0) + f_data_value;
     float f_zp1_1 = f_data[f_at_1 + value_2];
     float f_zm1_1 = f_data[f_at_1 - value_3];
     sum_1 += (f_zp1_inside ? f_zp1_1 : 0.0) + (f_zm1_inside ? f_zm1_1 : 0.0);
     // near.glift:12
     g_data[f_at] = sum;
-    if (f_yp1_inside) {
+    if (has_next) {
         g_data[f_at_1] = sum_1;
     }
 }

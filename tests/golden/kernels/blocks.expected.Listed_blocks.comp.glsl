@@ -19,11 +19,11 @@ void main() {
     uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= result_extent) return;
     // Each invocation takes two elements: its own, and the one a workgroup's width further on if there is one.
-    uint self_state_value = self_state_data[self_state_value_inside];
-    uint result = min(self_state_value_inside_2 ? self_state_value : 0u, self_capacity);
     uint value = address + 256u;
     bool has_next = value < result_extent;
     uint next = has_next ? value : address;
+    uint self_state_value = self_state_data[self_state_value_inside];
+    uint result = min(self_state_value_inside_2 ? self_state_value : 0u, self_capacity);
     result_data[address] = result;
     result_data[next] = result;
 }

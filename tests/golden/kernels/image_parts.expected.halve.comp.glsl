@@ -16,12 +16,12 @@ void main() {
     uvec2 address = gl_GlobalInvocationID.xy * uvec2(1u, 2u);
     if (any(greaterThanEqual(address, fine_data_extent))) return;
     // Each invocation takes two elements: its own, and the one in the next row if there is one.
-    uvec2 fine_address = 2u * address;
-    bool fine_value_inside = all(lessThan(fine_address, fine_data_extent));
-    float fine_value = texelFetch(fine_data, ivec2(fine_value_inside ? fine_address : uvec2(0u)), 0).x;
     uint value = address.y + 1u;
     bool has_next = value < fine_data_extent.y;
     uint next_y = has_next ? value : address.y;
+    uvec2 fine_address = 2u * address;
+    bool fine_value_inside = all(lessThan(fine_address, fine_data_extent));
+    float fine_value = texelFetch(fine_data, ivec2(fine_value_inside ? fine_address : uvec2(0u)), 0).x;
     uvec2 value_1 = uvec2(address.x, next_y);
     uvec2 fine_address_1 = 2u * value_1;
     bool fine_value_inside_1 = all(lessThan(fine_address_1, fine_data_extent));

@@ -21,6 +21,9 @@ void main() {
     uvec2 address = gl_GlobalInvocationID.xy * uvec2(1u, 2u);
     if (any(greaterThanEqual(address, a_data_extent))) return;
     // Each invocation takes two elements: its own, and the one in the next row if there is one.
+    uint value = address.y + 1u;
+    bool has_next = value < a_data_extent.y;
+    uint next_y = has_next ? value : address.y;
     // image_parts.glift:14
     vec2 from_point = vec2(address);
     vec3 layers_point = vec3(from_point, 1.5);
@@ -28,11 +31,6 @@ void main() {
         * textureLod(layers_data,
         vec3(layers_point.x / layers_data_extent_x, layers_point.y / layers_data_extent_y,
         floor(layers_point.z)), 0.0);
-    // image_parts.glift:13
-    uint value = address.y + 1u;
-    bool has_next = value < a_data_extent.y;
-    uint next_y = has_next ? value : address.y;
-    // image_parts.glift:14
     uvec2 value_1 = uvec2(address.x, next_y);
     vec2 from_point_1 = vec2(value_1);
     vec3 layers_point_1 = vec3(from_point_1, 1.5);

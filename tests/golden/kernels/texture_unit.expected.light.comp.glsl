@@ -36,6 +36,9 @@ void main() {
     uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= p_extent) return;
     // Each invocation takes two elements: its own, and the one a workgroup's width further on if there is one.
+    uint value = address + 256u;
+    bool has_next = value < p_extent;
+    uint next = has_next ? value : address;
     // texture_unit.glift:28
     vec3 p_value = p_data[address];
     vec2 heights_lower = p_value.xy - vec2(0.5);
@@ -56,10 +59,6 @@ void main() {
         heights_weight.x), heights_weight.y) * (shadows_value_inside ? shadows_value : 0.0);
     // texture_unit.glift:29
     vec3 p = vec3(share, heights_texels.yw);
-    // texture_unit.glift:27
-    uint value = address + 256u;
-    bool has_next = value < p_extent;
-    uint next = has_next ? value : address;
     // texture_unit.glift:28
     vec3 p_value_1 = p_data[next];
     vec2 heights_lower_1 = p_value_1.xy - vec2(0.5);

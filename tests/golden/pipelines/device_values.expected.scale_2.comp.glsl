@@ -17,15 +17,13 @@ void main() {
     uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= a_extent) return;
     // Each invocation takes two elements: its own, and the one a workgroup's width further on if there is one.
+    uint value = address + 256u;
+    bool has_next = value < a_extent;
+    uint next = has_next ? value : address;
     uint by = by_data[by_index];
     // device_values.glift:9
     uint a_value = a_data[address];
     uint a = a_value * by;
-    // device_values.glift:8
-    uint value = address + 256u;
-    bool has_next = value < a_extent;
-    uint next = has_next ? value : address;
-    // device_values.glift:9
     uint a_value_1 = a_data[next];
     uint a_1 = a_value_1 * by;
     a_data[address] = a;

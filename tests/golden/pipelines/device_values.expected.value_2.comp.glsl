@@ -17,11 +17,11 @@ void main() {
     uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= result_extent) return;
     // Each invocation takes two elements: its own, and the one a workgroup's width further on if there is one.
-    uint n = n_data[n_index];
-    bool result = n > 3u;
     uint value = address + 256u;
     bool has_next = value < result_extent;
     uint next = has_next ? value : address;
+    uint n = n_data[n_index];
+    bool result = n > 3u;
     result_data[address] = result;
     result_data[next] = result;
 }

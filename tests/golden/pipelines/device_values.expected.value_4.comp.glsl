@@ -20,12 +20,12 @@ void main() {
     uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= result_extent) return;
     // Each invocation takes two elements: its own, and the one a workgroup's width further on if there is one.
-    bool running = running_data[running_index];
-    uint element = element_data[element_index];
-    bool result = running && element > times;
     uint value = address + 256u;
     bool has_next = value < result_extent;
     uint next = has_next ? value : address;
+    bool running = running_data[running_index];
+    uint element = element_data[element_index];
+    bool result = running && element > times;
     result_data[address] = result;
     result_data[next] = result;
 }

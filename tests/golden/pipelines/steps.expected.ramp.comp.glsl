@@ -15,10 +15,10 @@ void main() {
     uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= a_extent) return;
     // Each invocation takes two elements: its own, and the one a workgroup's width further on if there is one.
-    float f = float(address);
     uint value = address + 256u;
     bool has_next = value < a_extent;
     uint next = has_next ? value : address;
+    float f = float(address);
     float f_1 = float(next);
     f_data[address] = f;
     f_data[next] = f_1;

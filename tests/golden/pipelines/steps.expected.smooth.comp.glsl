@@ -16,15 +16,15 @@ void main() {
     uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= f_extent) return;
     // Each invocation takes two elements: its own, and the one a workgroup's width further on if there is one.
+    uint value = address + 256u;
+    bool has_next = value < f_extent;
+    uint next = has_next ? value : address;
     bool f_xm1_inside = address >= 1u;
     float f_xm1 = f_data[address - (f_xm1_inside ? 1u : 0u)];
     uint f_xp1_at = address + 1u;
     bool f_xp1_inside = f_xp1_at < f_extent;
     float f_xp1 = f_data[f_xp1_inside ? f_xp1_at : address];
     float g = 0.25 * ((f_xm1_inside ? f_xm1 : 0.0) + 2.0 * f_data[address] + (f_xp1_inside ? f_xp1 : 0.0));
-    uint value = address + 256u;
-    bool has_next = value < f_extent;
-    uint next = has_next ? value : address;
     bool f_xm1_inside_1 = next >= 1u;
     float f_xm1_1 = f_data[next - (f_xm1_inside_1 ? 1u : 0u)];
     uint f_xp1_at_1 = next + 1u;

@@ -16,9 +16,9 @@ void main() {
     uvec2 address = gl_GlobalInvocationID.xy * uvec2(1u, 2u);
     if (any(greaterThanEqual(address, f_extent))) return;
     // Each invocation takes two elements: its own, and the one in the next row if there is one.
+    bool has_next = address.y + 1u < f_extent.y;
     uint f_at = address.x * f_extent.y + address.y;
     float g = f_data[f_at];
-    bool has_next = address.y + 1u < f_extent.y;
     uint f_at_1 = f_at + (has_next ? 1u : 0u);
     float g_1 = f_data[f_at_1];
     g_data[f_at] = g;

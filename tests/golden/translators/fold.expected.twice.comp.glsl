@@ -15,12 +15,12 @@ void main() {
     uvec3 address = gl_GlobalInvocationID * uvec3(1u, 2u, 1u);
     if (any(greaterThanEqual(address, f_extent))) return;
     // Each invocation takes two elements: its own, and the one in the next row if there is one.
+    bool has_next = address.y + 1u < f_extent.y;
     uint f_i = (address.z * f_extent.y + address.y) * f_extent.x + address.x;
     uvec2 f_at = uvec2(f_i % 64u, f_i / 64u);
     ivec2 value = ivec2(f_at);
     float f_value = imageLoad(f_data, value).x;
     float f = 2.0 * f_value;
-    bool has_next = address.y + 1u < f_extent.y;
     uint f_i_1 = f_i + (has_next ? f_extent.x : 0u);
     uvec2 f_at_1 = uvec2(f_i_1 % 64u, f_i_1 / 64u);
     ivec2 value_1 = ivec2(f_at_1);

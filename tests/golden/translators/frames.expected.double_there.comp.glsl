@@ -19,6 +19,9 @@ void main() {
     uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= s_frames_n * 4u) return;
     // Each invocation takes two elements: its own, and the one a workgroup's width further on if there is one.
+    uint value = address + 256u;
+    bool has_next = value < s_frames_n * 4u;
+    uint next = has_next ? value : address;
     uint g_frames_address = address / 4u;
     bool g_frames_value_inside = g_frames_address < s_frames_n;
     uint g_frames_value = g_frames_data[g_frames_value_inside ? g_frames_address : 0u];
@@ -34,9 +37,6 @@ void main() {
     uint s_place = (s_frame - 1u) * 4u + s_address % 4u;
     bool s_value_inside = !(s_frame == 0u) && s_place < s_data_extent;
     float s_value = s_data[s_value_inside ? s_place : 0u];
-    uint value = address + 256u;
-    bool has_next = value < s_frames_n * 4u;
-    uint next = has_next ? value : address;
     uint g_frames_address_1 = next / 4u;
     bool g_frames_value_inside_1 = g_frames_address_1 < s_frames_n;
     uint g_frames_value_1 = g_frames_data[g_frames_value_inside_1 ? g_frames_address_1 : 0u];

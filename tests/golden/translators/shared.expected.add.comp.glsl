@@ -25,6 +25,9 @@ void main() {
     uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= f_extent) return;
     // Each invocation takes two elements: its own, and the one a workgroup's width further on if there is one.
+    uint value = address + 256u;
+    bool has_next = value < f_extent;
+    uint next = has_next ? value : address;
     bool test = address >= f_extent;
     bool f_either = test;
     if (!f_either) {
@@ -72,10 +75,10 @@ void main() {
     bool to_found_1 = to_found && to_place.y < f_frames_extent.y;
     // shared.glift:39
     float f_value = f_frames_data[f_found_1 ? f_at : 0u];
-    uint value = address + 1u;
-    bool g_xp1_field_either = value >= g_field_extent;
+    uint value_1 = address + 1u;
+    bool g_xp1_field_either = value_1 >= g_field_extent;
     if (!g_xp1_field_either) {
-        uint g_field_table_address = value / 16u;
+        uint g_field_table_address = value_1 / 16u;
         bool g_field_table_value_inside = g_field_table_address < g_field_table_extent;
         uint g_field_table_value = g_field_table_data[g_field_table_value_inside ? g_field_table_address
             : 0u];
@@ -87,11 +90,12 @@ void main() {
         g_xp1_field_result = uvec2(0u);
         g_xp1_field_found = false;
     } else {
-        uint g_field_table_address = value / 16u;
+        uint g_field_table_address = value_1 / 16u;
         bool g_field_table_value_inside = g_field_table_address < g_field_table_extent;
         uint g_field_table_value = g_field_table_data[g_field_table_value_inside ? g_field_table_address
             : 0u];
-        g_xp1_field_result = uvec2(value % 16u, (g_field_table_value_inside ? g_field_table_value : 0u) - 1u);
+        g_xp1_field_result = uvec2(value_1 % 16u, (g_field_table_value_inside ? g_field_table_value : 0u)
+            - 1u);
         g_xp1_field_found = true;
     }
     uvec2 g_xp1_field_place = g_xp1_field_result;
@@ -99,9 +103,6 @@ void main() {
     uint g_xp1_at = g_xp1_field_place.y * g_field_frames_extent.x + g_xp1_field_place.x;
     float g_xp1 = g_field_frames_data[g_xp1_inside ? g_xp1_at : 0u];
     // shared.glift:38
-    uint value_1 = address + 256u;
-    bool has_next = value_1 < f_extent;
-    uint next = has_next ? value_1 : address;
     bool test_1 = next >= f_extent;
     bool f_either_1 = test_1;
     if (!f_either_1) {

@@ -20,6 +20,9 @@ void main() {
     uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= from_extent) return;
     // Each invocation takes two elements: its own, and the one a workgroup's width further on if there is one.
+    uint value = address + 256u;
+    bool has_next = value < from_extent;
+    uint next = has_next ? value : address;
     bool to_either = address >= from_extent;
     if (!to_either) {
         uint to_table_address = address / 16u;
@@ -68,9 +71,6 @@ void main() {
     uint from_value_at = from_place.y * from_frames_extent.x + from_place.x;
     float from_value = from_frames_data[from_value_inside ? from_value_at : 0u];
     // shared.glift:43
-    uint value = address + 256u;
-    bool has_next = value < from_extent;
-    uint next = has_next ? value : address;
     bool to_either_1 = next >= from_extent;
     if (!to_either_1) {
         uint to_table_address = next / 16u;
