@@ -349,7 +349,10 @@ class Kernels:
         if self.random.chance(30):
             lines[-1] = f"if sum % 3u != 0u {{\n{lines[-1]}\n}}"
         first = self.random.weighted([(3, "0u"), (1, f"{self.random.between(0, 20)}u")])
-        loop = f"var sum = {self.random.choice(own)};\nfor k in {first}..{self.random.choice(bounds)} {{\n" + "\n".join(lines) + "\n}"
+        start, end = f"var sum = {self.random.choice(own)};\n", self.random.choice(bounds)
+        if self.random.chance(60):
+            start, end = start + f"let end = {end} - {end} % 3u;\n", "end"
+        loop = start + f"for k in {first}..{end} {{\n" + "\n".join(lines) + "\n}"
         self.add_each(kernel, "x9")
         self.add_outputs(kernel)
         self.ensure_course(kernel)
