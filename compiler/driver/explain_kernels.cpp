@@ -89,7 +89,22 @@ private:
     const ir::Pass& pass_;
 };
 
+/// How many elements are added in one order, and what it depends on.
+std::string order_text(const ir::PassUpdate& update) {
+    const ir::SumOrder& order = *update.order;
+    std::string axes;
+    for (std::uint32_t axis = 0; axis < 3; ++axis)
+        if ((order.axes >> axis & 1) != 0) axes += (axes.empty() ? "" : ", ") + std::string(1, "xyz"[axis]);
+    return "; floats are added in one order on every device, in parts of " + std::to_string(order.part) + " along " +
+           axes + (update.is_exact ? "" : " (if the addresses of different sums differ)");
+}
+
 std::string text_of(const ir::PassUpdate& update, const ir::Pass& pass) {
+    if (update.order) {
+        ir::PassUpdate in_any_order = update;
+        in_any_order.order.reset();
+        return text_of(in_any_order, pass) + order_text(update);
+    }
     const std::string axis(1, "xyz"[update.axis]), elements = std::to_string(update.elements);
     const std::uint32_t invocations = pass.group[0] * pass.group[1] * pass.group[2];
     switch (update.way) {

@@ -38,6 +38,8 @@ struct PassBinding {
         false;  ///< workgroups see each other's writes within the pass: accesses are neither moved nor merged
     std::uint32_t one_place = 0;  ///< index of the first binding that may alias this one; its own index if there is
                                   ///< none, and in the direct form, which calls with aliases do not use
+    bool is_workspace =
+        false;             ///< no parameter has it: the runtime gives it for the call (lower/transform/ordered_sums.h)
     bool in_rows = false;  ///< some load or store is of a vector of row_width scalars; its index then counts vectors
     std::uint32_t address_parameter = no_parameter;  ///< general form, buffers: the parameter that holds the address
 };
@@ -83,11 +85,23 @@ struct PassParameter {
 /// before (lower/transform/privatise.h).
 enum class UpdateWay : std::uint8_t { plain, tree, column, copies };
 
+/// The order in which an update adds floats, the same on every device (lower/transform/ordered_sums.h). The elements of
+/// a sum are those that differ along `axes`.
+struct SumOrder {
+    std::uint8_t axes = 0;         ///< bit i: the address is the same for all elements along axis i
+    std::uint32_t axis = 0;        ///< one of them, along which parts of the sum are cut
+    std::uint32_t part = 1;        ///< the number of elements of a part
+    std::uint32_t most_parts = 1;  ///< sums of more parts have no order
+    bool operator==(const SumOrder&) const = default;
+};
+
 struct PassUpdate {
     std::uint32_t binding = 0;
     UpdateWay way = UpdateWay::plain;
     std::uint32_t axis = 0, elements = 1;  ///< of tree and column: how many elements an invocation combines, and where
     std::uint32_t copied = 0;              ///< of copies: a buffer of fewer elements has copies
+    std::optional<SumOrder> order;         ///< of sums of floats; absent: in any order
+    bool is_exact = false;                 ///< of ordered sums: different ones are of different elements of memory
 };
 
 /// Loads that the invocations of a workgroup share through workgroup memory (lower/transform/stage.h).
@@ -151,6 +165,11 @@ struct Pass {
     bool exact = true;                 ///< devices agree bit for bit: no intrinsic that is inexact for its operands, no
                                        ///< sum of floats by atomic operations, no sampler that filters or compares, no
                                        ///< image of format r8, rg8 or rgba8, no rasterisation. The same in all forms
+
+    /// The update of the binding that adds in order; null: there is none.
+    const PassUpdate* ordered_sum(std::uint32_t binding) const;
+    /// The orders of all such updates, in the order of `updates`.
+    std::vector<SumOrder> sum_orders() const;
 
     Variant& plain() { return variants.front(); }
     const Variant& plain() const { return variants.front(); }

@@ -101,7 +101,7 @@ void Printer::bindings() {
             if (flag) text += word;
         if (of.compare) text += " compare " + std::string(spelling(*of.compare));
         if (of.one_place < i) text += " one_place " + pass_->bindings[of.one_place].name;
-        text += " of " + place(of.place) + " " + std::to_string(of.memory);
+        text += of.is_workspace ? " of workspace" : " of " + place(of.place) + " " + std::to_string(of.memory);
         if (of.address_parameter < pass_->parameters.size())
             text += " at $" + pass_->parameters[of.address_parameter].name;
         line(text);

@@ -105,6 +105,10 @@ void Printer::cpu_stmt(const Stmt& stmt) {
         line("row_update_" + std::string(spelling(stmt.combine)) + "(" + binding(stmt.slot) + "[" + expr(stmt.target) +
              "], " + expr(stmt.value) + ");");
         break;
+    case StmtOp::column_update:
+        line("column_update_" + std::string(spelling(stmt.combine)) + "(" + binding(stmt.slot) + "[" +
+             expr(stmt.target) + "], " + expr(stmt.value) + ", " + expr(stmt.limit) + ");");
+        break;
     case StmtOp::load_rows:
         line("load_rows(" + binding(stmt.slot) + ", " + expr(stmt.value) + ", " + expr(stmt.target) + ");");
         break;

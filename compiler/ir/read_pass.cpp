@@ -93,8 +93,11 @@ void Reader::binding() {
         else if (const auto format = spelled(word(), Format::d32)) made.format = *format;
         else fail("expected a property of a binding before this");
     }
-    made.place = place();
-    made.memory = static_cast<std::uint32_t>(number());
+    made.is_workspace = accept("workspace");
+    if (!made.is_workspace) {
+        made.place = place();
+        made.memory = static_cast<std::uint32_t>(number());
+    }
     if (accept("at")) {
         expect("$");
         name();  // the address parameter is declared later, and names this binding

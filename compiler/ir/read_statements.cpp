@@ -115,8 +115,8 @@ Stmt Reader::keep() {
 }
 
 /// Reads the rest of: image_store(binding, at, value); or atomic_add(binding[at], value); (or another atomic_… or
-/// row_update_…) or report(binding, address); or report(view, address); where `view` is this word and no binding. For
-/// move_of_rows(), the rest of load_rows or store_rows.
+/// row_update_…), with the element's x in column_update_…, or report(binding, address); or report(view, address); where
+/// `view` is this word and no binding. For move_of_rows(), the rest of load_rows or store_rows.
 Stmt Reader::memory_statement(StmtOp op, Combine combine) {
     Stmt stmt;
     stmt.op = op;
@@ -129,13 +129,17 @@ Stmt Reader::memory_statement(StmtOp op, Combine combine) {
         if (found == bindings_.end()) fail("no such binding before this");
         stmt.slot = found->second;
     }
-    const bool is_update = op == StmtOp::atomic || op == StmtOp::row_update;
+    const bool is_update = op == StmtOp::atomic || op == StmtOp::row_update || op == StmtOp::column_update;
     expect(is_update ? "[" : ",");
     stmt.target = expr();
     if (is_update) expect("]");
     if (op != StmtOp::report) {
         expect(",");
         stmt.value = expr();
+    }
+    if (op == StmtOp::column_update) {
+        expect(",");
+        stmt.limit = expr();
     }
     expect(")");
     expect(";");
@@ -236,6 +240,8 @@ Stmt Reader::statement() {
         const auto combine = static_cast<Combine>(i);
         if (accept(concat("atomic_", spelling(combine)))) return memory_statement(StmtOp::atomic, combine);
         if (accept(concat("row_update_", spelling(combine)))) return memory_statement(StmtOp::row_update, combine);
+        if (accept(concat("column_update_", spelling(combine))))
+            return memory_statement(StmtOp::column_update, combine);
     }
     return assignment();
 }

@@ -190,6 +190,7 @@ void Validator::stmt(const Stmt& stmt) {
     case StmtOp::image_store:
     case StmtOp::atomic:
     case StmtOp::row_update:
+    case StmtOp::column_update:
         if (stmt.slot >= pass_.bindings.size()) return fail("no such binding");
         if (pass_.bindings[stmt.slot].access == Access::read) fail("a store to memory that is only read");
         if (!has_path(stmt)) return fail("a store to a member that the element does not have");

@@ -83,7 +83,9 @@ constexpr KernelPass kernels[] = {
     {"coarsen", "the expanded body of a kernel without a group",
      "a second body, for two elements per invocation, or up to eight of a block"},
     {"privatise", "the expanded body of a kernel without a group, loops or returns",
-     "a second body, for many elements per invocation, that combines their updates before it makes them"},
+     "a second body, for many elements per invocation, that combines their updates before it makes them, sums of "
+     "floats "
+     "in one order; for the host device, a body whose updates can be combined along rows and columns"},
     {"stage", "the expanded body of a kernel without a group, with one loop over a uniform range",
      "a second body, in which a workgroup loads together what its invocations load in the loop"},
     {"tile", "the expanded body of a kernel in two or three dimensions, without a group, loops or returns",
@@ -99,7 +101,8 @@ constexpr KernelPass kernels[] = {
      "accesses whose address advances by one from each element of a row to the next are row_load and row_store; in the "
      "middle of a row none of them is clamped; the order in which elements may be done is known"},
     {"find_row_updates", "the same variants after find_rows",
-     "updates whose address is the same for all elements of a row are row_update"},
+     "updates whose address is the same for all elements of a row are row_update; sums in one order are row_update or "
+     "column_update"},
 };
 
 }  // namespace

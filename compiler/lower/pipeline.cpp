@@ -142,6 +142,7 @@ std::vector<Variant> for_host(Context& cx, const Variant& variant) {
         finished(cx, "lockstep", std::vector{made}, {}, "host");
     }
     std::vector<Variant> found = find_rows(cx, made);
+    if (!cx.pass.sum_orders().empty()) found.resize(1);  // the elements of a row are added together
     finished(cx, "find_rows", found, {}, "host");
     for (Variant& one : found) find_row_updates(cx, one);
     finished(cx, "find_row_updates", found, {}, "host");
@@ -153,6 +154,7 @@ std::vector<Variant> for_host(Context& cx, const Variant& variant) {
 void add_host_variants(Context& cx) {
     std::vector<Variant> others, made;
     for (Variant& variant : cx.pass.variants) {
+        if (variant.assumes.interior && !cx.pass.sum_orders().empty()) continue;
         if (variant.devices != Devices::shaders) std::ranges::move(for_host(cx, variant), std::back_inserter(made));
         if (variant.devices != Devices::host) others.push_back(std::move(variant));
     }
@@ -275,11 +277,11 @@ Lowered::Forms all_forms(Program& program, Diagnostics& diagnostics, KernelId ke
         for (Pass* pass : all) *pass = lower(pass->form, Elements::many_where_it_helps);
     }
     // A workgroup must cover the same elements in all forms, since they share one description of the kernel
-    // (glift::Kernel::items), and the host device visits them in the same order.
+    // (glift::Kernel::items, sums), and the host device visits them in the same order.
     const auto agrees = [&](const Pass* pass) {
         const auto elements = [](const Pass& of) { return variant_for(of, Devices::shaders).assumes.elements; };
         return elements(*pass) == elements(forms.direct) && pass->group == forms.direct.group &&
-               pass->tiles == forms.direct.tiles;
+               pass->tiles == forms.direct.tiles && pass->sum_orders() == forms.direct.sum_orders();
     };
     if (!std::ranges::all_of(all, agrees))
         for (Pass* pass : all) *pass = lower(pass->form, Elements::two_where_it_helps);

@@ -25,6 +25,9 @@ bool add(Context& cx, std::string_view pass, std::optional<SeveralElements> made
     const bool is_in_range = !has_any_barrier(cx.p, made->body);  // else invocations beyond the range run it, too
     made->body = simplified(cx, "several elements", std::move(made->body), is_in_range ? facts : std::vector<ExprId>{});
     cx.pass.variants.push_back({Part::whole, Devices::shaders, {made->elements, std::nullopt}, std::move(made->body)});
+    if (cx.is_direct() || made->host_body.empty()) return true;
+    made->host_body = simplified(cx, "for the host device", std::move(made->host_body), facts);
+    cx.pass.variants.push_back({Part::whole, Devices::host, cx.pass.plain().assumes, std::move(made->host_body)});
     return true;
 }
 

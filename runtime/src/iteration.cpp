@@ -67,6 +67,23 @@ void Iteration::add_any(const detail::Box& box, bool is_whole) {
 
 Extent Iteration::size() const { return kernel_.of_blocks ? Extent{visited_.x, visited_.y, 1, 1} : first_.size; }
 
+Memory Iteration::partial_sums(const Commands& commands) const {
+    constexpr std::uint64_t most_words = std::uint64_t{1} << 32;
+    std::uint64_t words = 0;
+    bool meet = false;
+    for (const SumOrder& order : kernel_.sums) {
+        const SumCount count = count_of(order, size());
+        words += count.words();
+        meet = meet || (count.parts > 1 && count.parts <= order.most_parts);
+    }
+    if (meet && words >= most_words)
+        throw Error(ErrorCode::too_large, "too many sums", place_of(kernel_),
+                    "their parts take " + std::to_string(words) + " words, and one call may have " +
+                        std::to_string(most_words - 1),
+                    "call the kernel for parts of the structures, made with range(origin, size)");
+    return commands.allocate({.name = "partial sums", .bytes = meet ? 4 * words : 4, .zeroed = meet});
+}
+
 bool Iteration::can_be_direct(const Commands& commands, std::span<const Memory> memories) const {
     return whole_ && commands.can_be_direct(kernel_, memories, size(), sharing_);
 }

@@ -220,6 +220,8 @@ class Kernels:
         address = vector(structure.axes, UINT)
         meets = self.random.chance(60)
         place = self.meeting_place(kernel, name, structure.axes) if meets else None
+        if adds_floats and structure.buffer and self.random.chance(50):
+            return self.add_ordered_sum(kernel, name, structure)
 
         def write(scope):
             at = [place] if meets else [self.expressions.of(address, scope, 2), f" % {extent_text([40] * structure.axes)}"]
@@ -228,6 +230,22 @@ class Kernels:
                 [self.expressions.of(structure.element, scope, 3)]
             parts = [f"{name}[", *at, "] = ", *value, ";"]
             if self.random.chance(30):
+                parts = ["if ", self.expressions.of(BOOL, scope, 2), " { ", *parts, " }"]
+            return Node(*parts)
+        kernel.writes.append(write)
+
+    def add_ordered_sum(self, kernel, name, structure):
+        """A sum of floats that devices make in one order: its address is the same along some axes. The values are arbitrary."""
+        own = self.own_address(kernel, f"at_{name}")
+        first = self.random.below(kernel.axes)
+        axes = [(first + i) % kernel.axes for i in range(kernel.axes)]
+        kept = axes[:self.random.between(0, min(structure.axes, kernel.axes - 1))]
+        parts = [own[axis] for axis in kept] + [f"{self.random.between(0, 9)}u" for _ in range(structure.axes - len(kept))]
+        place = parts[0] if structure.axes == 1 else f"uint{structure.axes}({', '.join(parts)})"
+
+        def write(scope):
+            parts = [f"{name}[{place}] = ", self.expressions.of(FLOAT, scope, 3), ";"]
+            if self.random.chance(40):
                 parts = ["if ", self.expressions.of(BOOL, scope, 2), " { ", *parts, " }"]
             return Node(*parts)
         kernel.writes.append(write)

@@ -71,6 +71,10 @@ std::string memory_text(Unit& unit, const KernelParam& param, const ir::Place& p
 std::string memories_text(Unit& unit, const Kernel& kernel, const Pass& pass) {
     std::string text;
     for (const PassBinding& binding : pass.bindings) {
+        if (binding.is_workspace) {
+            text += (text.empty() ? "" : ", ") + std::string("iteration.partial_sums(commands)");
+            continue;
+        }
         const KernelParam& param = kernel.params[binding.place.root];
         if (param.pattern == Pattern::argument) {
             text += (text.empty() ? "" : ", ") + param_name(unit, param) + ".memory";

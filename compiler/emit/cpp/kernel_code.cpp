@@ -45,6 +45,7 @@ std::string access_text(const PassBinding& binding) {
 
 /// The memory of a binding as in the source: f.data, f.table.data.
 std::string display_of(const Unit& unit, const Kernel& kernel, const PassBinding& binding) {
+    if (binding.is_workspace) return "partial sums";
     std::string text = unit.name(kernel.params[binding.place.root].name);
     ir::StructureId structure = kernel.params[binding.place.root].structure;
     for (std::uint32_t member : binding.place.members) {
@@ -208,6 +209,16 @@ static std::string print_host_code(Unit& unit, Writer& out, const Pass& pass, ir
     return function;
 }
 
+/// The table of the orders of sums, which the host device's code uses, too.
+static void print_sums(Writer& out, const std::vector<ir::SumOrder>& orders, const std::string& name) {
+    if (orders.empty()) return;
+    std::string rows;
+    for (const ir::SumOrder& order : orders)
+        rows += (rows.empty() ? "{" : ", {") + std::to_string(order.axes) + ", " + std::to_string(order.axis) + ", " +
+                std::to_string(order.part) + ", " + std::to_string(order.most_parts) + "}";
+    out.line("constexpr glift::SumOrder " + name + "_sums[] = {" + rows + "};");
+}
+
 /// The bytes of workgroup memory of the form that needs most: arrays may share memory in one form and not in another.
 static std::uint32_t shared_bytes_of(const ir::Lowered::Forms& forms) {
     return std::max(forms.direct.shared_bytes, forms.general.shared_bytes);
@@ -223,6 +234,7 @@ static void print_rare_fields(Unit& unit, Writer& out, const ir::Lowered::Forms&
     if (any.of_blocks) out.line(".of_blocks = true,");
     if (any.has_status()) out.line(".reports = true,");
     if (const std::uint32_t bytes = shared_bytes_of(forms)) out.line(".shared_bytes = " + std::to_string(bytes) + ",");
+    if (!any.sum_orders().empty()) out.line(".sums = " + name + "_sums,");
     if (any.loop_rounds != 0 && any.longest_loop)
         out.line(".longest_loop = {\"" + file_name(unit.sources, any.longest_loop.file) + "\", " +
                  std::to_string(unit.sources.line_of(any.longest_loop)) + "},");
@@ -240,6 +252,7 @@ std::string kernel_code(Unit& unit, ir::KernelId index) {
     code.gap();
     code.line("namespace {");
     code.gap();
+    print_sums(code, any.sum_orders(), name);
     const std::string host = print_host_code(unit, code, forms.general, index);
     print_bindings(unit, code, forms, kernel, name);
     if (has_parameters) print_parameters(unit.program, code, forms.direct, name);

@@ -35,16 +35,18 @@ std::vector<std::vector<ir::KernelId>> spread(const ModuleParts& parts, const st
 void print_includes(const ModuleParts& parts, Writer& out, const std::string& stem,
                     const std::vector<ir::KernelId>& kernels) {
     bool has_images = false, has_cubes = false, has_atomics = false, has_updates = false, has_reports = false,
-         has_draws = false, has_runs = false;
+         has_draws = false, has_runs = false, has_sums = false;
     for (ir::KernelId kernel : kernels) {
         has_draws |= parts.program.kernels[kernel].raster.has_value();
         const ir::Pass& pass = parts.lowered.passes[kernel].general;
         for (const ir::PassBinding& binding : pass.bindings) {
             has_images |= binding.shape != ir::MemoryShape::buffer;
             has_cubes |= binding.shape == ir::MemoryShape::imagecube;
+            if (binding.is_workspace) continue;
             (binding.coherent ? has_atomics : has_updates) |= binding.atomic || binding.coherent;
         }
         has_reports |= pass.has_reports;
+        has_sums |= !pass.sum_orders().empty();
         if (parts.program.kernels[kernel].grouped() || parts.program.kernels[kernel].raster) continue;
         for (const ir::Variant& variant : pass.variants) has_runs |= ir::is_in_lockstep(parts.program, variant.body);
     }
@@ -59,6 +61,7 @@ void print_includes(const ModuleParts& parts, Writer& out, const std::string& st
     out.line("#include <glift/host/parallel.h>");
     if (has_reports) out.line("#include <glift/host/report.h>");
     if (has_runs) out.line("#include <glift/host/runs.h>");
+    if (has_sums) out.line("#include <glift/host/sums.h>");
     if (has_updates) out.line("#include <glift/host/updates.h>");
     out.line("#include <glift/kernel.h>");
     out.gap();

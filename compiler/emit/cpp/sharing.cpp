@@ -59,6 +59,7 @@ bool may_share(const ir::Pass& pass) {
         for (std::size_t i = 0; i < k; ++i) {
             const ir::PassBinding& one = pass.bindings[i];
             // Images of different shapes may share texels: a cube and a face of it.
+            if (one.is_workspace || other.is_workspace) continue;
             const bool are_alike = (one.shape == ir::MemoryShape::buffer) == (other.shape == ir::MemoryShape::buffer);
             if (are_alike && one.format == other.format && (writes(one) || writes(other))) return true;
         }
@@ -67,6 +68,7 @@ bool may_share(const ir::Pass& pass) {
 }
 
 std::string sharing_fields(const ir::Program& program, const ir::Kernel& kernel, const ir::PassBinding& binding) {
+    if (binding.is_workspace) return "";
     const ir::KernelParam& param = kernel.params[binding.place.root];
     std::string text;
     if (const std::size_t number = structure_number(kernel, binding.place.root))

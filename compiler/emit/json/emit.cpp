@@ -250,11 +250,15 @@ void Writer::parameters(const ir::Pass& pass, const std::vector<Root>& roots) {
 
 void Writer::binding(const ir::Pass& pass, std::size_t index, const std::vector<Root>& roots) {
     const ir::PassBinding& b = pass.bindings[index];
-    const ir::Structure& structure = program.structures[structure_at(program, roots, b.place)];
+    const auto memory = [&]() -> std::string {
+        if (b.is_workspace) return "partial sums";
+        const ir::Structure& structure = program.structures[structure_at(program, roots, b.place)];
+        return place_text(program, roots, b.place) + "." + name(structure.memories[b.memory].name);
+    };
     out.object([&] {
         out.field("binding", index + 1);
         out.field("name", b.name);
-        out.field("memory", place_text(program, roots, b.place) + "." + name(structure.memories[b.memory].name));
+        out.field("memory", memory());
         out.field("kind", word(b.shape));
         out.field("element", type(b.element));
         out.field("access", word(b.access));

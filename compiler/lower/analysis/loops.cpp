@@ -195,11 +195,13 @@ void add_functions(Context& cx, const std::vector<StmtId>& body) {
     });
 }
 
-/// Whether the body adds floats to elements by atomic operations, whose order depends on the device.
+/// Whether the body adds floats to elements by atomic operations whose order depends on the device.
 bool adds_floats(const Context& cx, const std::vector<StmtId>& body) {
     bool found = false;
     for_each_statement(cx.p, body, [&](const Stmt& stmt) {
         if (stmt.op != StmtOp::atomic || stmt.combine != Combine::add) return;
+        const PassUpdate* ordered = cx.pass.ordered_sum(stmt.slot);
+        if (ordered != nullptr && ordered->is_exact) return;
         found = found || cx.p.types.is_floating(cx.p.types.scalar_of(cx.pass.bindings[stmt.slot].element));
     });
     return found;

@@ -93,11 +93,26 @@ bool Updates::is_affine(ExprId index) {
            std::ranges::all_of(node.operands, is_operand_affine);
 }
 
+/// Whether elements that differ along another axis than those in `same_along` have different addresses. Known for one
+/// such axis, and an odd step: then no two of its 2^32 addresses are equal.
+bool Updates::differs(ExprId target, std::uint8_t same_along) {
+    std::uint32_t axes = 0;
+    bool is_odd = true;
+    for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis) {
+        if ((same_along >> axis & 1) != 0) continue;
+        ++axes;
+        const Slope slope = slopes_[axis].of(target)[0];
+        is_odd = is_odd && slope.known && slope.step % 2 != 0;
+    }
+    return axes == 0 || (axes == 1 && is_odd);
+}
+
 void Updates::note(StmtId id) {
     const ExprId target = cx.p.stmts[id].target;
     Update update{id, conditions_};
     for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis)
         if (is_same_along(axis, target)) update.same_along |= 1u << axis;
+    update.differs = differs(target, update.same_along);
     update.may_collide = slopes_[0].is_steady(target) || !is_affine(target);
     found_.push_back(std::move(update));
 }

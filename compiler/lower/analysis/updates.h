@@ -20,6 +20,7 @@ struct Update {
     std::vector<Condition> conditions;  ///< of the ifs around it, the outermost first
     std::uint8_t same_along = 0;        ///< bit i: its address is the same for all elements along axis i
     bool may_collide = false;           ///< elements that are near each other may have one address
+    bool differs = false;               ///< elements have one address only if they differ along same_along alone
 };
 
 /// Finds the updates of an expanded body, before its uniform values are parameters.
@@ -45,6 +46,7 @@ private:
     bool calls_a_loop(ExprId id) const;
     bool has_loop(const std::vector<StmtId>& body) const;
     void note(StmtId id);
+    bool differs(ExprId target, std::uint8_t same_along);
     bool is_affine(ExprId index);
 
     Context& cx;

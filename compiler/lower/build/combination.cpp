@@ -34,6 +34,12 @@ ExprId Combination::value(ExprId key) const {
     return has_keys_ ? build.intrinsic(Intrinsic::intBitsToFloat, types().float_, {reordered(key)}) : key;
 }
 
+ExprId Combination::changes(ExprId key) const {
+    if (type() != types().float_) return build.binary(BinaryOp::not_equal, key, identity());
+    const ExprId bits = build.intrinsic(Intrinsic::floatBitsToUint, types().uint, {key});
+    return build.binary(BinaryOp::not_equal, bits, build.uint(0x80000000u));  // those of -0
+}
+
 ExprId Combination::of(ExprId one, ExprId other) const {
     switch (combine_) {
     case Combine::min: return build.intrinsic(Intrinsic::min, type(), {one, other});

@@ -15,12 +15,15 @@ public:
     /// Whether such values can be combined: 32-bit ints, uints and floats.
     bool is_known() const;
     bool is_of_floats() const { return type() == types().float_; }
+    bool is_sum_of_floats() const { return is_of_floats() && combine_ == ir::Combine::add; }
     TypeId type() const { return has_keys_ ? types().int_ : type_; }
 
     /// Combined with it any key is itself; no value but NaN has it as its key.
     ExprId identity() const;
     ExprId key(ExprId value) const;
     ExprId value(ExprId key) const;
+    /// Whether the key changes anything that it is combined with: it is not the identity.
+    ExprId changes(ExprId key) const;
     /// Of two keys.
     ExprId of(ExprId one, ExprId other) const;
     /// The atomic operation on keys in workgroup memory.

@@ -91,10 +91,31 @@ private:
 
     void visit_of_element(const Stmt& stmt) {
         if (stmt.value) visit(stmt.value);
+        if (stmt.op == StmtOp::if_ && slopes_.is_steady(stmt.value) && stmt.otherwise.empty()) visit_inside(stmt.body);
         if (stmt.op == StmtOp::store) note(stmt.slot, stmt.target, cx.p.exprs[stmt.value].type);
         const bool may_return = has_return(cx.p, stmt.body) || has_return(cx.p, stmt.otherwise);
         all_come_by_ = stmt.op != StmtOp::return_ && !may_return;
         slopes_.learn(stmt);
+    }
+
+    /// The statements of an if that all elements of the row execute, or none. What they access by an index that is
+    /// computed before the if is an access of the row.
+    void visit_inside(const std::vector<StmtId>& body) {
+        for (StmtId id : body) {
+            const Stmt& stmt = cx.p.stmts[id];
+            if (stmt.op == StmtOp::let) inner_.insert(stmt.local);
+            if (stmt.value && (stmt.op == StmtOp::let || stmt.op == StmtOp::assign || stmt.op == StmtOp::atomic))
+                visit(stmt.value);
+        }
+    }
+
+    bool is_inner(ExprId index) const {
+        bool found = false;
+        for_each_node(cx.p, index, [&](ExprId id) {
+            const Expr& node = cx.p.exprs[id];
+            found = found || (node.op == Op::local && inner_.contains(node.local));
+        });
+        return found;
     }
 
     void visit(ExprId id) {
@@ -112,6 +133,7 @@ private:
         if (is_row(cx.p.types, cx.pass.bindings[binding], type)) return false;
         const bool is_read = cx.pass.bindings[binding].access == Access::read;
         if (!slopes_.is_row(index) && !(is_read && is_choice_of_row(index))) return false;
+        if (is_inner(index)) return false;
         places.memory.insert({binding, index});
         return true;
     }
@@ -133,7 +155,8 @@ private:
     const Context& cx;
     RowSlopes slopes_;
     IdSet<Local> arrays_;
-    IdSet<Local> kept_;  ///< in lockstep
+    IdSet<Local> kept_;   ///< in lockstep
+    IdSet<Local> inner_;  ///< locals that ifs declare
     bool in_lockstep_ = false;
     bool is_element_ = false;  ///< in lockstep: within `invocations`
     bool all_come_by_ = true;

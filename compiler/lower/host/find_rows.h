@@ -6,8 +6,8 @@
 // finds in which order the elements of a row may be executed.
 //
 // Needs: variants for the host device of a kernel without a group. Guarantees: the operations above for such accesses
-// that every element executes, outside of ifs and loops; the variant without clamps, if there are clamps and it has
-// such accesses; Variant::order.
+// that every element executes, outside of loops and of ifs whose condition differs along a row; the variant without
+// clamps, if there are clamps and it has such accesses; Variant::order.
 #pragma once
 
 #include "lower/context.h"

@@ -26,6 +26,11 @@ private:
     StmtId run(StmtId id) {
         Stmt stmt = cx.p.stmts[id];
         slopes_.learn(stmt);
+        if (stmt.op == StmtOp::atomic && is_of_column(stmt)) {
+            stmt.op = StmtOp::column_update;
+            stmt.limit = cx.build.component(cx.build.local(cx.pass.address), 0);
+            return cx.add(std::move(stmt));
+        }
         if (stmt.op == StmtOp::atomic && is_of_row(stmt)) {
             stmt.op = StmtOp::row_update;
             return cx.add(std::move(stmt));
@@ -34,7 +39,13 @@ private:
         return cx.build.again(id, {stmt.target, stmt.value, stmt.limit, run(stmt.body), run(stmt.otherwise)});
     }
 
+    bool is_of_column(const Stmt& update) const {
+        const PassUpdate* ordered = cx.pass.ordered_sum(update.slot);
+        return ordered != nullptr && ordered->order->axis != 0;
+    }
+
     bool is_of_row(const Stmt& update) {
+        if (cx.pass.ordered_sum(update.slot) != nullptr) return true;
         return is_combined_by_threads(cx.p.types, cx.pass.bindings[update.slot], cx.pass.is_wide) &&
                numbers_.is_fixed(update.target) && slopes_.is_steady(update.target);
     }
@@ -46,7 +57,8 @@ private:
 
 /// Whether elements depend on one another, or on their order, by other statements than row updates.
 bool is_ordered(const Context& cx, const std::vector<StmtId>& body) {
-    bool is_ordered = std::ranges::any_of(cx.pass.bindings, &PassBinding::coherent);
+    bool is_ordered = std::ranges::any_of(
+        cx.pass.bindings, [](const PassBinding& binding) { return binding.coherent && !binding.is_workspace; });
     const auto note = [&](const Stmt& stmt) { is_ordered = is_ordered || stmt.op == StmtOp::atomic; };
     for_each_statement(cx.p, body, note);
     for (const auto& [key, function] : cx.instances) for_each_statement(cx.p, cx.p.functions[function].body, note);

@@ -11,7 +11,8 @@ using namespace ir;
 namespace {
 
 bool are_of_one_memory(const PassBinding& a, const PassBinding& b) {
-    return a.place == b.place && a.memory == b.memory && a.shape == b.shape && a.compare == b.compare;
+    return a.place == b.place && a.memory == b.memory && a.shape == b.shape && a.compare == b.compare &&
+           a.is_workspace == b.is_workspace;
 }
 
 /// Whether the bindings are of one memory and have the same access (read, write or both), on which the barriers around

@@ -3,10 +3,13 @@
 
 #include "ir/effects.h"
 #include "ir/walk.h"
+#include "lower/analysis/tree_size.h"
 #include "lower/analysis/updates.h"
 #include "lower/build/combination.h"
 #include "lower/build/copy_statements.h"
+#include "lower/build/statements.h"
 #include "lower/expand/dispatch.h"
+#include "lower/transform/ordered_sums.h"
 
 #include <algorithm>
 #include <bit>
@@ -29,9 +32,8 @@ constexpr std::uint32_t most_copies = 32;          ///< of one buffer: as many a
 /// An update, what becomes of it, and the locals that this takes.
 struct PrivateUpdate : Update {
     UpdateWay way = UpdateWay::plain;
-    LocalId sum;          ///< of tree and column: what the invocation has combined
-    LocalId is_written;   ///< whether the invocation has combined anything; absent: every element updates
-    LocalId any_written;  ///< of tree: uint[1], whether any invocation of the workgroup has
+    std::optional<SumOrder> order;
+    LocalId sum;  ///< of tree and column: what the invocation has combined
 };
 
 class Privatisation {
@@ -57,6 +59,8 @@ public:
         copies_ = static_cast<std::uint32_t>(
             std::ranges::count(updates_, UpdateWay::copies, [](const PrivateUpdate& update) { return update.way; }));
         if (!is_chosen_ && copies_ != 0) take(cx.pass.rank == 1 ? 0 : 1, elements_of_copies);
+        choose_group();
+        choose_orders();
         return is_chosen_;
     }
 
@@ -65,20 +69,22 @@ public:
         for (const PrivateUpdate& update : updates_) {
             const bool is_copied = update.way == UpdateWay::copies;
             result.push_back({cx.p.stmts[update.stmt].slot, update.way, axis_, made_.elements[axis_],
-                              is_copied ? words_of_copies() : 0});
+                              is_copied ? words_of_copies() : 0, update.order, update.differs});
         }
         return result;
     }
 
     SeveralElements run(const std::vector<StmtId>& body) {
-        if (std::ranges::any_of(updates_, [](const PrivateUpdate& update) { return update.way == UpdateWay::tree; }))
-            made_.group = {invocations, 1, 1};
-        else made_.group = cx.pass.group;
+        note_inner(body);
         for (PrivateUpdate& update : updates_) begin(update);
+        if (std::ranges::any_of(updates_, [](const PrivateUpdate& of) { return bool(of.sum); }))
+            made_.host_body = for_host(body);
         if (copies_ != 0) barrier();
         loop(body);
         if (copies_ != 0) barrier();
-        for (const PrivateUpdate& update : updates_) end(update);
+        std::optional<OrderedSums> sums;
+        if (std::ranges::any_of(updates_, is_ordered)) sums.emplace(cx, made_);
+        for (const PrivateUpdate& update : updates_) end(update, sums);
         return std::move(made_);
     }
 
@@ -87,6 +93,41 @@ private:
         is_chosen_ = true;
         axis_ = axis;
         made_.elements[axis] = elements;
+    }
+
+    static bool is_ordered(const PrivateUpdate& update) { return update.order.has_value(); }
+
+    void choose_group() {
+        const auto is_tree = [](const PrivateUpdate& update) { return update.way == UpdateWay::tree; };
+        if (std::ranges::any_of(updates_, is_tree)) made_.group = {invocations, 1, 1};
+        else made_.group = cx.pass.group;
+    }
+
+    bool is_updated_by_function(std::uint32_t slot) const {
+        return std::ranges::any_of(cx.instances, [&](const auto& instance) {
+            bool found = false;
+            for_each_statement(cx.p, cx.p.functions[instance.second].body, [&](const Stmt& stmt) {
+                found = found || (stmt.op == StmtOp::atomic && stmt.slot == slot);
+            });
+            return found;
+        });
+    }
+
+    /// Sums of floats get an order, if each is the only update of its buffer.
+    void choose_orders() {
+        const auto slot_of = [&](const PrivateUpdate& update) { return cx.p.stmts[update.stmt].slot; };
+        const auto may_have_order = [&](const PrivateUpdate& update) {
+            const bool is_combined = update.way == UpdateWay::tree || update.way == UpdateWay::column;
+            return is_combined && combination(update).is_sum_of_floats() &&
+                   cx.pass.bindings[slot_of(update)].shape == MemoryShape::buffer &&
+                   std::ranges::count(updates_, slot_of(update), slot_of) == 1 &&
+                   !is_updated_by_function(slot_of(update));
+        };
+        const auto sums = static_cast<std::size_t>(std::ranges::count_if(updates_, may_have_order));
+        for (PrivateUpdate& update : updates_) {
+            if (!may_have_order(update)) continue;
+            update.order = order_of_sum(update.same_along, axis_, made_, sums);
+        }
     }
 
     Combination combination(const PrivateUpdate& update) const {
@@ -102,53 +143,11 @@ private:
 
     // Statements.
 
-    Stmt statement_at(const PrivateUpdate& update, StmtOp op) const {
-        return statement(op, cx.p.stmts[update.stmt].span);
-    }
-    StmtId assign(const PrivateUpdate& update, ExprId target, ExprId value) {
-        Stmt stmt = statement_at(update, StmtOp::assign);
-        stmt.target = target;
-        stmt.value = value;
-        return cx.add(std::move(stmt));
-    }
-    StmtId where(const PrivateUpdate& update, ExprId condition, std::vector<StmtId> body,
-                 std::vector<StmtId> otherwise = {}) {
-        Stmt stmt = statement_at(update, StmtOp::if_);
-        stmt.value = condition;
-        stmt.body = std::move(body);
-        stmt.otherwise = std::move(otherwise);
-        return cx.add(std::move(stmt));
-    }
-    LocalId let(const PrivateUpdate& update, std::string_view name, ExprId value, bool is_mutable) {
-        Stmt stmt = statement_at(update, StmtOp::let);
-        stmt.local = cx.new_local(name, build.type(value), stmt.span, is_mutable);
-        stmt.value = value;
-        if (!is_mutable) cx.definitions[stmt.local] = value;
-        const LocalId local = stmt.local;
-        made_.body.push_back(cx.add(std::move(stmt)));
-        return local;
-    }
-    /// A loop over `rounds` numbers; `body` makes the statements of one.
-    template <class Body>
-    StmtId loop_to(const PrivateUpdate& update, std::string_view variable, std::uint32_t rounds, Body body) {
-        Stmt stmt = statement_at(update, StmtOp::for_);
-        stmt.local = cx.new_local(variable, cx.p.types.uint, stmt.span);
-        stmt.value = build.uint(0);
-        stmt.limit = build.uint(rounds);
-        stmt.body = body(build.local(stmt.local));
-        return cx.add(std::move(stmt));
-    }
-    void barrier() { made_.body.push_back(cx.add(statement(StmtOp::barrier, cx.kernel.span))); }
+    Statements statements(const PrivateUpdate& update) { return {cx, cx.p.stmts[update.stmt].span}; }
+    void barrier() { made_.body.push_back(Statements(cx, cx.kernel.span).barrier()); }
 
     ExprId less(ExprId a, ExprId b) { return build.binary(BinaryOp::less, a, b); }
     ExprId lane() { return build.builtin(Builtin::local_index, cx.p.types.uint); }
-
-    LocalId workgroup_array(const PrivateUpdate& update, std::string_view name, TypeId element, std::uint32_t count) {
-        const LocalId local = cx.new_local(name, cx.p.types.array(element, count), cx.p.stmts[update.stmt].span, true);
-        cx.p.locals[local].storage = Storage::shared;
-        cx.pass.shared.push_back(local);
-        return local;
-    }
 
     std::string name_of(const PrivateUpdate& update) const {
         return cx.pass.bindings[cx.p.stmts[update.stmt].slot].name;
@@ -161,8 +160,8 @@ private:
         const std::uint32_t batch = batch_size(parts);
         const ExprId left =
             build.binary(BinaryOp::subtract, component(cx.size), component(build.local(cx.pass.address)));
-        remaining_ =
-            named(cx.kernel.span, "remaining", build.select(in_range_condition(cx), left, build.uint(0)), made_.body);
+        remaining_ = Statements(cx, cx.kernel.span)
+                         .let("remaining", build.select(in_range_condition(cx), left, build.uint(0)), made_.body);
         Stmt loop = statement(StmtOp::for_, cx.kernel.span);
         loop.local = cx.new_local("turn", cx.p.types.uint, cx.kernel.span);
         loop.value = build.uint(0);
@@ -195,32 +194,21 @@ private:
 
     void take(StmtId id, Parts& parts) {
         const Stmt stmt = cx.p.stmts[id];
-        const bool may_be_hoisted = stmt.value && dependence_.is_fixed(stmt.value) && !uses_unhoisted(stmt.value);
+        const bool may_be_hoisted = stmt.value && dependence_.is_fixed(stmt.value) && !uses(stmt.value, unhoisted_);
         if (may_be_hoisted && stmt.op == StmtOp::let && !cx.p.locals[stmt.local].is_mutable)
             return parts.hoisted.push_back(id);
         if (stmt.op == StmtOp::let) unhoisted_.insert(stmt.local);
         if (!may_be_hoisted || stmt.op != StmtOp::if_ || !dependence_.has_load(stmt.value))
             return parts.rest.push_back(id);
-        const ExprId condition = named(stmt.span, "test", stmt.value, parts.hoisted);
+        const ExprId condition = Statements(cx, stmt.span).let("test", stmt.value, parts.hoisted);
         parts.rest.push_back(build.again(id, {stmt.target, condition, stmt.limit, stmt.body, stmt.otherwise}));
     }
 
-    /// The value as a `let`, which is added to `statements`.
-    ExprId named(Span span, std::string_view name, ExprId value, std::vector<StmtId>& statements) {
-        Stmt stmt = statement(StmtOp::let, span);
-        stmt.local = cx.new_local(name, build.type(value), span);
-        stmt.value = value;
-        cx.definitions[stmt.local] = value;
-        const ExprId local = build.local(stmt.local);
-        statements.push_back(cx.add(std::move(stmt)));
-        return local;
-    }
-
-    bool uses_unhoisted(ExprId id) const {
+    bool uses(ExprId id, const IdSet<Local>& locals) const {
         bool found = false;
         for_each_node(cx.p, id, [&](ExprId node) {
             const Expr& local = cx.p.exprs[node];
-            found = found || (local.op == Op::local && unhoisted_.contains(local.local));
+            found = found || (local.op == Op::local && locals.contains(local.local));
         });
         return found;
     }
@@ -243,7 +231,7 @@ private:
         const std::uint32_t step = axis_ == 0 ? made_.group[0] : 1;
         const ExprId distance = build.multiply(number, build.uint(step)), at = address_at(distance);
         const auto name = [&](std::string_view text, ExprId value) {
-            return named(cx.kernel.span, text, value, hoisted);
+            return Statements(cx, cx.kernel.span).let(text, value, hoisted);
         };
         // Compares distances, since the address of an element that does not exist may exceed 32 bits.
         const ExprId exists = name("exists", less(distance, remaining_));
@@ -286,11 +274,85 @@ private:
         return build.again(id, std::move(parts));
     }
 
-    /// The value of an update, as a `let` in before_ if the element's address alone decides whether it is made.
+    /// The value of an update, as a `let` in before_ if the element's address alone decides whether it is made, and if
+    /// it can be computed outside of the ifs around the update.
     ExprId named_value(const PrivateUpdate& update, ExprId value) {
         const auto is_of_address = [&](const Condition& of) { return dependence_.is_same_along(axis_, of.value); };
         if (!std::ranges::all_of(update.conditions, is_of_address) || is_trivial(cx, value)) return value;
-        return named(cx.p.stmts[update.stmt].span, name_of(update) + "_value", value, before_);
+        const ExprId outside = outside_of_ifs(value);
+        return outside ? statements(update).let(name_of(update) + "_value", outside, before_) : value;
+    }
+
+    /// The value without locals that ifs declare; absent if that is not possible.
+    ExprId outside_of_ifs(ExprId value) {
+        constexpr std::uint32_t most_nodes = 256;
+        if (uses(value, inner_)) value = StatementCopy(cx, build.local(cx.pass.address)).with_definitions(value);
+        const bool is_possible =
+            !uses(value, inner_) && dependence_.is_fixed(value) && TreeSizes(cx).of(value) <= most_nodes;
+        return is_possible ? value : ExprId{};
+    }
+
+    /// Notes the locals that the statements inside `body` declare.
+    void note_inner(const std::vector<StmtId>& body) {
+        for (StmtId id : body) {
+            const Stmt& stmt = cx.p.stmts[id];
+            for (const auto* inside : {&stmt.body, &stmt.otherwise})
+                for_each_statement(cx.p, *inside, [&](const Stmt& inner) {
+                    if (inner.op == StmtOp::let) inner_.insert(inner.local);
+                });
+        }
+    }
+
+    /// The statements for the host device, which makes updates by rows or columns (lower/host/row_updates.h). Loads for
+    /// updates that the element's address alone decides are not under ifs, and neither are ordered sums: where one is
+    /// not made, its index is that of no element, the largest one, for all elements of the row or column. So C++
+    /// compilers vectorise them.
+    std::vector<StmtId> for_host(const std::vector<StmtId>& body) {
+        std::vector<StmtId> result;
+        for (StmtId id : body) {
+            const StmtId made = outside_of_ifs(id);
+            for (StmtId before : std::exchange(before_, {})) result.push_back(before);
+            result.push_back(made);
+        }
+        return result;
+    }
+
+    StmtId outside_of_ifs(StmtId id) {
+        const auto update = std::ranges::find(updates_, id, &PrivateUpdate::stmt);
+        const bool is_private = update != updates_.end() && update->sum;
+        if (is_private && update->order && make_always(*update))
+            return cx.add(statement(StmtOp::block, cx.p.stmts[id].span));
+        const Stmt& stmt = cx.p.stmts[id];
+        Builder::Parts parts{stmt.target, stmt.value, stmt.limit, {}, {}};
+        if (is_private) parts.value = named_value(*update, stmt.value);
+        for (StmtId inside : cx.p.stmts[id].body) parts.body.push_back(outside_of_ifs(inside));
+        for (StmtId inside : cx.p.stmts[id].otherwise) parts.otherwise.push_back(outside_of_ifs(inside));
+        return build.again(id, std::move(parts));
+    }
+
+    /// Adds the update to before_ for every element; false if that is not possible.
+    bool make_always(const PrivateUpdate& update) {
+        const auto is_of_address = [&](const Condition& of) { return dependence_.is_same_along(axis_, of.value); };
+        if (!std::ranges::all_of(update.conditions, is_of_address)) return false;
+        Stmt stmt = cx.p.stmts[update.stmt];
+        stmt.target = outside_of_ifs(stmt.target);
+        stmt.value = outside_of_ifs(stmt.value);
+        if (!stmt.target || !stmt.value) return false;
+        ExprId condition;
+        for (const Condition& of : update.conditions) {
+            const ExprId value = outside_of_ifs(of.value);
+            if (!value) return false;
+            condition = build.both(condition, of.is_true ? value : build.negate(value));
+        }
+        if (condition) {
+            stmt.value = statements(update).let(name_of(update) + "_value", stmt.value, before_);
+            const TypeId index = build.type(stmt.target);
+            const std::uint64_t largest = index == cx.p.types.uint ? 0xffffffffu : ~std::uint64_t{0};
+            stmt.target = build.select(condition, stmt.target, build.integer(index, largest));
+            stmt.value = build.select(condition, stmt.value, combination(update).identity());
+        }
+        before_.push_back(cx.add(std::move(stmt)));
+        return true;
     }
 
     /// The statement that an element executes in place of its update.
@@ -300,84 +362,68 @@ private:
         if (update.way == UpdateWay::plain) return update.stmt;
         if (update.way == UpdateWay::copies) {
             const Copies& copies = copies_of_.at(update.stmt);
-            Stmt add = statement_at(update, StmtOp::evaluate);
-            add.value = build.intrinsic(combination.intrinsic(), combination.type(),
-                                        {build.index(build.local(copies.array), build.add(copies.first, stmt.target)),
-                                         combination.key(stmt.value)});
-            return where(update, less(stmt.target, copies.size), {cx.add(std::move(add))}, {update.stmt});
+            const ExprId add =
+                build.intrinsic(combination.intrinsic(), combination.type(),
+                                {build.index(build.local(copies.array), build.add(copies.first, stmt.target)),
+                                 combination.key(stmt.value)});
+            return statements(update).where(less(stmt.target, copies.size), {statements(update).evaluate(add)},
+                                            {update.stmt});
         }
         const ExprId sum = build.local(update.sum);
         const ExprId value = combination.key(named_value(update, stmt.value));
-        Stmt both = statement_at(update, StmtOp::block);
-        both.body = {assign(update, sum, combination.of(sum, value))};
-        if (!update.is_written) return both.body[0];
-        both.body.push_back(assign(update, build.local(update.is_written), build.truth(true)));
-        return cx.add(std::move(both));
+        return statements(update).assign(sum, combination.of(sum, value));
     }
 
     void begin(PrivateUpdate& update) {
         if (update.way == UpdateWay::copies) return begin_copies(update);
         if (update.way == UpdateWay::plain) return;
-        update.sum = let(update, name_of(update) + "_sum", combination(update).identity(), true);
-        const auto is_of_address = [&](const Condition& of) { return dependence_.is_same_along(axis_, of.value); };
-        if (std::ranges::all_of(update.conditions, is_of_address)) return;
-        update.is_written = let(update, name_of(update) + "_is_written", build.truth(false), true);
-        if (update.way == UpdateWay::tree)
-            update.any_written = workgroup_array(update, name_of(update) + "_is_any", cx.p.types.uint, 1);
+        update.sum = statements(update).variable(name_of(update) + "_sum", combination(update).identity(), made_.body);
     }
 
-    ExprId any_of(const PrivateUpdate& update) { return build.index(build.local(update.any_written), build.uint(0)); }
-
-    void end(const PrivateUpdate& update) {
+    void end(const PrivateUpdate& update, std::optional<OrderedSums>& sums) {
         if (update.way == UpdateWay::copies) return end_copies(update);
-        if (update.way == UpdateWay::column)
-            return update_memory(update, build.local(update.sum),
-                                 update.is_written ? build.local(update.is_written) : ExprId{});
-        if (update.way == UpdateWay::tree) combine_in_workgroup(update);
+        if (update.way == UpdateWay::plain) return;
+        const ExprId sum = build.local(update.sum);
+        if (update.way == UpdateWay::tree) return combine_in_workgroup(update, sums);
+        if (update.order) meet(update, *sums, sum, {});
+        update_memory(update, sum, {});
+    }
+
+    void meet(const PrivateUpdate& update, OrderedSums& sums, ExprId sum,
+              const std::function<std::vector<StmtId>(ExprId share)>& tree) {
+        for (StmtId id : sums.meet(*update.order, sum, cx.p.stmts[update.stmt].span, tree)) made_.body.push_back(id);
     }
 
     /// A tree over the invocations: 128 add what the 128 others have to their own, then 64, and so on.
-    void combine_in_workgroup(const PrivateUpdate& update) {
+    void combine_in_workgroup(const PrivateUpdate& update, std::optional<OrderedSums>& ordered) {
         const Combination combination = this->combination(update);
-        const LocalId sums = workgroup_array(update, name_of(update) + "_sums", combination.type(), invocations);
+        Statements make = statements(update);
+        const LocalId sums = make.workgroup_array(name_of(update) + "_sums", combination.type(), invocations);
         const auto sum_of = [&](ExprId invocation) { return build.index(build.local(sums), invocation); };
-        const ExprId is_first = build.binary(BinaryOp::equal, lane(), build.uint(0));
-        made_.body.push_back(assign(update, sum_of(lane()), build.local(update.sum)));
-        if (update.is_written) {
-            made_.body.push_back(where(update, is_first, {assign(update, any_of(update), build.uint(0))}));
-            barrier();
-            made_.body.push_back(
-                where(update, build.local(update.is_written), {assign(update, any_of(update), build.uint(1))}));
-        }
-        const std::uint32_t steps = std::countr_zero(invocations);
-        made_.body.push_back(loop_to(update, "level", steps, [&](ExprId level) -> std::vector<StmtId> {
-            const ExprId width = build.binary(BinaryOp::shift_right, build.uint(invocations / 2), level);
-            const ExprId both = combination.of(sum_of(lane()), sum_of(build.add(lane(), width)));
-            return {cx.add(statement_at(update, StmtOp::barrier)),
-                    where(update, less(lane(), width), {assign(update, sum_of(lane()), both)})};
-        }));
-        const ExprId is_any =
-            update.is_written ? build.binary(BinaryOp::not_equal, any_of(update), build.uint(0)) : ExprId{};
-        update_memory(update, sum_of(build.uint(0)), build.both(is_first, is_any));
+        const auto tree = [&](ExprId share) -> std::vector<StmtId> {
+            const std::uint32_t steps = std::countr_zero(invocations);
+            return {make.assign(sum_of(lane()), share),
+                    make.loop("level", build.uint(steps), [&](ExprId level) -> std::vector<StmtId> {
+                        const ExprId width = build.binary(BinaryOp::shift_right, build.uint(invocations / 2), level);
+                        const ExprId both = combination.of(sum_of(lane()), sum_of(build.add(lane(), width)));
+                        return {make.barrier(), make.where(less(lane(), width), {make.assign(sum_of(lane()), both)})};
+                    })};
+        };
+        for (StmtId id : tree(build.local(update.sum))) made_.body.push_back(id);
+        const ExprId first = sum_of(build.uint(0));
+        if (update.order) meet(update, *ordered, first, tree);
+        update_memory(update, first, build.binary(BinaryOp::equal, lane(), build.uint(0)));
     }
 
-    /// Updates memory by what elements have combined, if `condition` holds and the conditions do that are the same for
-    /// all of them.
+    /// Updates memory by what elements have combined, if there is anything and `condition` holds.
     void update_memory(const PrivateUpdate& update, ExprId key, ExprId condition) {
         const Combination combination = this->combination(update);
         StatementCopy copy(cx, build.local(cx.pass.address));
-        condition = build.both(condition, in_range_condition(cx));
-        for (const Condition& of : update.conditions) {
-            if (!dependence_.is_same_along(axis_, of.value)) continue;
-            const ExprId value = copy.with_definitions(of.value);
-            condition = build.both(condition, of.is_true ? value : build.negate(value));
-        }
-        if (combination.type() != build.type(cx.p.stmts[update.stmt].value))
-            condition = build.both(condition, build.binary(BinaryOp::not_equal, key, combination.identity()));
+        condition = build.both(build.both(condition, in_range_condition(cx)), combination.changes(key));
         Stmt stmt = cx.p.stmts[update.stmt];
         stmt.target = copy.with_definitions(stmt.target);
         stmt.value = combination.value(key);
-        made_.body.push_back(where(update, condition, {cx.add(std::move(stmt))}));
+        made_.body.push_back(statements(update).where(condition, {cx.add(std::move(stmt))}));
     }
 
     // Copies in workgroup memory.
@@ -428,14 +474,14 @@ private:
         if (const ExprId limit = limit_of(cx.p.stmts[update.stmt].target))
             size = build.intrinsic(Intrinsic::min, cx.p.types.uint, {size, limit});
         Copies copies;
-        copies.array = workgroup_array(update, name + "_copies", combination(update).type(), words);
+        copies.array = statements(update).workgroup_array(name + "_copies", combination(update).type(), words);
         const ExprId copied = build.select(less(size, build.uint(words)), size, zero);
         cx.name(copied, name + "_copied");
         const ExprId is_possible = build.builtin(Builtin::adds_floats, cx.p.types.bool_);
         const ExprId all_or_none =
             combination(update).is_of_floats() ? build.select(is_possible, copied, zero) : copied;
         // A variable, so that what is computed of it does not become a parameter.
-        copies.size = build.local(let(update, name + "_copied", all_or_none, true));
+        copies.size = build.local(statements(update).variable(name + "_copied", all_or_none, made_.body));
         copies.step = build.binary(BinaryOp::bit_or, copies.size, one);
         const TypeId of_bits = cx.p.types.int_;
         const ExprId fitting = build.binary(BinaryOp::divide, build.uint(words), copies.step);
@@ -443,13 +489,14 @@ private:
                                             {build.intrinsic(Intrinsic::findMSB, of_bits, {fitting}),
                                              build.integer(of_bits, std::countr_zero(most_copies))});
         const ExprId count = build.binary(BinaryOp::shift_left, one, build.convert(cx.p.types.uint, bits));
-        copies.count = build.local(let(update, name + "_copy_count", count, true));
+        copies.count = build.local(statements(update).variable(name + "_copy_count", count, made_.body));
         const ExprId last = build.binary(BinaryOp::subtract, copies.count, one);
         const ExprId mine = build.multiply(build.binary(BinaryOp::bit_and, lane(), last), copies.step);
-        copies.first = build.local(let(update, name + "_copy", mine, false));
+        copies.first = statements(update).let(name + "_copy", mine, made_.body);
         const ExprId all = build.multiply(copies.count, copies.step);
         made_.body.push_back(for_each_word(update, all, [&](ExprId at) -> std::vector<StmtId> {
-            return {assign(update, build.index(build.local(copies.array), at), combination(update).identity())};
+            return {
+                statements(update).assign(build.index(build.local(copies.array), at), combination(update).identity())};
         }));
         copies_of_.emplace(update.stmt, copies);
     }
@@ -462,30 +509,29 @@ private:
 
     /// The workgroup's invocations execute `body` for the numbers up to `count`.
     template <class Body> StmtId for_each_word(const PrivateUpdate& update, ExprId count, Body body) {
-        return loop_to(update, "turn", (words_of_copies() + invocations - 1) / invocations,
-                       [&](ExprId turn) -> std::vector<StmtId> {
-                           const ExprId at = build.add(build.multiply(turn, build.uint(invocations)), lane());
-                           return {where(update, less(at, count), body(at))};
-                       });
+        const std::uint32_t turns = (words_of_copies() + invocations - 1) / invocations;
+        return statements(update).loop("turn", build.uint(turns), [&](ExprId turn) -> std::vector<StmtId> {
+            const ExprId at = build.add(build.multiply(turn, build.uint(invocations)), lane());
+            return {statements(update).where(less(at, count), body(at))};
+        });
     }
 
     std::vector<StmtId> sum_of_copies(const PrivateUpdate& update, const Copies& copies, ExprId at) {
         const Combination combination = this->combination(update);
-        Stmt let = statement_at(update, StmtOp::let);
-        let.local = cx.new_local("sum", combination.type(), let.span, true);
-        let.value = combination.identity();
-        const ExprId sum = build.local(let.local);
-        const StmtId loop = loop_to(update, "copy", most_copies, [&](ExprId copy) -> std::vector<StmtId> {
+        Statements make = statements(update);
+        std::vector<StmtId> result;
+        const ExprId sum = build.local(make.variable("sum", combination.identity(), result));
+        result.push_back(make.loop("copy", build.uint(most_copies), [&](ExprId copy) -> std::vector<StmtId> {
             const ExprId place = build.add(build.multiply(copy, copies.step), at);
             const ExprId both = combination.of(sum, build.index(build.local(copies.array), place));
-            return {where(update, less(copy, copies.count), {assign(update, sum, both)})};
-        });
+            return {make.where(less(copy, copies.count), {make.assign(sum, both)})};
+        }));
         Stmt stmt = cx.p.stmts[update.stmt];
         stmt.target = at;
         stmt.value = combination.value(sum);
         const StmtId memory = cx.add(std::move(stmt));
-        return {cx.add(std::move(let)), loop,
-                where(update, build.binary(BinaryOp::not_equal, sum, combination.identity()), {memory})};
+        result.push_back(make.where(combination.changes(sum), {memory}));
+        return result;
     }
 
     Context& cx;
@@ -498,6 +544,7 @@ private:
     std::uint32_t copies_ = 0;
     std::unordered_map<StmtId, Copies> copies_of_;
     std::vector<StmtId> before_;  ///< `let`s that go before the statement of the body that is being rewritten
+    IdSet<Local> inner_;          ///< locals that are declared inside ifs
     IdSet<Local> unhoisted_;      ///< locals that statements which are not hoisted declare
     ExprId remaining_;            ///< how many elements the range has along the axis, from the invocation's first on
 };
@@ -508,7 +555,8 @@ std::optional<SeveralElements> privatised(Context& cx, const std::vector<StmtId>
     if (cx.kernel.grouped() || cx.kernel.space || cx.kernel.raster || cx.kernel.items != 1 || cx.pass.rank > 3)
         return {};
     // Workgroups that wait for one another must not wait for elements that an invocation takes later.
-    if (std::ranges::any_of(cx.pass.bindings, &PassBinding::coherent)) return {};
+    const auto is_shared = [](const PassBinding& binding) { return binding.coherent && !binding.is_workspace; };
+    if (std::ranges::any_of(cx.pass.bindings, is_shared)) return {};
     Updates dependence(cx);
     Privatisation privatisation(cx, dependence.of(body), dependence);
     if (!privatisation.choose()) return {};

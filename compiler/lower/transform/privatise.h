@@ -2,14 +2,17 @@
 // atomic operations on one element run one after the other. This pass makes a second body, for shaders, in which an
 // invocation takes many elements and combines their updates in private or workgroup memory first. The address decides
 // how (ir::UpdateWay):
-//   tree      The address is the same for all elements along x. Each invocation combines its elements in a local. A
-//   tree
-//             of 256 invocations combines the locals. One invocation updates memory.
-//   column    The address is the same along y or z. Each invocation combines its elements in a local and updates
-//   memory. copies    The address is data. If the call shows that few elements can be updated, the workgroup keeps
-//   copies of
-//             them in workgroup memory, up to 32 of each, and updates memory once for each element.
-//   plain     Elements along x have different addresses, or nothing is known: each element updates memory.
+//
+//     tree      The address is the same along x. An invocation combines its elements in a local, a tree of 256
+//               invocations the locals. One of them updates memory.
+//     column    The address is the same along y or z. An invocation combines its elements in a local.
+//     copies    The address is data. If the call shows that few elements can be updated, the workgroup keeps copies of
+//               them in workgroup memory, up to 32 of each, and updates memory once for each element.
+//     plain     Elements along x have different addresses, or nothing is known: each element updates memory.
+//
+// Sums of floats by tree and column have one order on every device (ordered_sums.h), if each is the only update of its
+// buffer. For the host device the pass makes a third body, for one element, whose updates of these kinds are outside of
+// ifs where the element's address alone decides them.
 //
 // Sources: Henriksen et al., Compiling Generalized Histograms for GPU, SC 2020 (Futhark's reduce_by_index); Kokkos'
 // ScatterView.

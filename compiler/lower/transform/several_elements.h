@@ -12,6 +12,7 @@ namespace gliftc::lower {
 /// all invocations of a workgroup must run it.
 struct SeveralElements {
     std::vector<StmtId> body;
+    std::vector<StmtId> host_body;  ///< for one element, on the host device; empty: the kernel's own is as good
     std::array<std::uint32_t, 3> elements = {1, 1, 1};  ///< of an invocation along each axis
     std::array<std::uint32_t, 3> group = {1, 1, 1};     ///< the workgroup's size
 };

@@ -76,6 +76,9 @@ public:
     /// Whether the call may take the kernel's direct form, as far as the ranges and the device are concerned: all
     /// ranges are whole structures, those of `near` have the size of the visited ones, and Commands::can_be_direct.
     GLIFT_API bool can_be_direct(const Commands& commands, std::span<const Memory> memories) const;
+    /// The memory in which the parts of sums meet (Kernel::sums), for this call. Throws too_large where they take 2^32
+    /// words or more.
+    GLIFT_API Memory partial_sums(const Commands& commands) const;
     /// Dispatches the call with the parameter block of that form. `sizes` are the offsets of the iteration's size in
     /// it, which the device fills in if it computes the size.
     GLIFT_API void dispatch(const Commands& commands, FormName form, std::span<const Memory> memories,

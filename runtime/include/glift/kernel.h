@@ -128,6 +128,33 @@ struct HostCall {
     const HostTargets* targets = nullptr;  ///< draws: never null
 };
 
+/// The order in which a kernel's update adds floats, the same on every device: docs/language.md, Updates. The elements
+/// of a sum are those that differ along `axes`.
+struct SumOrder {
+    std::uint8_t axes;         ///< a bit for each axis of the iteration
+    std::uint8_t axis;         ///< one of them, along which a sum is cut into parts; else each element is a part
+    std::uint32_t part;        ///< elements of a part
+    std::uint32_t most_parts;  ///< sums of more parts than this have no order
+};
+
+/// How many sums an update adds, and how many parts each has.
+struct SumCount {
+    std::uint64_t sums = 1, parts = 1;
+
+    /// Of the memory in which the parts meet: two for each sum and one for each part.
+    constexpr std::uint64_t words() const { return sums * (2 + parts); }
+};
+
+constexpr SumCount count_of(const SumOrder& order, const std::array<std::uint32_t, 4>& size) {
+    SumCount count;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        const std::uint32_t cut = axis == order.axis ? order.part : 1;
+        if ((order.axes >> axis & 1) != 0) count.parts *= (std::uint64_t{size[axis]} + cut - 1) / cut;
+        else count.sums *= size[axis];
+    }
+    return count;
+}
+
 /// A module of SPIR-V in static memory: 32-bit words, or a char32_t literal, which compilers parse faster.
 class Spirv {
 public:
@@ -206,9 +233,12 @@ struct Kernel {
     std::span<const Parameter> parameters = {};      ///< what Commands::specialised can fix
     std::array<std::uint32_t, 3> items = {1, 1, 1};  ///< elements that one invocation takes along each axis
     bool of_blocks = false;                          ///< runs over {elements of a block, blocks}: rank 2
-    bool reports = false;                           ///< has a StatusRecord: a storage buffer (scalar layout) at binding
-                                                    ///< bindings.size() + 1 in every form
-    std::uint32_t shared_bytes = 0;                 ///< workgroup memory
+    bool reports = false;            ///< has a StatusRecord: a storage buffer (scalar layout) at binding
+                                     ///< bindings.size() + 1 in every form
+    std::uint32_t shared_bytes = 0;  ///< workgroup memory
+    /// Of updates that add floats in one order; a binding is the memory in which their parts meet
+    /// (Iteration::partial_sums).
+    std::span<const SumOrder> sums = {};
     SourceLine longest_loop = {};                   ///< the loop with the most iterations, for errors
     std::span<const char* const> other_files = {};  ///< files that reports may name, beside `file`
     const Drawing* drawing = nullptr;  ///< of a kernel that draws (drawing.h); its rank is 2: corners, instances

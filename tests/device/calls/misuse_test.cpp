@@ -328,4 +328,12 @@ TEST_P(Misuse, DifferentBlocksThroughATable) {
     expect_error("different blocks", [&] { misuse::fill_both_through(device, a, c); });
 }
 
+TEST_P(Misuse, SumsWhosePartsTakeTooMuchMemory) {
+    misuse::Line sums(device, 3);
+    const misuse::Ones high(glift::uint2(3, 1000)), large(glift::uint2(1u << 31, 65));
+    misuse::add_columns(device, high, sums);
+    EXPECT_EQ(sums.read(), std::vector<float>(3, 1000));
+    expect_error("too many sums", [&] { misuse::add_columns(device, large, sums); });
+}
+
 }  // namespace

@@ -3,6 +3,7 @@
 // Also the middle of a row along x, where windows stay in the domain or clamps change nothing, and atomics of floats.
 #include <glift/host/atomics.h>
 #include <glift/host/parallel.h>
+#include <glift/host/sums.h>
 #include <glift/host/updates.h>
 
 #include <gtest/gtest.h>
@@ -146,37 +147,70 @@ TEST(Rows, AreSplitIfLong) {
     }
 }
 
-/// More elements than there are slots, few, and so many that most updates conflict; the numbers are exact in floats.
+/// A call over `size` elements that updates a buffer, whose updates are in memory when this ends.
+template <class T, class Operation> struct Updated {
+    Updated(std::vector<T>& elements, std::uint32_t size)
+        : memory{reinterpret_cast<std::byte*>(elements.data()), elements.size() * sizeof(T), {}, {}, 0},
+          call{nullptr, {&memory, 1}, {size, 1, 1, 1}}, copies(call, 0) {}
+    Updated(const Updated&) = delete;
+    ~Updated() { copies.finish(); }
+
+    HostMemory memory;
+    HostCall call;
+    host::UpdateCopies<T, Operation> copies;
+};
+
+/// One page, some, more than a thread copies; so few updates that none is copied. The numbers are exact in floats.
 TEST(Updates, AreAllMade) {
-    for (const uint count : {1u, 100u, 5000u, 1u << 20}) {
-        std::vector<float> sums(count), wanted(count);
-        std::vector<std::int32_t> lows(count, 1000), wanted_lows(count, 1000);
-        {
-            host::Updates<float, host::Add> add(sums.data());
-            host::Updates<std::int32_t, host::Min> keep(lows.data());
-            uint random = 1;
-            for (int i = 0; i < 100'000; ++i) {
-                random = random * 1664525u + 1013904223u;
-                const uint at = (random >> 8) % count;
-                add.add(at, static_cast<float>(i % 5));
-                keep.add(at, 500 - i % 1000);
-                wanted[at] += static_cast<float>(i % 5);
-                wanted_lows[at] = std::min(wanted_lows[at], 500 - i % 1000);
+    for (const uint count : {1u, 100u, 5000u, 1u << 20, 1u << 22}) {
+        for (const int updates : {10, 100'000}) {
+            std::vector<float> sums(count), wanted(count);
+            std::vector<std::int32_t> lows(count, 1000), wanted_lows(count, 1000);
+            {
+                Updated<float, host::Add> sums_of(sums, static_cast<std::uint32_t>(updates));
+                Updated<std::int32_t, host::Min> lows_of(lows, static_cast<std::uint32_t>(updates));
+                host::Updates add(sums_of.copies);
+                host::Updates keep(lows_of.copies);
+                uint random = 1;
+                for (int i = 0; i < updates; ++i) {
+                    random = random * 1664525u + 1013904223u;
+                    const uint at = (random >> 8) % count;
+                    add.add(at, static_cast<float>(i % 5));
+                    keep.add(at, 500 - i % 1000);
+                    wanted[at] += static_cast<float>(i % 5);
+                    wanted_lows[at] = std::min(wanted_lows[at], 500 - i % 1000);
+                }
             }
+            EXPECT_EQ(sums, wanted) << count;
+            EXPECT_EQ(lows, wanted_lows) << count;
         }
-        EXPECT_EQ(sums, wanted) << count;
-        EXPECT_EQ(lows, wanted_lows) << count;
     }
+}
+
+TEST(Updates, OfSeveralTasksAreAllMade) {
+    std::vector<uint> counts(1000);
+    {
+        Updated<uint, host::Add> updated(counts, 1'000'000);
+        tbb::parallel_for(0, 100, [&](int task) {
+            host::Updates updates(updated.copies);
+            host::Updates inner(updated.copies);  // as in a task that another one waits for
+            for (uint i = 0; i < 10'000; ++i)
+                (i % 2 == 0 ? updates : inner).add((i + static_cast<uint>(task)) % 1000, 1);
+        });
+    }
+    EXPECT_TRUE(std::ranges::all_of(counts, [](uint count) { return count == 1000; }));
 }
 
 /// Rows shorter and longer than the lanes, with elements that do not update.
 TEST(Updates, OfARowAreCombined) {
-    for (const std::size_t count : {1u, 2u, 63u, 64u, 65u, 1000u}) {
+    for (const std::uint32_t count : {1u, 2u, 63u, 255u, 256u, 257u, 1000u}) {
         std::vector<float> sums(3), lows(3, 10.0f);
         float wanted = 0;
         {
-            host::Updates<float, host::Add> add(sums.data());
-            host::Updates<float, host::Min> keep(lows.data());
+            Updated<float, host::Add> sums_of(sums, count);
+            Updated<float, host::Min> lows_of(lows, count);
+            host::Updates add(sums_of.copies);
+            host::Updates keep(lows_of.copies);
             host::RowUpdate<float, host::Add> row(count), empty(count);
             host::RowUpdate<float, host::Min> low(count);
             for (std::size_t first = 0; first < count; first += host::row_lanes) {
@@ -200,8 +234,10 @@ TEST(Updates, NumbersReplaceNaN) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     std::vector<float> least = {nan, 5.0f, 0.0f}, greatest = least;
     {
-        host::Updates<float, host::Min> low(least.data());
-        host::Updates<float, host::Max> high(greatest.data());
+        Updated<float, host::Min> least_of(least, 100);
+        Updated<float, host::Max> greatest_of(greatest, 100);
+        host::Updates low(least_of.copies);
+        host::Updates high(greatest_of.copies);
         for (const float value : {nan, 2.0f, nan, 3.0f}) low.add(0, value), high.add(0, value);
         low.add(1, nan), high.add(1, nan);
         for (const float value : {0.0f, -0.0f}) low.add(2, value), high.add(2, value);
@@ -211,6 +247,70 @@ TEST(Updates, NumbersReplaceNaN) {
     EXPECT_EQ(least[1], 5.0f);
     EXPECT_EQ(greatest[1], 5.0f);
     EXPECT_TRUE(std::signbit(least[2]) && !std::signbit(greatest[2]));
+}
+
+/// What a row's elements combine to: NaN is left out, unless there is nothing else.
+TEST(Updates, OfARowLeaveOutNaN) {
+    const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+    const auto combined = [](auto row, std::initializer_list<float> values) {
+        std::size_t lane = 0;
+        for (const float value : values) row.add(0, lane++, value);
+        return row.value();
+    };
+    const host::RowUpdate<float, host::Min> low(4);
+    const host::RowUpdate<float, host::Max> high(4);
+    EXPECT_EQ(combined(low, {nan, 3, -infinity, -nan}), -infinity);
+    EXPECT_EQ(combined(high, {nan, 3, -infinity, -nan}), 3.0f);
+    EXPECT_TRUE(std::isnan(combined(low, {nan, -nan})) && std::isnan(combined(high, {nan, -nan})));
+    EXPECT_TRUE(std::signbit(combined(low, {0.0f, -0.0f})) && !std::signbit(combined(high, {0.0f, -0.0f})));
+}
+
+/// Each element once, in parts of as many elements or rows as are asked for.
+TEST(Sums, HavePartsThatCoverEveryElementOnce) {
+    for (const std::array<std::uint32_t, 4> size : {std::array{1u, 1u, 1u, 1u},
+                                                    {5000u, 3u, 2u, 1u},
+                                                    {3u, 130u, 5u, 1u},
+                                                    {1030u, 2u, 65u, 1u},
+                                                    {0u, 4u, 1u, 1u}}) {
+        std::vector<std::atomic<int>> seen(std::size_t{size[0]} * size[1] * size[2]);
+        const auto note = [&](const host::Rows& rows) {
+            for (const host::Row row : rows)
+                for (uint x = row.begin; x < row.end; ++x) ++seen[(std::size_t{row.z} * size[1] + row.y) * size[0] + x];
+        };
+        host::for_row_parts(size, 4096, note);
+        host::for_column_parts<1>(size, 64, note);
+        host::for_column_parts<2>(size, 64, note);
+        EXPECT_TRUE(std::ranges::all_of(seen, [](const auto& count) { return count == 3; })) << size[0];
+    }
+}
+
+/// Sums of columns and of all elements of a picture, with the memory in which their parts meet.
+TEST(Sums, AreInMemoryWhenTheyAreFinished) {
+    const std::array<std::uint32_t, 4> size = {3, 200, 1, 1};
+    const SumOrder orders[] = {{2, 1, 64, 100}, {3, 0, 4096, 1000}};
+    std::vector<float> columns(3), all(1);
+    std::vector<uint> words(count_of(orders[0], size).words() + count_of(orders[1], size).words());
+    EXPECT_EQ(words.size(), 3u * (2 + 4) + 1 * (2 + 200));
+    const HostCall call{nullptr, {}, size};
+    host::for_column_parts<1>(size, 64, [&](const host::Rows& rows) {
+        host::ColumnSums<uint> sums(call, orders, 0, columns.data(), words.data(), rows);
+        for (const host::Row row : rows)
+            for (uint x = row.begin; x < row.end; ++x) sums.add(x, x, static_cast<float>(x + row.y));
+    });
+    host::for_row_parts(size, 4096, [&](const host::Rows& rows) {
+        host::RowSums sums(call, orders, 1, all.data(), words.data());
+        for (const host::Row row : rows) {
+            sums.begin(row);
+            host::RowUpdate<float, host::Add> part(row.end - row.begin);
+            for (uint x = row.begin; x < row.end; ++x) part.add(0, x, static_cast<float>(x + row.y));
+            part.finish(sums);
+        }
+    });
+    EXPECT_EQ(columns, std::vector<float>(3));
+    for (std::size_t number = 0; number < 2; ++number)
+        host::PartialSums(call, orders, number, number == 0 ? columns.data() : all.data(), words.data()).finish();
+    EXPECT_EQ(columns, (std::vector<float>{19900, 20100, 20300}));
+    EXPECT_EQ(all[0], 60300.0f);
 }
 
 TEST(Atomics, CombineFloats) {

@@ -177,8 +177,7 @@ void print_outer(Body& body, const Stmt& stmt) {
         const ir::PassBinding& binding = body.pass.bindings[stmt.slot];
         const std::string value = cpp::print_any(p, stmt.value);
         if (const auto updates = body.update_names.find(stmt.slot); updates != body.update_names.end()) {
-            body.used_bindings.insert(stmt.slot);
-            body.caches_updates = true;
+            body.updated_bindings.insert(stmt.slot);
             p.out.line(updates->second + ".add(" + cpp::print_any(p, stmt.target) + ", " + value + ");");
         } else if (binding.shape == ir::MemoryShape::buffer) {
             const std::string element = element_text(body, stmt.slot, stmt.target);
@@ -192,6 +191,10 @@ void print_outer(Body& body, const Stmt& stmt) {
     case StmtOp::row_update:
         return p.out.line(concat(body.row_updates.at({stmt.slot, stmt.target}), ".add(", cpp::print_any(p, stmt.target),
                                  ", lane, ", cpp::print_any(p, stmt.value), ");"));
+    case StmtOp::column_update:
+        body.updated_bindings.insert(stmt.slot);
+        return p.out.line(concat(body.update_names.at(stmt.slot), ".add(", cpp::print_any(p, stmt.limit), ", ",
+                                 cpp::print_any(p, stmt.target), ", ", cpp::print_any(p, stmt.value), ");"));
     case StmtOp::report: return p.out.line(report_text(body, stmt));
     case StmtOp::load_rows:
         return p.out.line(concat("glift::host::load_rows(", row_arguments(body, stmt.slot, stmt.value), ", ",

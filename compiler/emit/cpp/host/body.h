@@ -17,6 +17,8 @@ struct Body {
     std::vector<std::string> binding_names;
     std::vector<std::string> parameter_names;
     std::set<std::uint32_t> used_bindings, used_parameters;
+    std::set<std::uint32_t>
+        updated_bindings;  ///< in rows: those that are updated through such an object (update_names)
     /// Names of the pointers through which row_load and row_store access buffers, by the access's binding and index
     /// operand.
     std::map<std::pair<std::uint32_t, ir::ExprId>, std::string> row_pointers;
@@ -26,7 +28,6 @@ struct Body {
     std::map<std::uint32_t, std::string> update_names;
     /// In rows: names of the objects that combine a row's updates of one element, by binding and index.
     std::map<std::pair<std::uint32_t, ir::ExprId>, std::string> row_updates;
-    bool caches_updates = false;  ///< in rows: some updates go to such an object one by one
     bool first_only = false;  ///< in workgroups: the printed code runs once, with the values of the first invocation
     std::string group_text;   ///< in workgroups: their size, as a uint3
 

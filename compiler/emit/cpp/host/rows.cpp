@@ -3,6 +3,7 @@
 #include "emit/cpp/host/rows.h"
 
 #include "base/concat.h"
+#include "emit/cpp/host/update_objects.h"
 #include "emit/cpp/mentions.h"
 #include "ir/walk.h"
 
@@ -167,11 +168,13 @@ void Rows::print_updating_loop(const ir::Variant& variant, const std::vector<Stm
     if (!accesses.empty()) print_row_pointers(variant.body, accesses, begin);
     p.out.line("const std::size_t count = " + end + " - " + begin + ";");
     for (const Stmt& update : updates) {
-        body.used_bindings.insert(update.slot);
+        body.updated_bindings.insert(update.slot);
         std::string& name = body.row_updates[{update.slot, update.target}];
         name = p.names.declare(pass.bindings[update.slot].name + "_row");
+        if (pass.ordered_sum(update.slot) != nullptr) p.out.line(body.update_names.at(update.slot) + ".begin(row);");
         p.out.line(concat("glift::host::RowUpdate<", cpp::storage_text(p.globals, pass.bindings[update.slot].element),
-                          ", glift::host::", operation_name(update.combine), "> ", name, "(count);"));
+                          ", glift::host::", operation_name(update.combine), pass.is_wide ? ", std::uint64_t> " : "> ",
+                          name, "(count);"));
     }
     IdSet<ir::Local> read;
     const std::vector<StmtId> kept = without_unused(variant.body, read);
@@ -418,6 +421,15 @@ void print_parts(Rows& rows) {
 
 }  // namespace
 
+/// The begin of the call that runs a kernel's tasks.
+static std::string loop_of(const Rows& rows) {
+    const ir::Pass& pass = rows.pass;
+    if (pass.items != 1) return "for_strides(call.size[0], " + std::to_string(pass.items) + ", ";
+    if (rows.has_runs) return "for_runs(call.size, ";
+    if (!pass.tiles.empty()) return concat("for_tiles<", std::to_string(pass.tiles[0].axis), ">(call.size, ");
+    return "for_rows(call.size, ";
+}
+
 std::string row_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::string& name) {
     Rows rows(globals, pass);
     rows.p.out.indent();
@@ -426,32 +438,25 @@ std::string row_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::s
     print_parts(rows);
     rows.p.out.close();
     const std::string text = rows.p.out.take();
+    const UpdateTexts updates = update_texts(rows);
 
     cpp::Writer out;
     out.reserve(text.size() + text.size() / 4);
     out.line("GLIFT_HOST_KERNEL");
     const bool uses_call = !rows.body.used_parameters.empty() || !rows.body.used_bindings.empty() ||
-                           text.find("call.") != std::string::npos;
+                           text.find("call.") != std::string::npos || updates.objects.find("call") != std::string::npos;
     out.open("static void " + name + "_rows(" + (uses_call ? "" : "[[maybe_unused]] ") +
-             "const glift::HostCall& call, const glift::host::Rows& rows)");
+             "const glift::HostCall& call, const glift::host::Rows& rows" + updates.parameters + ")");
     declare_used(rows.body, out, name);
-    for (const auto& [binding, combine] : rows.combined) {
-        if (!rows.body.used_bindings.contains(binding)) continue;
-        out.line(concat("glift::host::Updates<", cpp::storage_text(globals, pass.bindings[binding].element),
-                        ", glift::host::", operation_name(combine), "> ", rows.body.update_names[binding], "(",
-                        rows.body.binding_names[binding], ");"));
-    }
+    out.raw(updates.objects);
     out.raw(text);
     out.close();
     out.gap();
     out.open("static void " + name + "(const glift::HostCall& call)");
-    std::string loop = "for_rows(call.size, ", task;
-    if (pass.items != 1) loop = "for_strides(call.size[0], " + std::to_string(pass.items) + ", ";
-    else if (rows.body.caches_updates) task = ", glift::host::large_task(call.size)";  // a task ends with the updates
-    else if (rows.has_runs) loop = "for_runs(call.size, ";
-    else if (!pass.tiles.empty()) loop = concat("for_tiles<", std::to_string(pass.tiles[0].axis), ">(call.size, ");
-    out.line(concat("glift::host::", loop, "[&](const glift::host::Rows& rows) { ", name, "_rows(call, rows); }", task,
-                    ");"));
+    for (const std::string& line : updates.before) out.line(line);
+    out.line(concat("glift::host::", updates.loop.empty() ? loop_of(rows) : updates.loop,
+                    "[&](const glift::host::Rows& rows) { ", name, "_rows(call, rows", updates.arguments, "); });"));
+    for (const std::string& line : updates.after) out.line(line);
     out.close();
     return out.take();
 }

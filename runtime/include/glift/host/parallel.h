@@ -67,17 +67,24 @@ class Rows {
 public:
     Rows(const Row& first, std::size_t count, const std::array<std::uint32_t, 4>& size)
         : first_(first), size_y_(size[1]), size_z_(size[2]), count_(count) {}
+    /// Rows that differ along z alone.
+    static Rows along_z(const Row& first, std::size_t count) {
+        Rows rows(first, count, {0, first.y + 1, UINT32_MAX, 1});
+        rows.first_y_ = first.y;
+        return rows;
+    }
 
     struct End {};
     class Iterator {
     public:
         explicit Iterator(const Rows& rows)
-            : row_(rows.first_), size_y_(rows.size_y_), size_z_(rows.size_z_), left_(rows.count_) {}
+            : row_(rows.first_), first_y_(rows.first_y_), size_y_(rows.size_y_), size_z_(rows.size_z_),
+              left_(rows.count_) {}
         Row operator*() const { return row_; }
         Iterator& operator++() {
             --left_;
             if (++row_.y == size_y_) {
-                row_.y = 0;
+                row_.y = first_y_;
                 if (++row_.z == size_z_) row_.z = 0, ++row_.w;
             }
             return *this;
@@ -86,7 +93,7 @@ public:
 
     private:
         Row row_;
-        uint size_y_, size_z_;
+        uint first_y_, size_y_, size_z_;
         std::size_t left_;
     };
     Iterator begin() const { return Iterator(*this); }
@@ -94,7 +101,7 @@ public:
 
 private:
     Row first_;
-    uint size_y_, size_z_;
+    uint first_y_ = 0, size_y_, size_z_;
     std::size_t count_;
 };
 
@@ -132,12 +139,6 @@ template <class Body> void spread_in_order(std::size_t count, std::size_t grain,
 }
 
 }  // namespace detail
-
-/// The elements of a task that ends with work which does not depend on its size: four tasks a thread.
-inline std::size_t large_task(const std::array<std::uint32_t, 4>& size) {
-    const std::size_t all = std::size_t{size[0]} * size[1] * size[2] * size[3];
-    return detail::most<std::size_t>(detail::task_elements, all / (4 * detail::thread_count()));
-}
 
 /// Calls `body(const Rows&)` in parallel for groups of rows, or parts of long rows, that partition `size`. A task has
 /// about `task` elements.

@@ -3,9 +3,13 @@
 #pragma once
 
 #include <glift/host/atomics.h>
+#include <glift/host/parallel.h>
 #include <glift/vector.h>
 
-#include <array>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <vector>
 
 namespace glift::host {
 
@@ -64,81 +68,196 @@ struct Max {
     template <class T> static void update(T& element, T value) { atomic_max(element, value); }
 };
 
+/// What RowUpdate combines in place of values: of floats by min and max, ints in their order, which vectors compare
+/// faster. NaN has the identity as its key.
+template <class T, class Operation> struct KeyOf {
+    using Key = T;
+    static T key(T value) { return value; }
+    static T value(T key) { return key; }
+};
+template <class Operation> struct OrderedKey {
+    using Key = int;
+    static int key(float value) { return value == value ? ordered_bits(value) : Operation::template identity<int>(); }
+    static float value(int key) { return std::bit_cast<float>(key ^ (key >> 31 & 0x7fffffff)); }
+};
+template <> struct KeyOf<float, Min> : OrderedKey<Min> {};
+template <> struct KeyOf<float, Max> : OrderedKey<Max> {};
+
 /// The updates of one element by the elements of a row: lane i combines those of the elements i, i + row_lanes, …, so
 /// that the C++ compiler can make a loop over the lanes vectors.
-inline constexpr std::size_t row_lanes = 64;
+inline constexpr std::size_t row_lanes = 256;
 
 /// The number of lanes that the elements [first, count) of a row take.
 inline std::size_t lanes_from(std::size_t first, std::size_t count) {
     return count - first < row_lanes ? count - first : row_lanes;
 }
 
-template <class T, class Operation> class RowUpdate {
+/// `Index`: the type of indices of memory, whose largest value is that of no element.
+template <class T, class Operation, class Index = uint> class RowUpdate {
 public:
     /// `count`: the number of elements in the row.
     explicit RowUpdate(std::size_t count) : lanes_(lanes_from(0, count)) {
-        for (std::size_t i = 0; i < lanes_; ++i) values_[i] = Operation::template identity<T>();
+        for (std::size_t i = 0; i < lanes_; ++i) keys_[i] = Operation::template identity<Key>();
     }
 
-    void add(uint index, std::size_t lane, T value) {
+    void add(Index index, std::size_t lane, T value) {
         index_ = index;
-        Operation::combine(values_[lane], value);
+        Operation::combine(keys_[lane], KeyOf<T, Operation>::key(value));
     }
 
     /// Makes the update, unless no element has.
     template <class Updates> void finish(Updates& updates) {
-        if (index_ == ~0u) return;
+        if (index_ != no_element) updates.add(index_, value());
+    }
+
+    /// What all elements combine to. Once only.
+    T value() {
         for (std::size_t width = row_lanes / 2; width != 0; width /= 2)
             for (std::size_t i = 0; i < width && i + width < lanes_; ++i)
-                Operation::combine(values_[i], values_[i + width]);
-        updates.add(index_, values_[0]);
+                Operation::combine(keys_[i], keys_[i + width]);
+        return KeyOf<T, Operation>::value(keys_[0]);
     }
 
 private:
-    uint index_ = ~0u;
+    using Key = typename KeyOf<T, Operation>::Key;
+
+    static constexpr Index no_element = static_cast<Index>(~Index{0});
+
+    Index index_ = no_element;
     std::size_t lanes_;
-    T values_[row_lanes];
+    Key keys_[row_lanes];
 };
 
-/// The updates of one buffer by one thread: a cache of the elements that it has updated, each in the one slot that its
-/// index chooses. Memory is updated where two elements need one slot, and in the end. After many such conflicts every
-/// update goes to memory at once.
+/// A thread's copy of those pages of a buffer that it updates often enough.
+template <class T, class Operation> class UpdateCopy {
+public:
+    static constexpr std::size_t page_elements = 256;
+
+    /// The table of pages, null where there is no copy; null if none are worth it.
+    T** pages(std::size_t page_count) {
+        if (gave_up_) return nullptr;
+        if (!pages_) pages_.reset(static_cast<T**>(std::calloc(page_count, sizeof(T*))));
+        if (!pages_) throw std::bad_alloc();
+        return pages_.get();
+    }
+    /// A page of the copy; null if it has none.
+    const T* page(std::size_t number) const { return pages_ ? pages_[number] : nullptr; }
+
+    /// Notes an update of a page that has no copy. Returns a copy of the page if it is time to make one, else null: a
+    /// copy costs as much as some updates of memory, and many of them do not stay in a core's caches.
+    T* miss(std::size_t page) {
+        constexpr std::size_t updates_a_page = 8;
+        ++misses_;
+        if (is_full() || misses_ <= updates_a_page * copied_.size()) return nullptr;
+        copied_.emplace_back(new T[page_elements]);
+        T* copy = copied_.back().get();
+        for (std::size_t i = 0; i < page_elements; ++i) copy[i] = Operation::template identity<T>();
+        return pages_[page] = copy;
+    }
+    /// Makes no more use of copies if a task with so many updates of other pages shows that they do not help.
+    bool give_up(std::size_t misses_of_task) {
+        return gave_up_ = is_full() && misses_of_task > detail::task_elements / 2;
+    }
+
+private:
+    bool is_full() const { return copied_.size() == 4096; }
+
+    struct Free {
+        void operator()(void* memory) const { std::free(memory); }
+    };
+    std::unique_ptr<T*[], Free> pages_;
+    std::vector<std::unique_ptr<T[]>> copied_;
+    std::size_t misses_ = 0;
+    bool gave_up_ = false;
+};
+
+/// The copies of a buffer in one call: one for each thread. Memory gets them in the end.
+template <class T, class Operation> class UpdateCopies {
+public:
+    using Copy = UpdateCopy<T, Operation>;
+
+    /// `memory`: the number of the call's memory that is updated.
+    UpdateCopies(const HostCall& call, std::size_t memory)
+        : elements_(reinterpret_cast<T*>(call.memories[memory].data)), count_(call.memories[memory].bytes / sizeof(T)),
+          slots_(pays(call.size) ? detail::thread_count() : 0) {}
+
+    T* elements() const { return elements_; }
+    std::size_t page_count() const { return (count_ + Copy::page_elements - 1) / Copy::page_elements; }
+
+    /// A copy that no other task has; null where there are more tasks than threads.
+    Copy* take() {
+        for (Slot& slot : slots_)
+            if (!__atomic_exchange_n(&slot.is_used, true, __ATOMIC_ACQUIRE)) return &slot.copy;
+        return nullptr;
+    }
+    void give_back(const Copy* copy) {
+        for (Slot& slot : slots_)
+            if (&slot.copy == copy) return __atomic_store_n(&slot.is_used, false, __ATOMIC_RELEASE);
+    }
+
+    /// Combines memory with all copies, when all tasks have ended.
+    void finish() const {
+        detail::spread(page_count(), detail::task_elements / Copy::page_elements,
+                       [this](std::size_t begin, std::size_t end) {
+                           for (const Slot& slot : slots_)
+                               for (std::size_t page = begin; page < end; ++page)
+                                   if (const T* copy = slot.copy.page(page)) combine(page, copy);
+                       });
+    }
+
+private:
+    /// Whether a call of this size has updates enough for tables of pages.
+    bool pays(const std::array<std::uint32_t, 4>& size) const {
+        return std::size_t{size[0]} * size[1] * size[2] * size[3] >= page_count() / 8;
+    }
+
+    void combine(std::size_t page, const T* copy) const {
+        const std::size_t first = page * Copy::page_elements;
+        const std::size_t count = detail::least(Copy::page_elements, count_ - first);
+        for (std::size_t i = 0; i < count; ++i) Operation::combine(elements_[first + i], copy[i]);
+    }
+
+    struct Slot {
+        bool is_used = false;
+        Copy copy;
+    };
+    T* elements_;
+    std::size_t count_;
+    std::vector<Slot> slots_;
+};
+
+/// The updates of one buffer by one task: in its thread's copy of a page, else in memory.
 template <class T, class Operation> class Updates {
 public:
-    explicit Updates(T* elements) : elements_(elements) {}
+    explicit Updates(UpdateCopies<T, Operation>& copies)
+        : copies_(copies), copy_(copies.take()), elements_(copies.elements()),
+          pages_(copy_ ? copy_->pages(copies.page_count()) : nullptr) {}
     Updates(const Updates&) = delete;
     ~Updates() {
-        for (uint i = 0; i < used_count_; ++i) Operation::update(elements_[tags_[used_[i]]], values_[used_[i]]);
+        if (copy_) copies_.give_back(copy_);
     }
 
     void add(uint index, T value) {
-        if (conflicts_ > most_conflicts) return Operation::update(elements_[index], value);
-        const uint slot = index % slots;
-        if (used_count_ != 0 && tags_[slot] == index) return Operation::combine(values_[slot], value);
-        put(slot, index, value);
+        if (!pages_) return Operation::update(elements_[index], value);
+        T* page = pages_[index / page_elements];
+        if (!page) page = miss(index / page_elements);
+        if (!page) return Operation::update(elements_[index], value);
+        Operation::combine(page[index % page_elements], value);
     }
 
 private:
-    /// `empty`: an index that no element has, since buffers of 2^32 elements have other kernels.
-    static constexpr uint slots = 4096, empty = ~0u, most_conflicts = 2 * slots;
+    static constexpr std::size_t page_elements = UpdateCopy<T, Operation>::page_elements;
 
-    void put(uint slot, uint index, T value) {
-        if (used_count_ == 0) tags_.fill(empty);
-        if (tags_[slot] == empty) {
-            used_[used_count_++] = static_cast<std::uint16_t>(slot);
-        } else {
-            Operation::update(elements_[tags_[slot]], values_[slot]);
-            ++conflicts_;
-        }
-        tags_[slot] = index;
-        values_[slot] = value;
+    __attribute__((noinline, cold)) T* miss(std::size_t page) {
+        if (copy_->give_up(++misses_)) pages_ = nullptr;
+        return copy_->miss(page);
     }
 
+    UpdateCopies<T, Operation>& copies_;
+    UpdateCopy<T, Operation>* copy_;
     T* elements_;
-    uint used_count_ = 0, conflicts_ = 0;
-    std::array<uint, slots> tags_;  ///< the indices of the elements in the slots
-    std::array<T, slots> values_;
-    std::array<std::uint16_t, slots> used_;  ///< the slots that are not empty
+    T** pages_;  ///< null: all updates are of memory
+    std::size_t misses_ = 0;
 };
 
 }  // namespace glift::host

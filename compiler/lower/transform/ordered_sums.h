@@ -1,0 +1,69 @@
+// Sums of floats in one order, whatever the device. The elements of a sum (ir::SumOrder) are those that differ along
+// some axes, along one of which they are cut into parts; along the others each element is a part. A workgroup or an
+// invocation adds the elements of a part. If a sum has one part, it updates memory. Else parts meet in memory that the
+// runtime gives (glift::SumOrder): a workgroup stores the sums of its parts and counts itself, and the one that comes
+// last adds all of them in their order. So no workgroup waits for another.
+//
+//     part of a row      4,096 elements: lane i of 256 adds the elements i, i + 256, …; then lane i adds the sum of
+//     lane
+//                        i + 128, then of i + 64, and so on
+//     part of a column   64 elements, one after the other
+//     parts              of rows, as the elements of a part of a row; of columns, one after the other
+//
+// The host device has loops of its own in this order (glift/host/sums.h).
+//
+// Source of the last workgroup: CUDA samples, threadFenceReduction.
+#pragma once
+
+#include "lower/build/statements.h"
+#include "lower/transform/several_elements.h"
+
+#include <functional>
+
+namespace gliftc::lower {
+
+/// The order in which an update adds whose address is the same along the axes in `same_along`, in a body of
+/// `made.elements` along `axis` in workgroups of `made.group`. `sums`: how many ordered sums the kernel has.
+ir::SumOrder order_of_sum(std::uint8_t same_along, std::uint32_t axis, const SeveralElements& made, std::size_t sums);
+
+/// Makes the statements by which the parts of sums meet. The sums of a kernel take the memory one after the other.
+class OrderedSums {
+public:
+    OrderedSums(Context& context, const SeveralElements& made);
+
+    /// Statements after which `sum` is the whole sum in one invocation for each sum, and -0 in all others; `sum` can be
+    /// assigned. Before them it is that of a part: if order.axis is 0, in the workgroup's first invocation, else in
+    /// each. `tree` makes statements that put the sum of all `share`s of a workgroup into the first one's `sum`.
+    std::vector<StmtId> meet(const ir::SumOrder& order, ExprId sum, Span span,
+                             const std::function<std::vector<StmtId>(ExprId share)>& tree);
+
+private:
+    struct Numbers;
+    ExprId size(std::uint32_t axis) { return component(cx.size, axis); }
+    ExprId address(std::uint32_t axis) { return component(build.local(cx.pass.address), axis); }
+    ExprId component(ExprId vector, std::uint32_t axis);
+    ExprId quotient(ExprId value, std::uint32_t divisor) {
+        return build.binary(ir::BinaryOp::divide, value, build.uint(divisor));
+    }
+    ExprId named(ExprId value, std::string_view name, std::uint32_t axis);
+    ExprId quotient_up(ExprId value, std::uint32_t divisor);
+    std::uint32_t elements_of_group(std::uint32_t axis) const { return made_.elements[axis] * made_.group[axis]; }
+    Numbers numbers(const ir::SumOrder& order, std::vector<StmtId>& body, Span span);
+    ExprId word(ExprId at);
+    ExprId nothing();  ///< -0
+    ExprId lane();
+    ExprId is_first_lane();
+    std::vector<StmtId> stored(const ir::SumOrder& order, const Numbers& of, ExprId sum, ExprId is_last,
+                               Statements make);
+    StmtId loop_over_parts(const ir::SumOrder& order, const Numbers& of, ExprId share, Statements make,
+                           std::vector<StmtId>& before);
+    ExprId adds_column(const ir::SumOrder& order);
+
+    Context& cx;
+    Builder& build;
+    const SeveralElements& made_;
+    std::uint32_t slot_;
+    ExprId used_;  ///< words of the memory that the sums before have
+};
+
+}  // namespace gliftc::lower
