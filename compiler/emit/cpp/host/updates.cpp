@@ -28,9 +28,10 @@ std::map<std::uint32_t, ir::Combine> combined_bindings(const ir::Program& progra
     const auto note = [&](const Stmt& stmt) {
         const bool is_update =
             stmt.op == StmtOp::atomic || stmt.op == StmtOp::row_update || stmt.op == StmtOp::column_update;
-        const bool is_combined = pass.ordered_sum(stmt.slot) != nullptr ||
-                                 is_combined_by_threads(program.types, pass.bindings[stmt.slot], pass.is_wide);
-        if (is_update && is_combined) found.emplace(stmt.slot, stmt.combine);
+        if (!is_update) return;
+        if (pass.ordered_sum(stmt.slot) != nullptr ||
+            is_combined_by_threads(program.types, pass.bindings[stmt.slot], pass.is_wide))
+            found.emplace(stmt.slot, stmt.combine);
     };
     for (const std::vector<StmtId>* body : bodies_of(pass)) ir::for_each_statement(program, *body, note);
     for (ir::FunctionId function : pass.functions)
