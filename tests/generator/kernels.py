@@ -219,14 +219,15 @@ class Kernels:
                                        extent=self.extent(structure.axes, 100)))
         address = vector(structure.axes, UINT)
         meets = self.random.chance(60)
-        place = self.meeting_place(kernel, name, structure.axes) if meets else None
-        if adds_floats and structure.buffer and self.random.chance(50):
-            return self.add_ordered_sum(kernel, name, structure)
+        has_order = meets and adds_floats and structure.buffer and self.random.chance(50)
+        place = None
+        if meets:
+            place = (self.place_of_sum if has_order else self.meeting_place)(kernel, name, structure.axes)
 
         def write(scope):
             at = [place] if meets else [self.expressions.of(address, scope, 2), f" % {extent_text([40] * structure.axes)}"]
             # Sums of few small numbers are exact in floats, in any order.
-            value = ["float(", self.expressions.of(UINT, scope, 3), " % 8u)"] if adds_floats else \
+            value = ["float(", self.expressions.of(UINT, scope, 3), " % 8u)"] if adds_floats and not has_order else \
                 [self.expressions.of(structure.element, scope, 3)]
             parts = [f"{name}[", *at, "] = ", *value, ";"]
             if self.random.chance(30):
@@ -234,21 +235,13 @@ class Kernels:
             return Node(*parts)
         kernel.writes.append(write)
 
-    def add_ordered_sum(self, kernel, name, structure):
-        """A sum of floats that devices make in one order: its address is the same along some axes. The values are arbitrary."""
+    def place_of_sum(self, kernel, name, axes):
+        """An address that is the same along some axes: devices make sums of floats there in one order, so their values are arbitrary."""
         own = self.own_address(kernel, f"at_{name}")
-        first = self.random.below(kernel.axes)
-        axes = [(first + i) % kernel.axes for i in range(kernel.axes)]
-        kept = axes[:self.random.between(0, min(structure.axes, kernel.axes - 1))]
-        parts = [own[axis] for axis in kept] + [f"{self.random.between(0, 9)}u" for _ in range(structure.axes - len(kept))]
-        place = parts[0] if structure.axes == 1 else f"uint{structure.axes}({', '.join(parts)})"
-
-        def write(scope):
-            parts = [f"{name}[{place}] = ", self.expressions.of(FLOAT, scope, 3), ";"]
-            if self.random.chance(40):
-                parts = ["if ", self.expressions.of(BOOL, scope, 2), " { ", *parts, " }"]
-            return Node(*parts)
-        kernel.writes.append(write)
+        first, count = self.random.below(kernel.axes), self.random.between(0, min(axes, kernel.axes - 1))
+        parts = [own[(first + i) % kernel.axes] for i in range(count)]
+        parts += [f"{self.random.between(0, 9)}u" for _ in range(axes - count)]
+        return parts[0] if axes == 1 else f"uint{axes}({', '.join(parts)})"
 
     def meeting_place(self, kernel, name, axes):
         """An address at which many elements meet: each part is a constant, a part of the element's address, or a fraction of one."""

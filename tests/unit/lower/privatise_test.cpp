@@ -54,25 +54,71 @@ TEST(Privatise, SumsOfRowsAreTrees) {
 
 TEST(Privatise, SumsOfColumnsNeedNoBarrier) {
     const Body body =
-        body_of("kernel k(a: at<Picture>, x: in each<Picture>, to: out scatter<Sums, add>) { to[a.x] = x; }");
+        body_of("kernel k(a: at<Picture>, x: in each<Picture>, to: out scatter<Counts, add>) { to[a.x] = uint(x); }");
     EXPECT_EQ(body.elements, along_y);
     EXPECT_FALSE(body.has_barriers);
     EXPECT_EQ(count(body.text, "atomic_add(to_data["), 1u) << body.text;
 }
 
-/// The condition under which an element of memory exists decides the one update that is left, too.
-TEST(Privatise, WhatIsOutsideIsNotUpdated) {
-    const Body body =
-        body_of("kernel k(a: at<Picture>, x: in each<Picture>, to: out scatter<Sums, add>) { to[a.y] = x; }");
-    EXPECT_THAT(body.text.substr(body.text.rfind("barrier()")), HasSubstr("address.y < $to_n")) << body.text;
+/// The parts of sums of floats meet in a memory, and one invocation updates the element.
+TEST(Privatise, SumsOfFloatsHaveAnOrder) {
+    for (const std::string place : {"0u", "a.y", "a.x"}) {
+        const std::string kernel =
+            "kernel k(a: at<Picture>, x: in each<Picture>, to: out scatter<Sums, add>) { to[" + place + "] = x; }";
+        const Lowering lowering(structures + kernel);
+        for (const ir::Pass* pass : lowering.forms("k").all()) {
+            const std::string text = ir::print(lowering.program, variant_for(*pass, ir::Devices::shaders).body, pass);
+            EXPECT_EQ(count(text, "atomicStore(partial_sums["), 1u) << text;
+            EXPECT_EQ(count(text, "atomic_add(to_data["), 1u) << text;
+            EXPECT_EQ(pass->sum_orders().size(), 1u);
+            EXPECT_TRUE(pass->exact) << kernel;
+        }
+    }
 }
 
-/// A workgroup in which no element meets the condition updates nothing: its address may be outside.
-TEST(Privatise, ConditionsOfDataAreRemembered) {
-    const Body body = body_of("kernel k(a: at<Picture>, x: in each<Picture>, to: out scatter<Sums, max>) {"
-                              "    if x > 0.0 { to[a.y] = x; } }");
-    EXPECT_THAT(body.text, HasSubstr("to_data_is_written = true;"));
-    EXPECT_THAT(body.text.substr(body.text.rfind("barrier()")), HasSubstr("to_data_is_any[0u] != 0u")) << body.text;
+/// Two updates of one buffer, and updates of which elements along x have different addresses, have none.
+TEST(Privatise, OtherSumsOfFloatsHaveNoOrder) {
+    for (const std::string statements : {"to[0] = x; to[a.y] = x;", "to[a.x + a.y] = x;", "to[uint(x)] = x;"}) {
+        const Lowering lowering(structures +
+                                "kernel k(a: at<Picture>, x: in each<Picture>, to: out scatter<Sums, add>) { " +
+                                statements + " }");
+        EXPECT_TRUE(lowering.forms("k").direct.sum_orders().empty()) << statements;
+        EXPECT_FALSE(lowering.forms("k").direct.exact) << statements;
+    }
+}
+
+/// Sums of different rows that are of one element: the rows have an order each, the two additions have none.
+TEST(Privatise, SumsOfOneElementAreNotExact) {
+    const Lowering lowering(
+        structures + "kernel k(a: at<Picture>, x: in each<Picture>, to: out scatter<Sums, add>) { to[a.y / 2u] = x; }");
+    EXPECT_EQ(lowering.forms("k").direct.sum_orders().size(), 1u);
+    EXPECT_FALSE(lowering.forms("k").direct.exact);
+}
+
+/// Where no element of a workgroup is written, because the address is outside or no element meets a condition, nothing
+/// is updated.
+TEST(Privatise, WhatIsNotWrittenIsNotUpdated) {
+    const auto update_of = [](const std::string& kernel) {
+        const std::string text = body_of(kernel).text;
+        return text.substr(text.rfind("if ", text.rfind("atomic_")));
+    };
+    EXPECT_THAT(update_of("kernel k(a: at<Picture>, x: in each<Picture>, to: out scatter<Sums, add>) { to[a.y] = x; }"),
+                HasSubstr(" != 2147483648u)"));
+    EXPECT_THAT(update_of("kernel k(a: at<Picture>, x: in each<Picture>, to: out scatter<Sums, max>) {"
+                          "    if x > 0.0 { to[a.y] = x; } }"),
+                HasSubstr(" != -2147483648)"));
+}
+
+/// The value of an update under an if is computed outside of it where that is possible, with what the if declares.
+TEST(Privatise, ValuesAreOutsideOfIfs) {
+    const Body body = body_of("kernel k(a: at<Picture>, x: in each<Picture>, n: uint, to: out scatter<Sums, add>) {"
+                              "    if a.y < n { let t = x * 2.0; to[a.y] = t * t; } }");
+    EXPECT_EQ(body.elements, along_x);
+    const Body of_variable =
+        body_of("kernel k(a: at<Picture>, x: in each<Picture>, n: uint, to: out scatter<Sums, add>) {"
+                "    var t = x; if a.y < n { t = t * 2.0; to[a.y] = t + 1.0; } }");
+    EXPECT_EQ(of_variable.elements, along_x);
+    EXPECT_EQ(count(of_variable.text, "to_data_value"), 0u) << of_variable.text;
 }
 
 TEST(Privatise, AddressesOfDataHaveCopies) {
