@@ -30,7 +30,7 @@ std::uint32_t workspace_of(Context& cx) {
     return bindings.back().one_place;
 }
 
-/// A number with several digits, of which the first counts most often: adds digits, each below its limit.
+/// A number with several digits, the lowest first: adds digits, each below its limit.
 struct Linear {
     Builder& build;
     ExprId number, count;  ///< absent: 0, 1

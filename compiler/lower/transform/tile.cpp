@@ -3,6 +3,7 @@
 #include "ir/walk.h"
 #include "lower/analysis/transposed.h"
 #include "lower/build/copy_statements.h"
+#include "lower/build/statements.h"
 #include "lower/expand/dispatch.h"
 
 #include <algorithm>
@@ -84,27 +85,14 @@ private:
 
     // Statements.
 
-    void barrier() { made_.body.push_back(cx.add(statement(StmtOp::barrier, cx.kernel.span))); }
-    StmtId assign(Span span, ExprId target, ExprId value) {
-        Stmt stmt = statement(StmtOp::assign, span);
-        stmt.target = target;
-        stmt.value = value;
-        return cx.add(std::move(stmt));
-    }
+    Statements statements(Span span) { return {cx, span}; }
+    void barrier() { made_.body.push_back(statements(cx.kernel.span).barrier()); }
+    StmtId assign(Span span, ExprId target, ExprId value) { return statements(span).assign(target, value); }
     StmtId where(ExprId condition, std::vector<StmtId> body) {
-        Stmt stmt = statement(StmtOp::if_, cx.kernel.span);
-        stmt.value = condition;
-        stmt.body = std::move(body);
-        return cx.add(std::move(stmt));
+        return statements(cx.kernel.span).where(condition, std::move(body));
     }
-    ExprId named(Span span, std::string_view name, ExprId value, std::vector<StmtId>& statements) {
-        Stmt stmt = statement(StmtOp::let, span);
-        stmt.local = cx.new_local(name, build.type(value), span);
-        stmt.value = value;
-        cx.definitions[stmt.local] = value;
-        const ExprId local = build.local(stmt.local);
-        statements.push_back(cx.add(std::move(stmt)));
-        return local;
+    ExprId named(Span span, std::string_view name, ExprId value, std::vector<StmtId>& into) {
+        return statements(span).let(name, value, into);
     }
     ExprId named(std::string_view name, ExprId value) { return named(cx.kernel.span, name, value, made_.body); }
     ExprId less(ExprId a, ExprId b) { return build.binary(BinaryOp::less, a, b); }
