@@ -165,11 +165,16 @@ void print_while(Printer& p, const Stmt& stmt) {
     line(p, "}");
 }
 
-/// The kinds of memory that barriers order, as GLSL's storage semantics: workgroup memory; in kernels with a group also
-/// buffers, if the kernel both reads and writes one, and images, likewise.
+/// Whether several invocations of a workgroup store parts of sums, of which one says that they are there.
+bool has_columns(const ir::Pass& pass) {
+    return std::ranges::any_of(pass.sum_orders(), [](const ir::SumOrder& order) { return order.axis != 0; });
+}
+
+/// The kinds of memory that barriers order, as GLSL's storage semantics: workgroup memory; in kernels with a group, or
+/// with sums of columns, also buffers, if the kernel both reads and writes one, and images, likewise.
 std::string memory_of_barriers(const Printer& p) {
     bool buffers = false, images = false;
-    if (!p.program.kernels[p.pass.kernel].grouped()) return "gl_StorageSemanticsShared";
+    if (!p.program.kernels[p.pass.kernel].grouped() && !has_columns(p.pass)) return "gl_StorageSemanticsShared";
     for (const ir::PassBinding& binding : p.pass.bindings)
         if (binding.access == ir::Access::read_write)
             (binding.shape == ir::MemoryShape::buffer ? buffers : images) = true;

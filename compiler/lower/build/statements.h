@@ -22,6 +22,15 @@ public:
         return cx.add(std::move(stmt));
     }
 
+    /// Stores into a buffer; `index` as index_of (lower/expand/memory.h) makes it.
+    StmtId store(std::uint32_t slot, ExprId index, ExprId value) {
+        ir::Stmt stmt = statement(StmtOp::store, span_);
+        stmt.slot = slot;
+        stmt.target = index;
+        stmt.value = value;
+        return cx.add(std::move(stmt));
+    }
+
     StmtId evaluate(ExprId value) {
         ir::Stmt stmt = statement(StmtOp::evaluate, span_);
         stmt.value = value;

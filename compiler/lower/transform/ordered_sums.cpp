@@ -12,8 +12,10 @@ using namespace ir;
 
 namespace {
 
-constexpr std::uint32_t lanes_of_tree = 256;
+constexpr std::uint32_t lanes_of_tree = WorkgroupTree::invocations;
 constexpr std::size_t most_rounds = 16384;  ///< of the loops over parts: lavapipe ends an invocation's loops at 65,535
+
+constexpr std::uint32_t parts_of_turn = 8;  ///< whose loads overlap
 
 /// The binding of the memory in which parts meet, which is added if it is not there.
 std::uint32_t workspace_of(Context& cx) {
@@ -123,47 +125,77 @@ ExprId OrderedSums::lane() { return build.builtin(Builtin::local_index, cx.p.typ
 
 ExprId OrderedSums::is_first_lane() { return build.binary(BinaryOp::equal, lane(), build.uint(0)); }
 
-/// The parts are stored and the workgroup is counted. `is_last` tells whether it is the last one.
+/// The parts are stored and the workgroup is counted. `is_last` becomes 1 if it is the last one, else 0.
 std::vector<StmtId> OrderedSums::stored(const SumOrder& order, const Numbers& of, ExprId sum, ExprId is_last,
                                         Statements make) {
     const Types& types = cx.p.types;
-    const auto changed = [&](Intrinsic intrinsic, TypeId type, ExprId at, ExprId value) {
-        return build.intrinsic(intrinsic, type, {word(at), value});
-    };
     const ExprId bits = build.intrinsic(Intrinsic::floatBitsToUint, types.uint, {sum});
-    const StmtId store = make.evaluate(changed(Intrinsic::atomicStore, types.void_, of.own, bits));
-    std::vector<StmtId> count;
-    const ExprId before =
-        make.let("arrived", changed(Intrinsic::atomicAdd, types.uint, of.counter, build.uint(1)), count);
-    const ExprId is_it = build.binary(BinaryOp::equal, build.add(before, build.uint(1)), of.groups);
-    count.push_back(make.assign(is_last, build.convert(types.uint, is_it)));
+    const StmtId store = make.store(slot_, index_of(cx, slot_, of.own), bits);
+    // The addition releases the stores: those of this invocation, and those that a barrier orders before it.
+    const auto count = [&](std::vector<StmtId>& body) {
+        const ExprId one_more = build.intrinsic(Intrinsic::atomicAdd, types.uint, {word(of.counter), build.uint(1)});
+        const ExprId before = make.let("arrived", one_more, body);
+        return build.convert(types.uint, build.binary(BinaryOp::equal, build.add(before, build.uint(1)), of.groups));
+    };
     const ExprId in_range = in_range_condition(cx);
-    if (order.axis != 0)
+    std::vector<StmtId> first;
+    if (order.axis != 0) {
+        first.push_back(make.assign(is_last, count(first)));
         return {make.where(in_range, {store}), make.assign(sum, nothing()), make.barrier(),
-                make.where(is_first_lane(), std::move(count)), make.barrier()};
+                make.where(is_first_lane(), std::move(first)), make.barrier()};
+    }
     // A workgroup beyond the range (line_address of dispatch.cpp) has no part.
-    count.insert(count.begin(), store);
-    return {make.where(is_first_lane(), {make.assign(is_last, build.uint(0)), make.where(in_range, std::move(count)),
-                                         make.assign(sum, nothing())}),
-            make.barrier()};
+    const ExprId found = build.local(make.variable("found", build.uint(0), first));
+    std::vector<StmtId> part{store};
+    part.push_back(make.assign(found, count(part)));
+    first.push_back(make.where(in_range, std::move(part)));
+    first.push_back(make.assign(is_last, found));
+    first.push_back(make.assign(sum, nothing()));
+    return {make.where(is_first_lane(), std::move(first)), make.barrier()};
 }
 
-/// Adds parts to `share`: in a tree every 256th, from the invocation's own number on, else all.
-StmtId OrderedSums::loop_over_parts(const SumOrder& order, const Numbers& of, ExprId share, Statements make,
-                                    std::vector<StmtId>& before) {
+/// Adds parts to `share`: in a tree every 256th, from the invocation's own number on, else all. First several in a
+/// turn, whose loads overlap, then one. The turns of several are not for devices that do not skip branches: each
+/// workgroup would execute them.
+void OrderedSums::add_parts(const SumOrder& order, const Numbers& of, ExprId share, Statements make,
+                            std::vector<StmtId>& body) {
     const bool is_tree = order.axis == 0;
-    const std::uint32_t stride = is_tree ? lanes_of_tree : 1;
-    // A variable, whose limit is known: else it becomes a parameter, and the rounds would have to be counted.
-    const LocalId rounds = make.variable("rounds", quotient_up(of.parts, stride), before);
-    build.limits[rounds] = order.most_parts / stride;
-    return make.loop("turn", build.local(rounds), [&](ExprId turn) -> std::vector<StmtId> {
-        const ExprId number = is_tree ? build.add(build.multiply(turn, build.uint(stride)), lane()) : turn;
-        const ExprId at = build.add(of.first, is_tree ? number : build.multiply(number, of.step));
-        const ExprId part = build.intrinsic(Intrinsic::uintBitsToFloat, cx.p.types.float_, {word(at)});
-        const StmtId add = make.assign(share, build.add(share, part));
-        if (!is_tree) return {add};
-        return {make.where(build.binary(BinaryOp::less, number, of.parts), {add})};
+    const std::uint32_t stride = is_tree ? lanes_of_tree : 1, several = parts_of_turn * stride;
+    // Variables, whose limits are known: else they become parameters, and the rounds would have to be counted.
+    const auto limit = [&](std::string_view name, ExprId value, std::uint32_t most) {
+        const LocalId local = make.variable(name, value, body);
+        build.limits[local] = most;
+        return build.local(local);
+    };
+    const auto add = [&](ExprId first, std::uint32_t count) {
+        std::vector<StmtId> statements, adds;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const ExprId number = build.add(first, build.uint(i * stride));
+            const ExprId at = build.add(of.first, is_tree ? number : build.multiply(number, of.step));
+            const ExprId bits = make.let("part", word(at), statements);
+            const ExprId part = build.intrinsic(Intrinsic::uintBitsToFloat, cx.p.types.float_, {bits});
+            adds.push_back(make.assign(share, build.add(share, part)));
+        }
+        statements.insert(statements.end(), adds.begin(), adds.end());
+        return statements;
+    };
+    const auto number_at = [&](ExprId start) { return is_tree ? build.add(start, lane()) : start; };
+    const ExprId overlaps = build.builtin(Builtin::skips_branches, cx.p.types.bool_);
+    const ExprId turns =
+        limit("turns", build.select(overlaps, quotient(of.parts, several), build.uint(0)), order.most_parts / several);
+    const StmtId loop = make.loop("turn", turns, [&](ExprId turn) {
+        return add(number_at(build.multiply(turn, build.uint(several))), parts_of_turn);
     });
+    body.push_back(make.where(overlaps, {loop}));
+    const ExprId done = make.let("done", build.multiply(turns, build.uint(several)), body);
+    const ExprId left = build.binary(BinaryOp::subtract, of.parts, done);
+    const ExprId rest = limit("rest", is_tree ? quotient(build.add(left, build.uint(stride - 1)), stride) : left,
+                              order.most_parts / stride);
+    body.push_back(make.loop("turn", rest, [&](ExprId turn) -> std::vector<StmtId> {
+        const ExprId number = number_at(build.add(done, build.multiply(turn, build.uint(stride))));
+        if (!is_tree) return add(number, 1);
+        return {make.where(build.binary(BinaryOp::less, number, of.parts), add(number, 1))};
+    }));
 }
 
 /// Of the invocations that have parts of one column's sum, one adds them.
@@ -178,8 +210,7 @@ ExprId OrderedSums::adds_column(const SumOrder& order) {
     return adds;
 }
 
-std::vector<StmtId> OrderedSums::meet(const SumOrder& order, ExprId sum, Span span,
-                                      const std::function<std::vector<StmtId>(ExprId share)>& tree) {
+std::vector<StmtId> OrderedSums::meet(const SumOrder& order, ExprId sum, Span span, WorkgroupTree* tree) {
     Statements make(cx, span);
     std::vector<StmtId> body;
     const Numbers of = numbers(order, body, span);
@@ -191,12 +222,18 @@ std::vector<StmtId> OrderedSums::meet(const SumOrder& order, ExprId sum, Span sp
     std::vector<StmtId> last;
     make.let("seen", build.intrinsic(Intrinsic::atomicLoad, cx.p.types.uint, {word(of.counter)}), last);
     const ExprId share = build.local(make.variable("share", nothing(), last));
-    const StmtId loop = loop_over_parts(order, of, share, make, last);
     if (order.axis == 0) {
-        last.push_back(loop);
-        for (StmtId id : tree(share)) last.push_back(id);
+        add_parts(order, of, share, make, last);
+        // Lavapipe runs the body of an if whose condition does not hold, too: with 0 levels in the other workgroups.
+        const ExprId all = build.multiply(is_last, build.uint(tree->most_levels));
+        const LocalId levels = make.variable("levels", all, last);
+        build.limits[levels] = tree->most_levels;
+        for (StmtId id : tree->combine(share, build.local(levels))) last.push_back(id);
     } else {
-        last.push_back(make.where(adds_column(order), {loop, make.assign(sum, share)}));
+        std::vector<StmtId> adds;
+        add_parts(order, of, share, make, adds);
+        adds.push_back(make.assign(sum, share));
+        last.push_back(make.where(adds_column(order), std::move(adds)));
     }
     body.push_back(make.where(build.binary(BinaryOp::not_equal, is_last, build.uint(0)), std::move(last)));
 

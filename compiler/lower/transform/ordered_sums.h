@@ -4,9 +4,8 @@
 // runtime gives (glift::SumOrder): a workgroup stores the sums of its parts and counts itself, and the one that comes
 // last adds all of them in their order. So no workgroup waits for another.
 //
-//     part of a row      4,096 elements: lane i of 256 adds the elements i, i + 256, …; then lane i adds the sum of
-//     lane
-//                        i + 128, then of i + 64, and so on
+//     part of a row      4,096 elements: lane i of 256 adds the elements i, i + 256, …; then each lane i below 16 adds
+//                        the sums of the lanes i + 16, i + 32, …; then lane 0 those of the lanes 1 to 15
 //     part of a column   64 elements, one after the other
 //     parts              of rows, as the elements of a part of a row; of columns, one after the other
 //
@@ -15,10 +14,8 @@
 // Source of the last workgroup: CUDA samples, threadFenceReduction.
 #pragma once
 
-#include "lower/build/statements.h"
+#include "lower/build/workgroup_tree.h"
 #include "lower/transform/several_elements.h"
-
-#include <functional>
 
 namespace gliftc::lower {
 
@@ -33,9 +30,9 @@ public:
 
     /// Statements after which `sum` is the whole sum in one invocation for each sum, and -0 in all others; `sum` can be
     /// assigned. Before them it is that of a part: if order.axis is 0, in the workgroup's first invocation, else in
-    /// each. `tree` makes statements that put the sum of all `share`s of a workgroup into the first one's `sum`.
-    std::vector<StmtId> meet(const ir::SumOrder& order, ExprId sum, Span span,
-                             const std::function<std::vector<StmtId>(ExprId share)>& tree);
+    /// each. For rows `sum` is the
+    /// first key of the `tree`.
+    std::vector<StmtId> meet(const ir::SumOrder& order, ExprId sum, Span span, WorkgroupTree* tree);
 
 private:
     struct Numbers;
@@ -55,8 +52,8 @@ private:
     ExprId is_first_lane();
     std::vector<StmtId> stored(const ir::SumOrder& order, const Numbers& of, ExprId sum, ExprId is_last,
                                Statements make);
-    StmtId loop_over_parts(const ir::SumOrder& order, const Numbers& of, ExprId share, Statements make,
-                           std::vector<StmtId>& before);
+    void add_parts(const ir::SumOrder& order, const Numbers& of, ExprId share, Statements make,
+                   std::vector<StmtId>& body);
     ExprId adds_column(const ir::SumOrder& order);
 
     Context& cx;

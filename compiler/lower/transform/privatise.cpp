@@ -8,6 +8,7 @@
 #include "lower/build/combination.h"
 #include "lower/build/copy_statements.h"
 #include "lower/build/statements.h"
+#include "lower/build/workgroup_tree.h"
 #include "lower/expand/dispatch.h"
 #include "lower/transform/ordered_sums.h"
 
@@ -22,8 +23,8 @@ using namespace ir;
 
 namespace {
 
-constexpr std::uint32_t invocations = 256;      ///< in a workgroup
-constexpr std::uint32_t elements_of_tree = 16;  ///< that an invocation combines
+constexpr std::uint32_t invocations = WorkgroupTree::invocations;  ///< in a workgroup
+constexpr std::uint32_t elements_of_tree = 16;                     ///< that an invocation combines
 constexpr std::uint32_t elements_of_column = 64;
 constexpr std::uint32_t elements_of_copies = 64;
 constexpr std::uint32_t copied_words = 4096 + 32;  ///< of workgroup memory for copies: 16 KiB
@@ -84,7 +85,7 @@ public:
         if (copies_ != 0) barrier();
         std::optional<OrderedSums> sums;
         if (std::ranges::any_of(updates_, is_ordered)) sums.emplace(cx, made_);
-        for (const PrivateUpdate& update : updates_) end(update, sums);
+        for (const PrivateUpdate& update : updates_) end(update, sums ? &*sums : nullptr);
         return std::move(made_);
     }
 
@@ -380,39 +381,24 @@ private:
         update.sum = statements(update).variable(name_of(update) + "_sum", combination(update).identity(), made_.body);
     }
 
-    void end(const PrivateUpdate& update, std::optional<OrderedSums>& sums) {
+    void end(const PrivateUpdate& update, OrderedSums* sums) {
         if (update.way == UpdateWay::copies) return end_copies(update);
         if (update.way == UpdateWay::plain) return;
         const ExprId sum = build.local(update.sum);
         if (update.way == UpdateWay::tree) return combine_in_workgroup(update, sums);
-        if (update.order) meet(update, *sums, sum, {});
+        if (update.order) meet(update, *sums, sum, nullptr);
         update_memory(update, sum, {});
     }
 
-    void meet(const PrivateUpdate& update, OrderedSums& sums, ExprId sum,
-              const std::function<std::vector<StmtId>(ExprId share)>& tree) {
+    void meet(const PrivateUpdate& update, OrderedSums& sums, ExprId sum, WorkgroupTree* tree) {
         for (StmtId id : sums.meet(*update.order, sum, cx.p.stmts[update.stmt].span, tree)) made_.body.push_back(id);
     }
 
-    /// A tree over the invocations: 128 add what the 128 others have to their own, then 64, and so on.
-    void combine_in_workgroup(const PrivateUpdate& update, std::optional<OrderedSums>& ordered) {
-        const Combination combination = this->combination(update);
-        Statements make = statements(update);
-        const LocalId sums = make.workgroup_array(name_of(update) + "_sums", combination.type(), invocations);
-        const auto sum_of = [&](ExprId invocation) { return build.index(build.local(sums), invocation); };
-        const auto tree = [&](ExprId share) -> std::vector<StmtId> {
-            const std::uint32_t steps = std::countr_zero(invocations);
-            return {make.assign(sum_of(lane()), share),
-                    make.loop("level", build.uint(steps), [&](ExprId level) -> std::vector<StmtId> {
-                        const ExprId width = build.binary(BinaryOp::shift_right, build.uint(invocations / 2), level);
-                        const ExprId both = combination.of(sum_of(lane()), sum_of(build.add(lane(), width)));
-                        return {make.barrier(), make.where(less(lane(), width), {make.assign(sum_of(lane()), both)})};
-                    })};
-        };
-        for (StmtId id : tree(build.local(update.sum))) made_.body.push_back(id);
-        const ExprId first = sum_of(build.uint(0));
-        if (update.order) meet(update, *ordered, first, tree);
-        update_memory(update, first, build.binary(BinaryOp::equal, lane(), build.uint(0)));
+    void combine_in_workgroup(const PrivateUpdate& update, OrderedSums* ordered) {
+        WorkgroupTree tree(cx, combination(update), name_of(update) + "_sums", cx.p.stmts[update.stmt].span);
+        for (StmtId id : tree.combine(build.local(update.sum), build.uint(tree.most_levels))) made_.body.push_back(id);
+        if (update.order) meet(update, *ordered, tree.first(), &tree);
+        update_memory(update, tree.first(), build.binary(BinaryOp::equal, lane(), build.uint(0)));
     }
 
     /// Updates memory by what elements have combined, if there is anything and `condition` holds.
@@ -489,31 +475,42 @@ private:
                                             {build.intrinsic(Intrinsic::findMSB, of_bits, {fitting}),
                                              build.integer(of_bits, std::countr_zero(most_copies))});
         const ExprId count = build.binary(BinaryOp::shift_left, one, build.convert(cx.p.types.uint, bits));
-        copies.count = build.local(statements(update).variable(name + "_copy_count", count, made_.body));
+        copies.count = limited(update, name + "_copy_count", count, most_copies, made_.body);
         const ExprId last = build.binary(BinaryOp::subtract, copies.count, one);
         const ExprId mine = build.multiply(build.binary(BinaryOp::bit_and, lane(), last), copies.step);
         copies.first = statements(update).let(name + "_copy", mine, made_.body);
         const ExprId all = build.multiply(copies.count, copies.step);
-        made_.body.push_back(for_each_word(update, all, [&](ExprId at) -> std::vector<StmtId> {
+        for_each_word(update, all, [&](ExprId at) -> std::vector<StmtId> {
             return {
                 statements(update).assign(build.index(build.local(copies.array), at), combination(update).identity())};
-        }));
+        });
         copies_of_.emplace(update.stmt, copies);
     }
 
     void end_copies(const PrivateUpdate& update) {
         const Copies& copies = copies_of_.at(update.stmt);
-        made_.body.push_back(
-            for_each_word(update, copies.size, [&](ExprId at) { return sum_of_copies(update, copies, at); }));
+        for_each_word(update, copies.size, [&](ExprId at) { return sum_of_copies(update, copies, at); });
+    }
+
+    /// A variable whose limit is known: else it becomes a parameter, and the rounds of loops up to it have to be
+    /// counted.
+    ExprId limited(const PrivateUpdate& update, std::string_view name, ExprId value, std::uint32_t most,
+                   std::vector<StmtId>& body) {
+        const LocalId local = statements(update).variable(name, value, body);
+        build.limits[local] = most;
+        return build.local(local);
     }
 
     /// The workgroup's invocations execute `body` for the numbers up to `count`.
-    template <class Body> StmtId for_each_word(const PrivateUpdate& update, ExprId count, Body body) {
-        const std::uint32_t turns = (words_of_copies() + invocations - 1) / invocations;
-        return statements(update).loop("turn", build.uint(turns), [&](ExprId turn) -> std::vector<StmtId> {
+    template <class Body> void for_each_word(const PrivateUpdate& update, ExprId count, Body body) {
+        const std::uint32_t most = (words_of_copies() + invocations - 1) / invocations;
+        const ExprId last = build.add(count, build.uint(invocations - 1));
+        const ExprId turns =
+            limited(update, "turns", build.binary(BinaryOp::divide, last, build.uint(invocations)), most, made_.body);
+        made_.body.push_back(statements(update).loop("turn", turns, [&](ExprId turn) -> std::vector<StmtId> {
             const ExprId at = build.add(build.multiply(turn, build.uint(invocations)), lane());
             return {statements(update).where(less(at, count), body(at))};
-        });
+        }));
     }
 
     std::vector<StmtId> sum_of_copies(const PrivateUpdate& update, const Copies& copies, ExprId at) {
@@ -521,10 +518,10 @@ private:
         Statements make = statements(update);
         std::vector<StmtId> result;
         const ExprId sum = build.local(make.variable("sum", combination.identity(), result));
-        result.push_back(make.loop("copy", build.uint(most_copies), [&](ExprId copy) -> std::vector<StmtId> {
+        result.push_back(make.loop("copy", copies.count, [&](ExprId copy) -> std::vector<StmtId> {
             const ExprId place = build.add(build.multiply(copy, copies.step), at);
             const ExprId both = combination.of(sum, build.index(build.local(copies.array), place));
-            return {make.where(less(copy, copies.count), {make.assign(sum, both)})};
+            return {make.assign(sum, both)};
         }));
         Stmt stmt = cx.p.stmts[update.stmt];
         stmt.target = at;

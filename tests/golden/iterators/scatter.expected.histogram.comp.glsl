@@ -24,46 +24,48 @@ void main() {
     uint value = bins_data_copied_1 | 1u;
     uint bins_data_copy_count = 1u << (uint(min(findMSB(4128u / max(value, 1u)), 5)) & 31u);
     uint bins_data_copy = (gl_LocalInvocationIndex & (bins_data_copy_count - 1u)) * value;
-    for (uint turn = 0u; turn < 17u; ++turn) {
-        uint value_1 = turn * 256u + gl_LocalInvocationIndex;
-        if (value_1 < bins_data_copy_count * value) {
-            bins_data_copies[min(value_1, 4127u)] = 0u;
+    uint value_1 = bins_data_copy_count * value;
+    uint turns = (value_1 + 255u) / 256u;
+    for (uint turn = 0u, turn_end = turns; turn < turn_end; ++turn) {
+        uint value_2 = turn * 256u + gl_LocalInvocationIndex;
+        if (value_2 < value_1) {
+            bins_data_copies[min(value_2, 4127u)] = 0u;
         }
     }
     barrier();
     uint remaining = address < s_extent ? s_extent - address : 0u;
     for (uint turn = 0u; turn < 8u; ++turn) {
-        uint value_1 = turn * 8u * 256u;
-        bool exists = value_1 < remaining;
-        uint at = exists ? address + value_1 : 0u;
+        uint value_2 = turn * 8u * 256u;
+        bool exists = value_2 < remaining;
+        uint at = exists ? address + value_2 : 0u;
         uint bins_address = s_data[at] % 64u;
-        uint value_2 = value_1 + 256u;
-        bool exists_1 = value_2 < remaining;
-        uint at_1 = exists_1 ? address + value_2 : 0u;
+        uint value_3 = value_2 + 256u;
+        bool exists_1 = value_3 < remaining;
+        uint at_1 = exists_1 ? address + value_3 : 0u;
         uint bins_address_1 = s_data[at_1] % 64u;
-        uint value_3 = value_1 + 512u;
-        bool exists_2 = value_3 < remaining;
-        uint at_2 = exists_2 ? address + value_3 : 0u;
+        uint value_4 = value_2 + 512u;
+        bool exists_2 = value_4 < remaining;
+        uint at_2 = exists_2 ? address + value_4 : 0u;
         uint bins_address_2 = s_data[at_2] % 64u;
-        uint value_4 = value_1 + 768u;
-        bool exists_3 = value_4 < remaining;
-        uint at_3 = exists_3 ? address + value_4 : 0u;
+        uint value_5 = value_2 + 768u;
+        bool exists_3 = value_5 < remaining;
+        uint at_3 = exists_3 ? address + value_5 : 0u;
         uint bins_address_3 = s_data[at_3] % 64u;
-        uint value_5 = value_1 + 1024u;
-        bool exists_4 = value_5 < remaining;
-        uint at_4 = exists_4 ? address + value_5 : 0u;
+        uint value_6 = value_2 + 1024u;
+        bool exists_4 = value_6 < remaining;
+        uint at_4 = exists_4 ? address + value_6 : 0u;
         uint bins_address_4 = s_data[at_4] % 64u;
-        uint value_6 = value_1 + 1280u;
-        bool exists_5 = value_6 < remaining;
-        uint at_5 = exists_5 ? address + value_6 : 0u;
+        uint value_7 = value_2 + 1280u;
+        bool exists_5 = value_7 < remaining;
+        uint at_5 = exists_5 ? address + value_7 : 0u;
         uint bins_address_5 = s_data[at_5] % 64u;
-        uint value_7 = value_1 + 1536u;
-        bool exists_6 = value_7 < remaining;
-        uint at_6 = exists_6 ? address + value_7 : 0u;
+        uint value_8 = value_2 + 1536u;
+        bool exists_6 = value_8 < remaining;
+        uint at_6 = exists_6 ? address + value_8 : 0u;
         uint bins_address_6 = s_data[at_6] % 64u;
-        uint value_8 = value_1 + 1792u;
-        bool exists_7 = value_8 < remaining;
-        uint at_7 = exists_7 ? address + value_8 : 0u;
+        uint value_9 = value_2 + 1792u;
+        bool exists_7 = value_9 < remaining;
+        uint at_7 = exists_7 ? address + value_9 : 0u;
         uint bins_address_7 = s_data[at_7] % 64u;
         if (exists) {
             if (bins_address < bins_extent) {
@@ -139,17 +141,16 @@ void main() {
         }
     }
     barrier();
-    for (uint turn = 0u; turn < 17u; ++turn) {
-        uint value_1 = turn * 256u + gl_LocalInvocationIndex;
-        if (value_1 < bins_data_copied_1) {
+    uint turns_1 = (bins_data_copied_1 + 255u) / 256u;
+    for (uint turn = 0u, turn_end = turns_1; turn < turn_end; ++turn) {
+        uint value_2 = turn * 256u + gl_LocalInvocationIndex;
+        if (value_2 < bins_data_copied_1) {
             uint sum = 0u;
-            for (uint copy = 0u; copy < 32u; ++copy) {
-                if (copy < bins_data_copy_count) {
-                    sum += bins_data_copies[min(copy * value + value_1, 4127u)];
-                }
+            for (uint copy = 0u, copy_end = bins_data_copy_count; copy < copy_end; ++copy) {
+                sum += bins_data_copies[min(copy * value + value_2, 4127u)];
             }
             if (sum != 0u) {
-                atomicAdd(bins_data[value_1], sum);
+                atomicAdd(bins_data[value_2], sum);
             }
         }
     }

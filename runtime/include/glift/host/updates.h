@@ -84,8 +84,9 @@ template <> struct KeyOf<float, Min> : OrderedKey<Min> {};
 template <> struct KeyOf<float, Max> : OrderedKey<Max> {};
 
 /// The updates of one element by the elements of a row: lane i combines those of the elements i, i + row_lanes, …, so
-/// that the C++ compiler can make a loop over the lanes vectors.
-inline constexpr std::size_t row_lanes = 256;
+/// that the C++ compiler can make a loop over the lanes vectors. In the end each lane i below row_branches combines the
+/// lanes i, i + row_branches, …, and the first one combines those.
+inline constexpr std::size_t row_lanes = 256, row_branches = 16;
 
 /// The number of lanes that the elements [first, count) of a row take.
 inline std::size_t lanes_from(std::size_t first, std::size_t count) {
@@ -112,9 +113,10 @@ public:
 
     /// What all elements combine to. Once only.
     T value() {
-        for (std::size_t width = row_lanes / 2; width != 0; width /= 2)
-            for (std::size_t i = 0; i < width && i + width < lanes_; ++i)
-                Operation::combine(keys_[i], keys_[i + width]);
+        for (std::size_t first = row_branches; first < lanes_; first += row_branches)
+            for (std::size_t i = 0; i < row_branches && first + i < lanes_; ++i)
+                Operation::combine(keys_[i], keys_[first + i]);
+        for (std::size_t i = 1; i < row_branches && i < lanes_; ++i) Operation::combine(keys_[0], keys_[i]);
         return KeyOf<T, Operation>::value(keys_[0]);
     }
 
