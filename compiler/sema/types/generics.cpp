@@ -4,6 +4,7 @@
 #include "sema/types/interfaces.h"
 #include "sema/types/typing.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace gliftc::sema {
@@ -101,14 +102,33 @@ bool satisfies_structure(Context& c, const Env& env, const ast::Expr& constraint
     return true;
 }
 
+/// What the name of a constraint stands for.
+Meta meaning_of(Context& c, const Env& env, const ast::Expr& constraint) {
+    const ast::Expr& name = constraint.kind == ast::ExprKind::generic ? c[constraint.operands[0]] : constraint;
+    return name.kind == ast::ExprKind::name ? find_meta(c, env, {name.name, name.span}) : Meta{};
+}
+
+bool is_interface(const Context& c, const Meta& meta) {
+    return meta.kind == MetaKind::declarations && std::holds_alternative<ast::Interface>(c[meta.declarations[0]].body);
+}
+
+/// Says what the interface is for, as the first paragraph of its comment does.
+void note_interface(Context& c, const Env& env, ast::ExprId constraint, Diagnostic& diagnostic) {
+    const Meta wanted = meaning_of(c, env, c[constraint]);
+    if (!is_interface(c, wanted)) return;
+    const ast::Decl& decl = c[wanted.declarations[0]];
+    std::string text = decl.doc.substr(0, decl.doc.find("\n\n"));
+    if (text.empty()) return;
+    std::ranges::replace(text, '\n', ' ');
+    note(diagnostic, decl.name.span, c.text(decl.name.name) + ": " + text);
+}
+
 }  // namespace
 
 bool satisfies(Context& c, const Env& env, ast::ExprId constraint, const Meta& meta, std::string& why) {
     const ast::Expr& expr = c[constraint];
-    const ast::Expr& name = expr.kind == ast::ExprKind::generic ? c[expr.operands[0]] : expr;
-    Meta wanted = name.kind == ast::ExprKind::name ? find_meta(c, env, {name.name, name.span}) : Meta{};
-    bool interface =
-        wanted.kind == MetaKind::declarations && std::holds_alternative<ast::Interface>(c[wanted.declarations[0]].body);
+    Meta wanted = meaning_of(c, env, expr);
+    bool interface = is_interface(c, wanted);
     if (wanted.kind == MetaKind::constraint || interface) {
         if (wanted.kind == MetaKind::constraint && wanted.constraint == Constraint::translator) {
             why = "a translator is wanted";
@@ -328,6 +348,7 @@ bool Arguments::finish(bool quiet) {
                 Diagnostic& diagnostic =
                     c.error(Diag::constraint, spans[i], {to_text(c, *found[i]), c.text(param.name.name), why});
                 note(diagnostic, param.name.span, "the constraint is declared here");
+                note_interface(c, env, param.constraint, diagnostic);
             }
             return false;
         }

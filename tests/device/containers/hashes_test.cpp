@@ -84,6 +84,28 @@ struct OfNumbers {
     static Key key(Round&, Number kind) { return hash(kind); }
 };
 
+/// Maps and sets with keys of one word, in no order.
+struct OfWords {
+    using Key = Number;
+    using Value = hashes::Share;
+    using Map = hashes::WordMap;
+    using Keys = hashes::Numbers;
+    using Values = hashes::Shares;
+    static constexpr auto insert = hashes::insert_word;
+    static constexpr auto erase = hashes::erase_word;
+    static constexpr auto find = hashes::find_word;
+    /// Some of the keys are those that a place cannot tell from a free or an erased one.
+    static Key key(Round&, Number kind) { return kind < 4 ? 2654435769u ^ kind : kind % 2 == 0 ? kind : hash(kind); }
+    static Value value(Number number) { return OfFloats::value(number); }
+};
+
+struct OfWordFloats : OfFloats {
+    using Map = hashes::WordFloatMap;
+    static constexpr auto insert = hashes::insert_word_float;
+    static constexpr auto erase = hashes::erase_word_float;
+    static constexpr auto find = hashes::find_word_float;
+};
+
 /// Random keys: each is the key of a random number below `kinds`, so that keys repeat where `kinds` is small.
 template <class Kind> std::vector<typename Kind::Key> keys(Round& round, Number kinds) {
     std::vector<typename Kind::Key> all(1 + round.below(round.chance(3) ? 600 : 60));
@@ -177,6 +199,11 @@ TEST_P(Hashes, MapsOfStructsInBatches) {
     for_all("hash map of structs", [&](Round& round) { Maps<OfSpots>(device(), round).run(); });
 }
 
+Number entries_of(const glift::Device& device, auto& map) {
+    if constexpr (requires { map.entries(device).await(device); }) return map.entries(device).await(device);
+    else return map.entries(device);
+}
+
 /// The invocations of a kernel insert in no particular order, so the test gives equal keys equal values within a pass.
 /// Invocations that insert one key at the same moment may each take an entry; `tidy` removes the surplus ones.
 template <class Kind> void maps_from_kernels(const glift::Device& device, Round& round) {
@@ -197,7 +224,7 @@ template <class Kind> void maps_from_kernels(const glift::Device& device, Round&
             Kind::erase(device, given, map);
             for (Key key : some) model.erase(key);
         } else {
-            if (map.entries(device) + some.size() > capacity) map.tidy(device);
+            if (entries_of(device, map) + some.size() > capacity) map.tidy(device);
             Kind::insert(device, given, on_device<typename Kind::Values>(device, values), map);
             for (std::size_t i = 0; i < some.size(); ++i) {
                 if (can_be_a_key(some[i])) model[some[i]] = values[i];
@@ -225,6 +252,58 @@ TEST_P(Hashes, MapsOfFloatsFromKernels) {
 
 TEST_P(Hashes, MapsOfStructsFromKernels) {
     for_all("hash map of structs, kernels", [&](Round& round) { maps_from_kernels<OfSpots>(device(), round); });
+}
+
+TEST_P(Hashes, MapsOfWordsFromKernels) {
+    for_all("hash map of words, kernels", [&](Round& round) { maps_from_kernels<OfWords>(device(), round); });
+}
+
+TEST_P(Hashes, MapsOfFloatWordsFromKernels) {
+    for_all("hash map of words of floats", [&](Round& round) { maps_from_kernels<OfWordFloats>(device(), round); });
+}
+
+/// Batches of keys against a map of the standard library, where room runs out, too.
+TEST_P(Hashes, MapsOfWordsInBatches) {
+    for_all("hash map of words", [&](Round& round) {
+        const Number capacity = 1 + round.below(400), kinds = 1 + round.below(600);
+        hashes::WordMap map(device(), capacity);
+        std::unordered_map<Number, Number> model;  // the number of the value
+        Number taken = 0;
+        for (int step = 0; step < 20 && !testing::Test::HasFailure(); ++step) {
+            const std::vector<Number> some = keys<OfWords>(round, kinds);
+            const auto given = on_device<hashes::Numbers>(device(), some);
+            if (round.chance(4)) {
+                map.erase_all(device(), given);
+                for (Number key : some) model.erase(key);
+            } else if (round.chance(4)) {
+                map.tidy(device());
+                taken = static_cast<Number>(model.size());
+            } else {
+                std::set<Number> fresh(some.begin(), some.end());
+                std::erase_if(fresh, [&](Number key) { return model.contains(key); });
+                if (taken + fresh.size() > capacity) {  // which keys are refused is not determined
+                    map.clear(device());
+                    model.clear();
+                    taken = 0;
+                    continue;
+                }
+                std::vector<hashes::Share> values;
+                for (Number key : some) values.push_back(OfWords::value(hash_of(key) + step));
+                map.insert_all(device(), given, on_device<hashes::Shares>(device(), values));
+                for (Number key : some) model[key] = hash_of(key) + step;
+                taken = entries_of(device(), map);
+            }
+            const hashes::Numbers listed(device(), capacity);
+            const hashes::Shares shares(device(), capacity);
+            const Number n = map.list_keys(device(), listed).await(device());
+            ASSERT_EQ(n, model.size());
+            ASSERT_EQ(map.list_values(device(), shares).await(device()), n);
+            ASSERT_EQ(map.size(device()).await(device()), n);
+            std::vector<hashes::Share> expected;
+            for (Number key : first(listed.read(), n)) expected.push_back(OfWords::value(model.at(key)));
+            ASSERT_TRUE(same_bits(round, expected, first(shares.read(), n), "values"));
+        }
+    });
 }
 
 template <class Kind> void sets(const glift::Device& device, Round& round) {

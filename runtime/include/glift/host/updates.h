@@ -135,9 +135,11 @@ template <class T, class Operation> class UpdateCopy {
 public:
     static constexpr std::size_t page_elements = 256;
 
-    /// The table of pages, null where there is no copy; null if none are worth it.
-    T** pages(std::size_t page_count) {
+    /// The table of pages, null where there is no copy; null if none are worth it. `most`: of the pages that are
+    /// copied.
+    T** pages(std::size_t page_count, std::size_t most) {
         if (gave_up_) return nullptr;
+        most_ = most;
         if (!pages_) pages_.reset(static_cast<T**>(std::calloc(page_count, sizeof(T*))));
         if (!pages_) throw std::bad_alloc();
         return pages_.get();
@@ -162,14 +164,14 @@ public:
     }
 
 private:
-    bool is_full() const { return copied_.size() == 4096; }
+    bool is_full() const { return copied_.size() == most_; }
 
     struct Free {
         void operator()(void* memory) const { std::free(memory); }
     };
     std::unique_ptr<T*[], Free> pages_;
     std::vector<std::unique_ptr<T[]>> copied_;
-    std::size_t misses_ = 0;
+    std::size_t misses_ = 0, most_ = 0;
     bool gave_up_ = false;
 };
 
@@ -181,10 +183,16 @@ public:
     /// `memory`: the number of the call's memory that is updated.
     UpdateCopies(const HostCall& call, std::size_t memory)
         : elements_(reinterpret_cast<T*>(call.memories[memory].data)), count_(call.memories[memory].bytes / sizeof(T)),
-          slots_(pays(call.size) ? detail::thread_count() : 0) {}
+          updates_(std::size_t{call.size[0]} * call.size[1] * call.size[2] * call.size[3]),
+          slots_(updates_ >= page_count() / 8 ? detail::thread_count() : 0) {}
 
     T* elements() const { return elements_; }
     std::size_t page_count() const { return (count_ + Copy::page_elements - 1) / Copy::page_elements; }
+    /// How many pages a thread copies at most: a copy costs as much as some updates of each of its elements would save.
+    std::size_t most_copies() const {
+        const std::size_t updates_of_thread = updates_ / detail::most<std::size_t>(1, slots_.size());
+        return detail::least<std::size_t>(4096, updates_of_thread / Copy::page_elements + 1);
+    }
 
     /// A copy that no other task has; null where there are more tasks than threads.
     Copy* take() {
@@ -208,11 +216,6 @@ public:
     }
 
 private:
-    /// Whether a call of this size has updates enough for tables of pages.
-    bool pays(const std::array<std::uint32_t, 4>& size) const {
-        return std::size_t{size[0]} * size[1] * size[2] * size[3] >= page_count() / 8;
-    }
-
     void combine(std::size_t page, const T* copy) const {
         const std::size_t first = page * Copy::page_elements;
         const std::size_t count = detail::least(Copy::page_elements, count_ - first);
@@ -225,7 +228,8 @@ private:
     };
     T* elements_;
     std::size_t count_;
-    std::vector<Slot> slots_;
+    std::size_t updates_;      ///< of the call, about
+    std::vector<Slot> slots_;  ///< none: there are too few updates for tables of pages
 };
 
 /// The updates of one buffer by one task: in its thread's copy of a page, else in memory.
@@ -233,7 +237,7 @@ template <class T, class Operation> class Updates {
 public:
     explicit Updates(UpdateCopies<T, Operation>& copies)
         : copies_(copies), copy_(copies.take()), elements_(copies.elements()),
-          pages_(copy_ ? copy_->pages(copies.page_count()) : nullptr) {}
+          pages_(copy_ ? copy_->pages(copies.page_count(), copies.most_copies()) : nullptr) {}
     Updates(const Updates&) = delete;
     ~Updates() {
         if (copy_) copies_.give_back(copy_);
