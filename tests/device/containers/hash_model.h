@@ -1,5 +1,5 @@
-// A model on the host of std.ordered_hash_map and std.ordered_hash_set: a std::unordered_map, with the order of the entries
-// and the layout of the index that the library promises.
+// A model on the host of std.ordered_hash_map and std.ordered_hash_set: a std::unordered_map, with the order of the
+// entries and the layout of the index that the library promises.
 #pragma once
 
 #include "property.h"
