@@ -53,16 +53,14 @@ public:
         made_.elements[axis_] = elements;
         for (Tile& tile : tiles_) allocate(tile);
         measure();
-        const bool has_loads = !std::ranges::all_of(tiles_, &Tile::is_store);
-        if (has_loads) {
-            load_tiles();
-            barrier();
-        }
-        take_elements(body);
-        if (std::ranges::any_of(tiles_, &Tile::is_store)) {
-            barrier();
-            store_tiles();
-        }
+        std::vector<StmtId> all = std::exchange(made_.body, {});
+        exchange_through_tiles(body);
+        std::vector<StmtId> tiled = std::exchange(made_.body, {});
+        take_elements_plainly(body);
+        // Where branches are not skipped (on lavapipe), workgroup memory is no faster than other memory.
+        const ExprId is_faster = build.builtin(Builtin::skips_branches, cx.p.types.bool_);
+        all.push_back(where(is_faster, std::move(tiled), std::exchange(made_.body, {})));
+        made_.body = std::move(all);
         return std::move(made_);
     }
 
@@ -88,8 +86,8 @@ private:
     Statements statements(Span span) { return {cx, span}; }
     void barrier() { made_.body.push_back(statements(cx.kernel.span).barrier()); }
     StmtId assign(Span span, ExprId target, ExprId value) { return statements(span).assign(target, value); }
-    StmtId where(ExprId condition, std::vector<StmtId> body) {
-        return statements(cx.kernel.span).where(condition, std::move(body));
+    StmtId where(ExprId condition, std::vector<StmtId> body, std::vector<StmtId> otherwise = {}) {
+        return statements(cx.kernel.span).where(condition, std::move(body), std::move(otherwise));
     }
     ExprId named(Span span, std::string_view name, ExprId value, std::vector<StmtId>& into) {
         return statements(span).let(name, value, into);
@@ -165,6 +163,30 @@ private:
         return build.add(build.multiply(at.other, build.uint(side)), column);
     }
     ExprId entry_of(LocalId array, ExprId entry) { return build.index(build.local(array), entry); }
+
+    void exchange_through_tiles(const std::vector<StmtId>& body) {
+        const bool has_loads = !std::ranges::all_of(tiles_, &Tile::is_store);
+        if (has_loads) {
+            load_tiles();
+            barrier();
+        }
+        take_elements(body);
+        if (std::ranges::any_of(tiles_, &Tile::is_store)) {
+            barrier();
+            store_tiles();
+        }
+    }
+
+    /// Executes the body as it is written for each of the invocation's elements.
+    void take_elements_plainly(const std::vector<StmtId>& body) {
+        for (std::uint32_t i = 0; i < elements; ++i) {
+            const Element element = element_at(own(i));
+            StatementCopy copy(cx, element.address);
+            std::vector<StmtId> statements;
+            for (StmtId id : body) statements.push_back(copy.of(id));
+            made_.body.push_back(where(element.exists, std::move(statements)));
+        }
+    }
 
     void load_tiles() {
         std::vector<StmtId> writes;

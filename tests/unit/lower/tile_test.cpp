@@ -36,7 +36,7 @@ structure Larges(extent: uint2) { memory data = buffer<Large>[extent.x * extent.
 structure Volume(extent: uint3) { memory data = buffer<float>[extent.x * extent.y * extent.z]; via Deep(extent); }
 )";
 
-/// The body that shaders run, its workgroup and how many elements an invocation takes.
+/// The body that shaders run on devices that skip branches, its workgroup and how many elements an invocation takes.
 struct Body {
     std::string text;
     std::array<std::uint32_t, 3> group, elements;
@@ -53,7 +53,9 @@ Body body_of(const std::string& kernel) {
     EXPECT_THAT(validate(lowering.program, pass), testing::IsEmpty());
     EXPECT_THAT(validate(lowering.program, general), testing::IsEmpty());
     EXPECT_EQ(has_any_barrier(lowering.program, variant.body), !pass.tiles.empty());
-    return {ir::print(lowering.program, variant.body, &pass), pass.group, variant.assumes.elements, pass.tiles};
+    const std::string text = ir::print(lowering.program, variant.body, &pass);
+    const std::string tiled = text.substr(0, text.find("} else {", text.find("if %skips_branches")));
+    return {pass.tiles.empty() ? text : tiled, pass.group, variant.assumes.elements, pass.tiles};
 }
 
 std::size_t tiles_of(const std::string& kernel) { return body_of("kernel k(" + kernel).tiles.size(); }
