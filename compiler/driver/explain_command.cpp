@@ -78,8 +78,8 @@ std::string inverse_of(const ir::Properties& properties, const Trial& trial) {
 class Explainer {
 public:
     explicit Explainer(const Compilation& c)
-        : draws(explained_draws(c)), updates(explained_updates(c)), tiles(explained_tiles(c)), c_(c),
-          program_(c.program) {
+        : draws(explained_draws(c)), updates(explained_updates(c)), tiles(explained_tiles(c)),
+          arithmetic(explained_arithmetic(c)), c_(c), program_(c.program) {
         for (const ir::Structure& structure : program_.structures) explain(structure);
         for (ir::TranslatorId i : program_.translators.ids())
             if (shown_.insert(i).second) translators.push_back(explained(program_.translators[i], {}));
@@ -87,7 +87,7 @@ public:
 
     std::vector<ExplainedStructure> structures;
     std::vector<Explained> translators;  ///< those that none of `structures` uses
-    std::vector<ExplainedKernel> draws, updates, tiles;
+    std::vector<ExplainedKernel> draws, updates, tiles, arithmetic;
 
 private:
     std::string place(Span span) const {
@@ -238,6 +238,7 @@ std::string as_text(const Explainer& explainer, const std::vector<ExplainedMade>
     add("raster", explainer.draws);
     add("kernel", explainer.updates);
     add("kernel", explainer.tiles);
+    add("kernel", explainer.arithmetic);
     for (const ExplainedMade& m : made) text += text_of(m);
     return text;
 }
@@ -354,6 +355,7 @@ std::string as_json(const Explainer& explainer, const std::vector<ExplainedMade>
         add("draws", explainer.draws);
         add("updates", explainer.updates);
         add("tiles", explainer.tiles);
+        add("arithmetic", explainer.arithmetic);
     });
     return out.take();
 }

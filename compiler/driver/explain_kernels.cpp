@@ -105,14 +105,19 @@ std::string text_of(const ir::PassUpdate& update, const ir::Pass& pass) {
         in_any_order.order.reset();
         return text_of(in_any_order, pass) + order_text(update);
     }
-    const std::string axis(1, "xyz"[update.axis]), elements = std::to_string(update.elements);
+    const std::string axis = pass.of_blocks ? "the numbers of blocks" : std::string(1, "xyz"[update.axis]);
+    const auto counted = [](std::uint32_t n) { return std::to_string(n) + (n == 1 ? " element" : " elements"); };
     const std::uint32_t invocations = pass.group[0] * pass.group[1] * pass.group[2];
     switch (update.way) {
     case ir::UpdateWay::tree:
-        return "combined along " + axis + ": " + elements + " elements by an invocation, " +
+        return "combined along " + axis + ": " + counted(update.elements) + " by an invocation, " +
                std::to_string(invocations * update.elements) + " by a workgroup, which updates memory once";
     case ir::UpdateWay::column:
-        return "combined along " + axis + ": " + elements + " elements by an invocation, which updates memory once";
+        return "combined along " + axis + ": " + counted(update.elements) +
+               " by an invocation, which updates memory once";
+    case ir::UpdateWay::run:
+        return "combined where neighbours along x have one address: of " + counted(update.elements) +
+               " by an invocation, which updates memory once for each address";
     case ir::UpdateWay::copies:
         return "in copies in workgroup memory if at most " + std::to_string(update.copied - 1) +
                " elements can be written (by the extent, or by a remainder or mask in the address), else one by one";
@@ -159,6 +164,20 @@ std::vector<ExplainedKernel> explained_updates(const Compilation& c) {
         ExplainedKernel& one = shown.emplace_back(ExplainedKernel{kernel.display, place_of(c, kernel), {}});
         for (const ir::PassUpdate& update : pass.updates)
             one.facts.emplace_back("updates " + pass.bindings[update.binding].name, text_of(update, pass));
+    }
+    return shown;
+}
+
+std::vector<ExplainedKernel> explained_arithmetic(const Compilation& c) {
+    std::vector<ExplainedKernel> shown;
+    for (const ir::Kernel& kernel : c.program.kernels) {
+        if (!kernel.fast_math || !c.program.modules[kernel.module].is_root) continue;
+        shown.push_back(
+            {kernel.display,
+             place_of(c, kernel),
+             {{"arithmetic", "the device's own in shaders: quotients and roots of floats are up to 2.5 units "
+                             "in the last place off, products and sums may be fused; gliftc test compares "
+                             "what it affects within 1e-3 of the larger of 1 and the value"}}});
     }
     return shown;
 }

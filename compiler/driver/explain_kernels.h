@@ -1,5 +1,5 @@
 // What `gliftc explain` says of kernels: of draws (`raster`), and how updates and transposed accesses of other kernels
-// reach memory.
+// reach memory, and whose arithmetic is not exact.
 #pragma once
 
 #include "driver/compile.h"
@@ -25,5 +25,8 @@ std::vector<ExplainedKernel> explained_updates(const Compilation& c);
 
 /// The kernels in the modules on the command line whose shaders load or store through a tile in workgroup memory.
 std::vector<ExplainedKernel> explained_tiles(const Compilation& c);
+
+/// The kernels in the modules on the command line that are declared @fast_math.
+std::vector<ExplainedKernel> explained_arithmetic(const Compilation& c);
 
 }  // namespace gliftc

@@ -42,10 +42,12 @@ std::vector<Job> list_jobs(const Compilation& c, const std::set<ir::KernelId>& k
 }
 
 void run(Job& job, const Compilation& c, spirv::Optimise optimise) {
-    std::string text =
-        glsl::glsl_of(c.program, c.sources, *job.pass,
-                      {.lines = glsl::LineMarks::directives, .rounding = glsl::Rounding::correct, .part = job.part});
-    spirv::Spirv made = spirv::spirv_of(text, optimise, stage_of(job.part));
+    const bool is_fast = c.program.kernels[job.pass->kernel].fast_math;
+    const auto rounding = is_fast ? glsl::Rounding::device : glsl::Rounding::correct;
+    const auto contraction = is_fast ? spirv::Contraction::on : spirv::Contraction::off;
+    std::string text = glsl::glsl_of(c.program, c.sources, *job.pass,
+                                     {.lines = glsl::LineMarks::directives, .rounding = rounding, .part = job.part});
+    spirv::Spirv made = spirv::spirv_of(text, optimise, stage_of(job.part), contraction);
     *job.words = std::move(made.words);
     job.error = std::move(made.error);
 }

@@ -83,7 +83,7 @@ struct PassParameter {
 
 /// How shaders make an update (`scatter` with an operation): each element updates memory, or elements are combined
 /// before (lower/transform/privatise.h).
-enum class UpdateWay : std::uint8_t { plain, tree, column, copies };
+enum class UpdateWay : std::uint8_t { plain, tree, column, run, copies };
 
 /// The order in which an update adds floats, the same on every device (lower/transform/ordered_sums.h). The elements of
 /// a sum are those that differ along `axes`.
@@ -98,10 +98,11 @@ struct SumOrder {
 struct PassUpdate {
     std::uint32_t binding = 0;
     UpdateWay way = UpdateWay::plain;
-    std::uint32_t axis = 0, elements = 1;  ///< of tree and column: how many elements an invocation combines, and where
-    std::uint32_t copied = 0;              ///< of copies: a buffer of fewer elements has copies
-    std::optional<SumOrder> order;         ///< of sums of floats; absent: in any order
-    bool is_exact = false;                 ///< of ordered sums: different ones are of different elements of memory
+    std::uint32_t axis = 0,
+                  elements = 1;     ///< of tree, column and run: how many elements an invocation combines, and where
+    std::uint32_t copied = 0;       ///< of copies: a buffer of fewer elements has copies
+    std::optional<SumOrder> order;  ///< of sums of floats; absent: in any order
+    bool is_exact = false;          ///< of ordered sums: different ones are of different elements of memory
 };
 
 /// Loads that the invocations of a workgroup share through workgroup memory (lower/transform/stage.h).

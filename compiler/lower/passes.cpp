@@ -82,10 +82,9 @@ constexpr KernelPass kernels[] = {
      "no operation of structures; functions inlined; loads that may leave memory are guarded_load"},
     {"coarsen", "the expanded body of a kernel without a group",
      "a second body, for two elements per invocation, or up to eight of a block"},
-    {"privatise", "the expanded body of a kernel without a group, loops or returns",
-     "a second body, for many elements per invocation, that combines their updates before it makes them, sums of "
-     "floats "
-     "in one order; for the host device, a body whose updates can be combined along rows and columns"},
+    {"privatise", "the expanded body of a kernel without a group or returns",
+     "a second body, mostly for many elements per invocation, that combines their updates before it makes them, sums "
+     "of floats in one order; for the host device, a body whose updates can be combined along rows and columns"},
     {"stage", "the expanded body of a kernel without a group, with one loop over a uniform range",
      "a second body, in which a workgroup loads together what its invocations load in the loop"},
     {"tile", "the expanded body of a kernel in two or three dimensions, without a group, loops or returns",

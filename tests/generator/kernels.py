@@ -249,7 +249,9 @@ class Kernels:
 
         def part():
             component = own[self.random.between(0, kernel.axes - 1)]
-            return self.random.weighted([(3, f"{self.random.between(0, 9)}u"), (4, component), (1, f"{component} / 3u"),
+            run = self.random.choice([3, 4, 8, 12, 16, 40])
+            return self.random.weighted([(3, f"{self.random.between(0, 9)}u"), (4, component), (2, f"{component} / {run}u"),
+                                         (1, f"({component} + {self.random.between(0, 9)}u) >> {self.random.between(1, 5)}u"),
                                          (1, f"{component} % 5u")])
         parts = [part() for _ in range(axes)]
         return parts[0] if axes == 1 else f"uint{axes}({', '.join(parts)})"

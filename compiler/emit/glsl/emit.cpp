@@ -110,12 +110,12 @@ void print_prologue(Printer& p) {
 }
 
 const char* elements_text(const ir::Pass& pass) {
+    if (!pass.updates.empty())
+        return "// Each invocation takes several elements, and combines their updates before it makes them.";
     if (pass.of_blocks) return "// Each invocation takes several elements of a block, a workgroup's width apart.";
     if (!pass.tiles.empty())
         return "// Each invocation takes four elements of a tile, whose memory it accesses with two axes exchanged.";
     const auto& elements = variant_for(pass, ir::Devices::shaders).assumes.elements;
-    if (!pass.updates.empty())
-        return "// Each invocation takes several elements, and combines their updates before it makes them.";
     if (elements[1] > 2)
         return "// Each invocation takes four elements: its own, and those in the next three rows if there are such.";
     if (pass.rank == 1)

@@ -166,15 +166,18 @@ void print_while(Printer& p, const Stmt& stmt) {
 }
 
 /// Whether several invocations of a workgroup store parts of sums, of which one says that they are there.
-bool has_columns(const ir::Pass& pass) {
-    return std::ranges::any_of(pass.sum_orders(), [](const ir::SumOrder& order) { return order.axis != 0; });
+bool stores_parts(const ir::Pass& pass) {
+    const bool has_rows = variant_for(pass, ir::Devices::shaders).assumes.elements[1] != 1;
+    return std::ranges::any_of(pass.sum_orders(),
+                               [&](const ir::SumOrder& order) { return order.axis != 0 || has_rows; });
 }
 
 /// The kinds of memory that barriers order, as GLSL's storage semantics: workgroup memory; in kernels with a group, or
-/// with sums of columns, also buffers, if the kernel both reads and writes one, and images, likewise.
+/// with sums whose parts several invocations store, also buffers, if the kernel both reads and writes one, and images,
+/// likewise.
 std::string memory_of_barriers(const Printer& p) {
     bool buffers = false, images = false;
-    if (!p.program.kernels[p.pass.kernel].grouped() && !has_columns(p.pass)) return "gl_StorageSemanticsShared";
+    if (!p.program.kernels[p.pass.kernel].grouped() && !stores_parts(p.pass)) return "gl_StorageSemanticsShared";
     for (const ir::PassBinding& binding : p.pass.bindings)
         if (binding.access == ir::Access::read_write)
             (binding.shape == ir::MemoryShape::buffer ? buffers : images) = true;

@@ -115,10 +115,10 @@ std::vector<std::uint32_t> optimised(const std::vector<std::uint32_t>& words) {
 
 }  // namespace
 
-Spirv spirv_of(const std::string& glsl, Optimise optimise, Stage stage) {
+Spirv spirv_of(const std::string& glsl, Optimise optimise, Stage stage, Contraction contraction) {
     Spirv result = compile(glsl, language_of(stage));
     if (!result.error.empty()) return result;
-    result.words = made_exact(without_source(result.words));
+    result.words = made_exact(without_source(result.words), contraction);
     correct_alignments(result.words);
     if (optimise == Optimise::size) result.words = optimised(result.words);
     result.error = validated(result.words);

@@ -9,6 +9,8 @@
 namespace gliftc::spirv {
 
 enum class Optimise : std::uint8_t { no, size };
+/// Whether a device may fuse a multiplication with an addition.
+enum class Contraction : std::uint8_t { off, on };
 enum class Stage : std::uint8_t { compute, vertex, fragment };
 
 struct Spirv {
@@ -17,8 +19,9 @@ struct Spirv {
 };
 
 /// A shader for Vulkan 1.3. The code that is left after optimisation keeps its names and, where the GLSL has `#line`,
-/// its source lines. Float arithmetic is never contracted. min and max of a number and a NaN give the number, and clamp
+/// its source lines. min and max of a number and a NaN give the number, and clamp
 /// is min(max(x, low), high). Safe to call from several threads.
-Spirv spirv_of(const std::string& glsl, Optimise optimise = Optimise::no, Stage stage = Stage::compute);
+Spirv spirv_of(const std::string& glsl, Optimise optimise = Optimise::no, Stage stage = Stage::compute,
+               Contraction contraction = Contraction::off);
 
 }  // namespace gliftc::spirv

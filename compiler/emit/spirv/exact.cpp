@@ -77,9 +77,10 @@ Findings survey(std::vector<std::uint32_t>& words) {
 
 }  // namespace
 
-std::vector<std::uint32_t> made_exact(const std::vector<std::uint32_t>& words) {
+std::vector<std::uint32_t> made_exact(const std::vector<std::uint32_t>& words, Contraction contraction) {
     std::vector<std::uint32_t> result = words;
     Findings found = survey(result);
+    if (contraction == Contraction::on) return result;
     std::vector<std::uint32_t> decorations;
     for (std::uint32_t id : found.results) {
         if (found.decorated.contains(id)) continue;

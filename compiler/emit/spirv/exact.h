@@ -2,14 +2,15 @@
 // maxima of NaN.
 #pragma once
 
+#include "emit/spirv/emit.h"
+
 #include <cstdint>
 #include <vector>
 
 namespace gliftc::spirv {
 
-/// Decorates the results of all arithmetic instructions on floats (not those of GLSL.std.450) NoContraction, so that no
-/// device fuses a multiplication with an addition, and replaces FMin, FMax and FClamp by NMin, NMax and NClamp, which
-/// are defined for NaN.
-std::vector<std::uint32_t> made_exact(const std::vector<std::uint32_t>& words);
+/// Replaces FMin, FMax and FClamp by NMin, NMax and NClamp, which are defined for NaN. With Contraction::off decorates
+/// the results of all arithmetic instructions on floats (not those of GLSL.std.450) NoContraction.
+std::vector<std::uint32_t> made_exact(const std::vector<std::uint32_t>& words, Contraction contraction);
 
 }  // namespace gliftc::spirv

@@ -223,7 +223,8 @@ void summarize(Context& cx) {
         if (rounds <= cx.pass.loop_rounds) cx.pass.longest_loop = longest_of_vertices;
         cx.pass.loop_rounds = std::max(cx.pass.loop_rounds, rounds);
     }
-    if (cx.kernel.raster) cx.pass.exact = false;  // devices round interpolated values differently
+    // Devices round interpolated values differently, and the arithmetic of their own.
+    if (cx.kernel.raster || cx.kernel.fast_math) cx.pass.exact = false;
     for (const auto* body : bodies_of(cx.pass)) add_functions(cx, *body);
     for (const auto* body : bodies_of(cx.pass)) cx.pass.exact = cx.pass.exact && !adds_floats(cx, *body);
     for (const auto* body : bodies_of(cx.pass)) cx.pass.has_reports = cx.pass.has_reports || has_reports(cx.p, *body);

@@ -39,6 +39,12 @@ bool is_by_rows(const Slope& a, const Slope& b) {
     return a.step == 1 && a.aligned != 0 && b.constant && *b.constant > 0 && *b.constant % a.aligned == 0;
 }
 
+/// 2 to the power of a constant.
+Slope power_of_two(const Slope& exponent) {
+    if (!exponent.constant || *exponent.constant < 0 || *exponent.constant > 31) return {};
+    return {true, 0, std::int64_t{1} << *exponent.constant, 0};
+}
+
 Slope combine(BinaryOp op, const Slope& a, const Slope& b) {
     if (!a.known || !b.known) return {};
     switch (op) {
@@ -59,8 +65,10 @@ Slope combine(BinaryOp op, const Slope& a, const Slope& b) {
     case BinaryOp::remainder:
         if (is_by_rows(a, b)) return a;
         break;
-    case BinaryOp::shift_left:
     case BinaryOp::shift_right:
+        if (is_by_rows(a, power_of_two(b))) return {true, 0, std::nullopt, 0};
+        break;
+    case BinaryOp::shift_left:
     case BinaryOp::less:
     case BinaryOp::less_equal:
     case BinaryOp::greater:
@@ -131,7 +139,11 @@ Slopes RowSlopes::of_binary(const Expr& expr) {
     if (count_a == 1) a.fill(a[0]);
     if (count_b == 1) b.fill(b[0]);
     Slopes result;
-    for (std::size_t i = 0; i < 4; ++i) result[i] = combine(expr.binary, a[i], b[i]);
+    for (std::size_t i = 0; i < 4; ++i) {
+        result[i] = combine(expr.binary, a[i], b[i]);
+        if (is_aligned_ && result[i].known && result[i].step == 1 && expr.binary != BinaryOp::remainder)
+            result[i].aligned = a[i].aligned | b[i].aligned;
+    }
     return result;
 }
 
@@ -223,6 +235,7 @@ Slopes RowSlopes::of_call(const Expr& expr) {
     if (depth_ >= deepest_call) return unknown();
     const ir::Function& function = program_.functions[expr.function];
     RowSlopes callee(program_, depth_ + 1, may_wrap_);
+    callee.is_aligned_ = is_aligned_;
     for (std::size_t i = 0; i < function.params.size() && i < expr.operands.size(); ++i)
         callee.locals_[function.params[i]] = of(expr.operands[i]);
     std::optional<Slopes> result;

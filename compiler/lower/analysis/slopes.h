@@ -35,6 +35,8 @@ public:
     /// Takes a uint that is converted to 64 bits for one that does not wrap around along the row. For choices that do
     /// not decide what a kernel computes.
     void assume_no_wrap() { may_wrap_ = false; }
+    /// Takes a sum of an aligned value and a steady one for aligned. Also for such choices.
+    void assume_aligned() { is_aligned_ = true; }
     /// Says that the local has the same value for the whole row.
     void learn_steady(ir::LocalId local);
     Slopes of(ir::ExprId expr);
@@ -58,6 +60,7 @@ private:
     const ir::Program& program_;
     int depth_ = 0;
     bool may_wrap_ = true;
+    bool is_aligned_ = false;
     std::unordered_map<ir::LocalId, Slopes> locals_;
 };
 

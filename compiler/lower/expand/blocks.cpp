@@ -57,24 +57,6 @@ std::uint32_t elements_in_block(std::uint64_t volume) {
     return elements;
 }
 
-bool BlockValues::has(ExprId id) {
-    const Expr& node = cx.p.exprs[id];
-    if (node.op == Op::builtin || !numbers_.is_fixed(id)) return false;
-    if (node.op == Op::local) return node.local != cx.pass.address && !varying_.contains(node.local);
-    // The address is {position in the block, number of the block}.
-    const bool is_part = node.op == Op::swizzle && cx.p.exprs[node.operands[0]].op == Op::local &&
-                         cx.p.exprs[node.operands[0]].local == cx.pass.address;
-    if (is_part) return !cx.p.types.is_vector(node.type) && node.lanes[0] == 1;
-    return std::ranges::all_of(node.operands, [&](ExprId operand) { return has(operand); });
-}
-
-bool BlockValues::has(const Stmt& stmt) {
-    if (stmt.op != StmtOp::let) return false;
-    const bool is_value = stmt.value && !cx.p.locals[stmt.local].is_mutable && has(stmt.value);
-    if (!is_value) varying_.insert(stmt.local);
-    return is_value;
-}
-
 /// The size of the iteration, {positions in a block, number of blocks}, for the host: an upper bound where the number
 /// of blocks is known only on the device.
 ExprId Expander::visited_size() {

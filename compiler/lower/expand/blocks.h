@@ -2,7 +2,6 @@
 // is what the compiler knows of these blocks.
 #pragma once
 
-#include "lower/analysis/number.h"
 #include "lower/context.h"
 
 #include <optional>
@@ -32,21 +31,5 @@ constexpr std::uint64_t most_blocks = 65535ull * 65535ull;
 /// result is the largest of 8, 4 and 2 that divides the volume into at least 64 invocations whose number is a multiple
 /// of 32 (of 256, if it is larger than 256); 1 if none of them does.
 std::uint32_t elements_in_block(std::uint64_t volume);
-
-/// Finds the values that are the same for all elements of a block and do not change in the pass.
-class BlockValues {
-public:
-    explicit BlockValues(Context& context) : cx(context), numbers_(context) {}
-
-    bool has(ExprId id);
-    /// Whether the statement is a `let` that gives such a value to an immutable local. The local of any other `let` is
-    /// noted as varying, so this has to be called for all `let`s, in the order of the body.
-    bool has(const ir::Stmt& stmt);
-
-private:
-    Context& cx;
-    Numbers numbers_;
-    IdSet<ir::Local> varying_;
-};
 
 }  // namespace gliftc::lower

@@ -56,12 +56,24 @@ void choose_dispatch(Context& cx) {
     cx.pass.shared = kernel.shared;
 }
 
-ExprId in_range_condition(Context& cx) {
-    ExprId at = cx.build.local(cx.pass.address);
+ExprId in_range_condition(Context& cx) { return in_range_condition(cx, cx.build.local(cx.pass.address)); }
+
+ExprId in_range_condition(Context& cx, ExprId at) {
     if (cx.pass.rank == 1) return cx.build.binary(BinaryOp::less, at, cx.size);
     TypeId truths = cx.p.types.with_scalar(iteration_type(cx), cx.p.types.bool_);
     return cx.build.intrinsic(Intrinsic::all, cx.p.types.bool_,
                               {cx.build.intrinsic(Intrinsic::lessThan, truths, {at, cx.size})});
+}
+
+ExprId first_of_row(Context& cx, ExprId row) {
+    Builder& build = cx.build;
+    const ExprId address = build.local(cx.pass.address);
+    const TypeId uint3 = cx.p.types.vector(cx.p.types.uint, 3);
+    const ExprId place = build.component(build.builtin(Builtin::local_id, uint3), 0);
+    Operands parts{build.binary(BinaryOp::subtract, build.component(address, 0), place),
+                   build.add(build.component(address, 1), row)};
+    if (cx.pass.rank == 3) parts.push_back(build.component(address, 2));
+    return build.construct(build.type(address), std::move(parts));
 }
 
 namespace {
@@ -85,15 +97,18 @@ ExprId line_address(Context& cx, std::uint32_t elements) {
 }
 
 /// {position in the block, number of the block}. Workgroups along y count blocks; where there are more than a device
-/// allows, they continue in layers along z. Several elements of an invocation are a workgroup's width apart.
-ExprId block_address(Context& cx, std::uint32_t elements) {
+/// allows, they continue in layers along z. Several elements of an invocation are a workgroup's width apart, its blocks
+/// consecutive.
+ExprId block_address(Context& cx, const std::array<std::uint32_t, 3>& elements) {
     Builder& build = cx.build;
     const TypeId uint3 = cx.p.types.vector(cx.p.types.uint, 3);
     const auto part = [&](Builtin of, std::uint32_t axis) { return build.component(build.builtin(of, uint3), axis); };
     const ExprId layer = build.multiply(part(Builtin::group_id, 2), part(Builtin::group_count, 1));
-    const ExprId block = build.add(build.multiply(layer, build.uint(cx.pass.group[1])), part(Builtin::global_id, 1));
-    const ExprId first = build.multiply(part(Builtin::group_id, 0), build.uint(cx.pass.group[0] * elements));
-    const ExprId position = elements == 1 ? part(Builtin::global_id, 0) : build.add(first, part(Builtin::local_id, 0));
+    const ExprId number = build.add(build.multiply(layer, build.uint(cx.pass.group[1])), part(Builtin::global_id, 1));
+    const ExprId block = build.multiply(number, build.uint(elements[1]));
+    const ExprId first = build.multiply(part(Builtin::group_id, 0), build.uint(cx.pass.group[0] * elements[0]));
+    const ExprId position =
+        elements[0] == 1 ? part(Builtin::global_id, 0) : build.add(first, part(Builtin::local_id, 0));
     return build.construct(iteration_type(cx), {position, block});
 }
 
@@ -142,7 +157,7 @@ std::vector<StmtId> dispatch_prologue(Context& cx) {
     };
     ExprId address;
     if (cx.pass.of_blocks) {
-        address = block_address(cx, elements[0]);
+        address = block_address(cx, elements);
     } else if (cx.pass.rank == 1) {
         address = line_address(cx, elements[0]);
     } else if (cx.pass.rank < 4) {

@@ -1,4 +1,5 @@
 #include "lower/host/split_blocks.h"
+#include "lower/analysis/block_values.h"
 
 #include "ir/walk.h"
 #include "lower/expand/blocks.h"

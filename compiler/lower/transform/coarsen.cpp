@@ -2,6 +2,7 @@
 
 #include "ir/effects.h"
 #include "ir/walk.h"
+#include "lower/analysis/long_quotients.h"
 #include "lower/analysis/number.h"
 #include "lower/build/copy_statements.h"
 #include "lower/expand/dispatch.h"
@@ -31,7 +32,7 @@ namespace {
 constexpr std::size_t most_loads = 16, most_of_one = 600;
 
 /// The same of kernels whose elements share loads: of four elements together.
-constexpr std::size_t fewest_shared = 8, most_shared_loads = 64, most_of_four = 4000;
+constexpr std::size_t fewest_shared = 8, most_shared_loads = 80, most_of_four = 8000;
 
 /// Whether a function, or one that it calls, has a loop: then one element is work enough for an invocation, and
 /// lavapipe limits the iterations that an invocation may execute.
@@ -62,7 +63,7 @@ public:
             if (has_store(cx.p, stmt)) visit_store(stmt);
             else visit(stmt);
         }
-        return {fits_ && stores_, loads_, nodes_};
+        return {fits_ && stores_, loads_, nodes_, quotients_};
     }
 
 private:
@@ -113,6 +114,7 @@ private:
 
     void visit(const Expr& node) {
         ++nodes_;
+        quotients_ += is_long_quotient(cx, node);
         loads_ += is_load(node.op);
         fits_ = fits_ && node.op != Op::builtin;
         if (node.op == Op::call) fits_ = fits_ && !writes_what_it_reads() && !has_loop(cx.p, node.function, has_loop_);
@@ -129,7 +131,7 @@ private:
     IdSet<Expr> seen_;
     std::unordered_map<FunctionId, bool> has_loop_;  ///< what has_loop found
     bool fits_ = true, stores_ = false;
-    std::size_t loads_ = 0, nodes_ = 0;
+    std::size_t loads_ = 0, nodes_ = 0, quotients_ = 0;
 };
 
 /// Whether the value of a delayed store needs no `let`, since it cannot change until the store is executed.
@@ -284,8 +286,9 @@ private:
 std::uint32_t elements_for(const StoredLast& last, const Sharing& sharing, std::uint32_t most) {
     const std::size_t others = last.loads - std::min(last.loads, sharing.loads);
     const std::size_t loads_of_four = last.loads + 3 * (sharing.more + others);
+    const std::size_t size = last.nodes + nodes_of_long_quotient * last.quotients;
     const bool is_shared = most >= 4 && sharing.loads >= fewest_shared && 2 * sharing.more < sharing.loads;
-    if (is_shared && loads_of_four <= most_shared_loads && 4 * last.nodes <= most_of_four) return 4;
+    if (is_shared && loads_of_four <= most_shared_loads && 4 * size <= most_of_four) return 4;
     return last.loads <= most_loads && last.nodes <= most_of_one ? 2 : 1;
 }
 

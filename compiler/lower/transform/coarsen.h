@@ -35,10 +35,10 @@ Coarsened coarsened_in_turn(Context& cx, const std::vector<StmtId>& body);
 Coarsened coarsened_in_block(Context& cx, const std::vector<StmtId>& body, const std::vector<StmtId>& whole);
 
 /// Whether a body has stores, all of which may be delayed until other elements have made their loads; and how many
-/// loads and nodes it has.
+/// loads, nodes and long quotients it has.
 struct StoredLast {
     bool holds = false;
-    std::size_t loads = 0, nodes = 0;
+    std::size_t loads = 0, nodes = 0, quotients = 0;
 };
 StoredLast stored_last(Context& cx, const std::vector<StmtId>& body);
 

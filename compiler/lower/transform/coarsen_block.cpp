@@ -5,6 +5,7 @@
 // load before any of them is stored. It has no loop over the elements, which lie at constant distances from the
 // invocation's first one. A loop that stores before it loads again would wait for memory in every iteration.
 #include "ir/walk.h"
+#include "lower/analysis/block_values.h"
 #include "lower/build/copy_statements.h"
 #include "lower/expand/blocks.h"
 #include "lower/expand/dispatch.h"

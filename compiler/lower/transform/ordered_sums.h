@@ -28,16 +28,18 @@ class OrderedSums {
 public:
     OrderedSums(Context& context, const SeveralElements& made);
 
-    /// Statements after which `sum` is the whole sum in one invocation for each sum, and -0 in all others; `sum` can be
-    /// assigned. Before them it is that of a part: if order.axis is 0, in the workgroup's first invocation, else in
-    /// each. For rows `sum` is the
-    /// first key of the `tree`.
-    std::vector<StmtId> meet(const ir::SumOrder& order, ExprId sum, Span span, WorkgroupTree* tree);
+    /// For sums of columns. Statements after which `sum` is the whole sum in one invocation for each sum, and -0 in all
+    /// others; `sum` can be assigned. Before them it is that of the invocation's part.
+    std::vector<StmtId> meet(const ir::SumOrder& order, ExprId sum, Span span);
+    /// For sums of rows, of several updates of one order. Statements after which those first keys of the `tree` are
+    /// whole sums that belong to them, one for each sum, and the others are -0. Before them they are the sums of parts:
+    /// key i * n + j is that of update i in the workgroup's row j of n, which invocation j alone uses (invocation 0, if
+    /// n is 1). `row`: the address of the first element of the invocation's row.
+    std::vector<StmtId> meet(const ir::SumOrder& order, std::uint32_t sums, Span span, WorkgroupTree& tree, ExprId row);
 
 private:
     struct Numbers;
     ExprId size(std::uint32_t axis) { return component(cx.size, axis); }
-    ExprId address(std::uint32_t axis) { return component(build.local(cx.pass.address), axis); }
     ExprId component(ExprId vector, std::uint32_t axis);
     ExprId quotient(ExprId value, std::uint32_t divisor) {
         return build.binary(ir::BinaryOp::divide, value, build.uint(divisor));
@@ -45,16 +47,25 @@ private:
     ExprId named(ExprId value, std::string_view name, std::uint32_t axis);
     ExprId quotient_up(ExprId value, std::uint32_t divisor);
     std::uint32_t elements_of_group(std::uint32_t axis) const { return made_.elements[axis] * made_.group[axis]; }
-    Numbers numbers(const ir::SumOrder& order, std::vector<StmtId>& body, Span span);
+    Numbers numbers(const ir::SumOrder& order, ExprId start, ExprId address, Statements make,
+                    std::vector<StmtId>& body);
     ExprId word(ExprId at);
     ExprId nothing();  ///< -0
     ExprId lane();
     ExprId is_first_lane();
-    std::vector<StmtId> stored(const ir::SumOrder& order, const Numbers& of, ExprId sum, ExprId is_last,
-                               Statements make);
-    void add_parts(const ir::SumOrder& order, const Numbers& of, ExprId share, Statements make,
-                   std::vector<StmtId>& body);
+    StmtId stored(const Numbers& of, ExprId sum, Statements make);
+    ExprId counted(const Numbers& of, Statements make, std::vector<StmtId>& body);
+    std::vector<StmtId> stored_columns(const Numbers& of, ExprId sum, ExprId is_last, Statements make);
+    std::vector<StmtId> stored_rows(const std::vector<Numbers>& of, WorkgroupTree& tree, ExprId row, ExprId is_last,
+                                    Statements make);
+    void add_parts(const ir::SumOrder& order, const std::vector<Numbers>& of, const std::vector<ExprId>& shares,
+                   Statements make, std::vector<StmtId>& body);
     ExprId adds_column(const ir::SumOrder& order);
+    void add_rows(const ir::SumOrder& order, const std::vector<Numbers>& of, WorkgroupTree& tree, ExprId is_last,
+                  Statements make, std::vector<StmtId>& body);
+    ExprId last_flag(Statements make);
+    void acquire(const Numbers& of, Statements make, std::vector<StmtId>& body);
+    ExprId has_several_parts(const ir::SumOrder& order, const Numbers& of);
 
     Context& cx;
     Builder& build;

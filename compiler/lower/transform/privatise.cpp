@@ -3,12 +3,14 @@
 
 #include "ir/effects.h"
 #include "ir/walk.h"
+#include "lower/analysis/long_quotients.h"
 #include "lower/analysis/tree_size.h"
 #include "lower/analysis/updates.h"
 #include "lower/build/combination.h"
 #include "lower/build/copy_statements.h"
 #include "lower/build/statements.h"
 #include "lower/build/workgroup_tree.h"
+#include "lower/expand/blocks.h"
 #include "lower/expand/dispatch.h"
 #include "lower/transform/ordered_sums.h"
 
@@ -26,7 +28,8 @@ namespace {
 constexpr std::uint32_t invocations = WorkgroupTree::invocations;  ///< in a workgroup
 constexpr std::uint32_t elements_of_tree = 16;                     ///< that an invocation combines
 constexpr std::uint32_t elements_of_column = 64;
-constexpr std::uint32_t elements_of_copies = 64;
+constexpr std::uint32_t elements_of_copies = 96, elements_of_float_copies = 64;
+constexpr std::uint32_t blocks_of_invocation = 16;
 constexpr std::uint32_t copied_words = 4096 + 32;  ///< of workgroup memory for copies: 16 KiB
 constexpr std::uint32_t most_copies = 32;          ///< of one buffer: as many as most devices have banks
 
@@ -34,7 +37,9 @@ constexpr std::uint32_t most_copies = 32;          ///< of one buffer: as many a
 struct PrivateUpdate : Update {
     UpdateWay way = UpdateWay::plain;
     std::optional<SumOrder> order;
-    LocalId sum;  ///< of tree and column: what the invocation has combined
+    LocalId sum;                    ///< of tree, column and run: what the invocation has combined
+    std::vector<LocalId> row_sums;  ///< of tree: the same for each of the workgroup's rows
+    LocalId at;                     ///< of run: for which element of the buffer
 };
 
 class Privatisation {
@@ -46,20 +51,15 @@ public:
 
     /// Chooses the axis along which invocations take elements, and what becomes of each update. False: no gain.
     bool choose() {
-        const auto combines = [&](const PrivateUpdate& update, std::uint32_t axis) {
-            return (update.same_along >> axis & 1) != 0 && combination(update).is_known();
-        };
-        for (std::uint32_t axis = 0; axis < cx.pass.rank && !is_chosen_; ++axis) {
-            const auto gains = [&](const PrivateUpdate& update) { return combines(update, axis); };
-            if (std::ranges::any_of(updates_, gains)) take(axis, axis == 0 ? elements_of_tree : elements_of_column);
-        }
+        choose_combined();
         for (PrivateUpdate& update : updates_) {
-            if (is_chosen_ && combines(update, axis_)) update.way = axis_ == 0 ? UpdateWay::tree : UpdateWay::column;
-            else if (update.may_collide && may_be_copied(update)) update.way = UpdateWay::copies;
+            if (is_combined(update)) update.way = is_same_in_workgroup(update) ? UpdateWay::tree : UpdateWay::column;
+            else if (may_be_run(update)) update.way = UpdateWay::run;
+            else if (update.may_collide && may_be_copied(update) && !update.is_in_loop) update.way = UpdateWay::copies;
         }
-        copies_ = static_cast<std::uint32_t>(
-            std::ranges::count(updates_, UpdateWay::copies, [](const PrivateUpdate& update) { return update.way; }));
-        if (!is_chosen_ && copies_ != 0) take(cx.pass.rank == 1 ? 0 : 1, elements_of_copies);
+        if (!is_chosen_) choose_other();
+        copies_ = count(UpdateWay::copies);
+        choose_rows();
         choose_group();
         choose_orders();
         return is_chosen_;
@@ -77,14 +77,17 @@ public:
 
     SeveralElements run(const std::vector<StmtId>& body) {
         note_inner(body);
+        choose_first();
         for (PrivateUpdate& update : updates_) begin(update);
-        if (std::ranges::any_of(updates_, [](const PrivateUpdate& of) { return bool(of.sum); }))
+        if (count(UpdateWay::tree) + count(UpdateWay::column) != 0 && !is_of_blocks() && !dependence_.has_loop())
             made_.host_body = for_host(body);
         if (copies_ != 0) barrier();
         loop(body);
         if (copies_ != 0) barrier();
         std::optional<OrderedSums> sums;
         if (std::ranges::any_of(updates_, is_ordered)) sums.emplace(cx, made_);
+        for (const std::vector<const PrivateUpdate*>& trees : trees_together())
+            combine_in_workgroup(trees, sums ? &*sums : nullptr);
         for (const PrivateUpdate& update : updates_) end(update, sums ? &*sums : nullptr);
         return std::move(made_);
     }
@@ -98,11 +101,101 @@ private:
 
     static bool is_ordered(const PrivateUpdate& update) { return update.order.has_value(); }
 
-    void choose_group() {
-        const auto is_tree = [](const PrivateUpdate& update) { return update.way == UpdateWay::tree; };
-        if (std::ranges::any_of(updates_, is_tree)) made_.group = {invocations, 1, 1};
-        else made_.group = cx.pass.group;
+    bool is_of_blocks() const { return cx.pass.of_blocks; }
+
+    std::uint32_t count(UpdateWay way) const {
+        return static_cast<std::uint32_t>(
+            std::ranges::count(updates_, way, [](const PrivateUpdate& update) { return update.way; }));
     }
+
+    bool is_same_along(const PrivateUpdate& update, std::uint32_t axis) const {
+        return (update.same_along >> axis & 1) != 0;
+    }
+
+    /// Chooses an axis along which the address of some update is the same. In kernels over blocks it is y, which
+    /// counts blocks. A kernel with loops takes one element an invocation.
+    void choose_combined() {
+        for (std::uint32_t axis = is_of_blocks() ? 1 : 0; axis < cx.pass.rank && !is_chosen_; ++axis) {
+            const auto gains = [&](const PrivateUpdate& update) {
+                return is_same_along(update, axis) && is_known(update) &&
+                       (!dependence_.has_loop() || is_same_along(update, 0));
+            };
+            if (std::ranges::any_of(updates_, gains)) take(axis, elements_along(axis));
+        }
+    }
+
+    std::uint32_t elements_along(std::uint32_t axis) const {
+        if (dependence_.has_loop()) return 1;
+        if (is_of_blocks()) return blocks_of_invocation;
+        return axis == 0 ? elements_of_tree : elements_of_column;
+    }
+
+    bool is_combined(const PrivateUpdate& update) const {
+        return is_chosen_ && is_same_along(update, axis_) && is_known(update) &&
+               (!dependence_.has_loop() || is_same_in_workgroup(update));
+    }
+
+    /// Of a combined update: whether all invocations of a workgroup have its address.
+    bool is_same_in_workgroup(const PrivateUpdate& update) const {
+        return axis_ == 0 || (is_of_blocks() && is_same_along(update, 0));
+    }
+
+    bool may_be_run(const PrivateUpdate& update) const {
+        return update.run > 1 && !is_chosen_ && !dependence_.has_loop() && is_known(update) &&
+               cx.p.types.is_integer(build.type(cx.p.stmts[update.stmt].target));
+    }
+
+    /// Where no update is combined along an axis: runs, else copies.
+    void choose_other() {
+        std::uint32_t run = 1;
+        for (const PrivateUpdate& update : updates_)
+            if (update.way == UpdateWay::run) run = std::max(run, update.run);
+        has_runs_ = run != 1;
+        if (has_runs_) take(0, run);
+        else if (count(UpdateWay::copies) != 0)
+            take(cx.pass.rank == 1 ? 0 : 1, dependence_.has_loop() ? 1 : elements_with_copies());
+    }
+
+    /// Trees along x take several rows, so that short rows, which volumes have, occupy the workgroup, and so that loads
+    /// overlap. More than
+    /// `most_loads` would take too many registers, more than `most_trees`, each of 1 KiB, too much workgroup memory.
+    void choose_rows() {
+        constexpr std::uint32_t most_trees = 8, most_loads = 16;
+        const std::uint32_t trees = count(UpdateWay::tree);
+        if (trees == 0 || axis_ != 0 || cx.pass.rank == 1 || dependence_.has_loop()) return;
+        std::uint32_t rows = cx.pass.rank == 2 ? 4 : most_trees;
+        while (rows > 1 && (rows * dependence_.loads() > most_loads || rows * trees > most_trees)) rows /= 2;
+        made_.elements[1] = rows;
+    }
+
+    /// The workgroup's rows that trees combine.
+    std::uint32_t rows() const { return axis_ == 0 && cx.pass.rank > 1 ? made_.elements[1] : 1; }
+
+    void choose_group() {
+        made_.group = cx.pass.group;
+        const std::uint32_t width = is_of_blocks() ? width_over_blocks() : invocations;
+        if (count(UpdateWay::tree) != 0 || is_of_blocks()) made_.group = {width, invocations / width, 1};
+    }
+
+    /// The power of two from which on the workgroup has room for the elements of a block.
+    std::uint32_t width_over_blocks() const {
+        constexpr std::uint32_t unknown = 64;
+        const std::optional<std::uint64_t> volume = block_volume(cx);
+        if (!volume) return unknown;
+        const std::uint64_t taken = (*volume + row_length() - 1) / row_length();
+        return static_cast<std::uint32_t>(std::bit_ceil(std::clamp<std::uint64_t>(taken, 1, invocations)));
+    }
+
+    /// Devices add floats in workgroup memory slowly: more workgroups hide that.
+    std::uint32_t elements_with_copies() const {
+        const auto is_slow = [&](const PrivateUpdate& update) {
+            return update.way == UpdateWay::copies && combination(update).is_sum_of_floats();
+        };
+        return std::ranges::any_of(updates_, is_slow) ? elements_of_float_copies : elements_of_copies;
+    }
+
+    /// How many consecutive elements along x an invocation takes.
+    std::uint32_t row_length() const { return has_runs_ ? made_.elements[0] : 1; }
 
     bool is_updated_by_function(std::uint32_t slot) const {
         return std::ranges::any_of(cx.instances, [&](const auto& instance) {
@@ -119,7 +212,8 @@ private:
         const auto slot_of = [&](const PrivateUpdate& update) { return cx.p.stmts[update.stmt].slot; };
         const auto may_have_order = [&](const PrivateUpdate& update) {
             const bool is_combined = update.way == UpdateWay::tree || update.way == UpdateWay::column;
-            return is_combined && combination(update).is_sum_of_floats() &&
+            return is_combined && !is_of_blocks() && !dependence_.has_loop() &&
+                   combination(update).is_sum_of_floats() &&
                    cx.pass.bindings[slot_of(update)].shape == MemoryShape::buffer &&
                    std::ranges::count(updates_, slot_of(update), slot_of) == 1 &&
                    !is_updated_by_function(slot_of(update));
@@ -136,10 +230,18 @@ private:
         return {build, cx.pass.bindings[stmt.slot], stmt.combine};
     }
 
+    /// Whether such updates can be combined. Kernels over blocks that set bits, such as those of pages to come, mostly
+    /// set few of them: to take many blocks in turn would cost more than it saves.
+    bool is_known(const PrivateUpdate& update) const {
+        const Combine op = cx.p.stmts[update.stmt].combine;
+        const bool sets_bits = op == Combine::bit_and || op == Combine::bit_or || op == Combine::bit_xor;
+        return combination(update).is_known() && !(is_of_blocks() && sets_bits);
+    }
+
     bool may_be_copied(const PrivateUpdate& update) const {
         const Stmt& stmt = cx.p.stmts[update.stmt];
         const bool is_buffer = cx.pass.bindings[stmt.slot].shape == MemoryShape::buffer;
-        return is_buffer && build.type(stmt.target) == cx.p.types.uint && combination(update).is_known();
+        return is_buffer && build.type(stmt.target) == cx.p.types.uint && is_known(update);
     }
 
     // Statements.
@@ -156,24 +258,15 @@ private:
 
     // The loop over elements.
 
-    void loop(const std::vector<StmtId>& body) {
-        const Parts parts = divided(body);
-        const std::uint32_t batch = batch_size(parts);
-        const ExprId left =
-            build.binary(BinaryOp::subtract, component(cx.size), component(build.local(cx.pass.address)));
-        remaining_ = Statements(cx, cx.kernel.span)
-                         .let("remaining", build.select(in_range_condition(cx), left, build.uint(0)), made_.body);
-        Stmt loop = statement(StmtOp::for_, cx.kernel.span);
-        loop.local = cx.new_local("turn", cx.p.types.uint, cx.kernel.span);
-        loop.value = build.uint(0);
-        loop.limit = build.uint(made_.elements[axis_] / batch);
-        const ExprId first = build.multiply(build.local(loop.local), build.uint(batch));
-        std::vector<StmtId> statements, rest;
-        for (std::uint32_t i = 0; i < batch; ++i)
-            rest.push_back(element(parts, build.add(first, build.uint(i)), statements));
-        statements.insert(statements.end(), rest.begin(), rest.end());
-        loop.body = std::move(statements);
-        made_.body.push_back(cx.add(std::move(loop)));
+    /// The address of the invocation's first element: pass.address, after which others of it are a workgroup's width
+    /// apart along x; or, for runs, consecutive.
+    void choose_first() {
+        first_ = build.local(cx.pass.address);
+        if (!has_runs_) return;
+        const TypeId uint3 = cx.p.types.vector(cx.p.types.uint, 3);
+        const ExprId place = build.component(build.builtin(Builtin::local_id, uint3), 0);
+        const ExprId further = build.multiply(place, build.uint(made_.elements[0] - 1));
+        first_ = Statements(cx, cx.kernel.span).let("first", address_at(further), made_.body);
     }
 
     /// The statements of one element. `hoisted` can run at any address of the range, and run for a batch of elements
@@ -182,15 +275,87 @@ private:
         std::vector<StmtId> hoisted, rest;
     };
 
+    /// An element of the invocation, if it exists: the range may end before.
+    struct Element {
+        ExprId at, exists;
+        std::optional<std::uint32_t> row;  ///< of the workgroup's rows; absent: there is one
+    };
+
+    void loop(const std::vector<StmtId>& body) {
+        const Parts parts = divided(body);
+        Statements make(cx, cx.kernel.span);
+        remaining_ = left_along(axis_, make);
+        if (rows() != 1) return rows_in_turn(parts, make);
+        if (made_.elements[axis_] == 1) return take_one(parts);
+        const std::uint32_t batch = batch_size(parts);
+        in_turn(build.uint(made_.elements[axis_] / batch), [&](ExprId turn, std::vector<StmtId>& hoisted) {
+            const ExprId first = build.multiply(turn, build.uint(batch));
+            std::vector<StmtId> rest;
+            for (std::uint32_t i = 0; i < batch; ++i) {
+                const ExprId distance = build.multiply(build.add(first, build.uint(i)), build.uint(step()));
+                const ExprId exists = build.binary(BinaryOp::less, distance, remaining_);
+                rest.push_back(element(parts, {address_at(distance), exists, {}}, hoisted));
+            }
+            return rest;
+        });
+    }
+
+    /// The elements of several rows: in each turn one of each row.
+    void rows_in_turn(const Parts& parts, Statements make) {
+        const ExprId rows_left = left_along(1, make), width = build.uint(step());
+        const ExprId all = build.binary(BinaryOp::divide, build.add(remaining_, build.uint(step() - 1)), width);
+        const ExprId most = build.uint(made_.elements[0]);
+        const ExprId turns = build.intrinsic(Intrinsic::min, cx.p.types.uint, {all, most});
+        in_turn(limited(make, "turns", turns, made_.elements[0]), [&](ExprId turn, std::vector<StmtId>& hoisted) {
+            const ExprId distance = build.multiply(turn, width);
+            const ExprId is_in_row = less(distance, remaining_);
+            std::vector<StmtId> rest;
+            for (std::uint32_t row = 0; row < rows(); ++row) {
+                const ExprId exists = build.both(is_in_row, less(build.uint(row), rows_left));
+                rest.push_back(element(parts, {address_at(distance, row), exists, row}, hoisted));
+            }
+            return rest;
+        });
+    }
+
+    /// A loop over `count` turns. `body` adds to the statements of a turn, and returns those that come last.
+    template <class Body> void in_turn(ExprId count, Body body) {
+        Statements make(cx, cx.kernel.span);
+        made_.body.push_back(make.loop("turn", count, [&](ExprId turn) {
+            std::vector<StmtId> statements;
+            const std::vector<StmtId> rest = body(turn, statements);
+            statements.insert(statements.end(), rest.begin(), rest.end());
+            return statements;
+        }));
+    }
+
+    /// How many elements the range has along the axis, from the invocation's first one on.
+    ExprId left_along(std::uint32_t axis, Statements make) {
+        const auto along = [&](ExprId address) { return cx.pass.rank == 1 ? address : build.component(address, axis); };
+        const ExprId left = build.binary(BinaryOp::subtract, along(cx.size), along(first_));
+        return make.let("remaining", build.select(in_range_condition(cx, first_), left, build.uint(0)), made_.body);
+    }
+
+    /// From an element of the invocation to the next along the axis.
+    std::uint32_t step() const { return axis_ == 0 && !has_runs_ ? made_.group[0] : 1; }
+
     /// Hoists `let`s of values that cannot change, conditions that load, and the values of unconditional updates.
     Parts divided(const std::vector<StmtId>& body) {
         Parts parts;
         for (StmtId id : body) {
             const StmtId made = rewritten(id);
             for (StmtId before : std::exchange(before_, {})) take(before, parts);
-            take(made, parts);
+            if (has_runs_ && is_value_of_block(made)) made_.body.push_back(made);
+            else take(made, parts);
         }
         return parts;
+    }
+
+    /// Whether the statement declares what is the same for all elements of the invocation's run, which lie in one
+    /// block.
+    bool is_value_of_block(StmtId id) const {
+        const Stmt& stmt = cx.p.stmts[id];
+        return stmt.op == StmtOp::let && dependence_.is_of_block(stmt.local);
     }
 
     void take(StmtId id, Parts& parts) {
@@ -220,24 +385,26 @@ private:
         std::size_t loads = 0, nodes = 0;
         for_each_expression(cx.p, parts.hoisted, [&](ExprId id) { loads += is_load(cx.p.exprs[id].op); });
         for (const std::vector<StmtId>* statements : {&parts.hoisted, &parts.rest})
-            for_each_expression(cx.p, *statements, [&](ExprId) { ++nodes; });
+            for_each_expression(cx.p, *statements, [&](ExprId id) {
+                nodes += is_long_quotient(cx, cx.p.exprs[id]) ? nodes_of_long_quotient : 1;
+            });
         if (loads == 0) return 1;
         std::uint32_t batch = 8;
         while (batch > 1 && (batch * loads > most_loads || batch * nodes > most_nodes)) batch /= 2;
         return batch;
     }
 
-    /// Adds the hoisted statements of the invocation's element `number` to `hoisted`; returns the rest.
-    StmtId element(const Parts& parts, ExprId number, std::vector<StmtId>& hoisted) {
-        const std::uint32_t step = axis_ == 0 ? made_.group[0] : 1;
-        const ExprId distance = build.multiply(number, build.uint(step)), at = address_at(distance);
+    /// Adds the hoisted statements of an element to `hoisted`; returns the rest. `exists` compares distances, since the
+    /// address of an element that does not exist may exceed 32 bits.
+    StmtId element(const Parts& parts, const Element& of, std::vector<StmtId>& hoisted) {
         const auto name = [&](std::string_view text, ExprId value) {
             return Statements(cx, cx.kernel.span).let(text, value, hoisted);
         };
-        // Compares distances, since the address of an element that does not exist may exceed 32 bits.
-        const ExprId exists = name("exists", less(distance, remaining_));
+        const ExprId exists = name("exists", of.exists);
         // Where the element does not exist, the hoisted statements run for the first element of the range.
-        StatementCopy copy(cx, name("at", build.select(exists, at, build.zero(build.type(at)))));
+        StatementCopy copy(cx, name("at", build.select(exists, of.at, build.zero(build.type(of.at)))));
+        for (const PrivateUpdate& update : updates_)
+            if (of.row && update.sum) copy.replace(update.sum, build.local(update.row_sums[*of.row]));
         for (StmtId id : parts.hoisted) hoisted.push_back(copy.of(id));
         Stmt inside = statement(StmtOp::if_, cx.kernel.span);
         inside.value = exists;
@@ -245,17 +412,22 @@ private:
         return cx.add(std::move(inside));
     }
 
-    /// The component along the axis of the loop.
-    ExprId component(ExprId address) { return cx.pass.rank == 1 ? address : build.component(address, axis_); }
+    /// The statements of an invocation's only element.
+    void take_one(const Parts& parts) {
+        std::vector<StmtId> before;
+        const StmtId rest = element(parts, {first_, less(build.uint(0), remaining_), {}}, before);
+        made_.body.insert(made_.body.end(), before.begin(), before.end());
+        made_.body.push_back(rest);
+    }
 
-    /// The address `distance` elements from the invocation's first one.
-    ExprId address_at(ExprId distance) {
-        const ExprId address = build.local(cx.pass.address);
-        if (cx.pass.rank == 1) return build.add(address, distance);
+    /// The address `distance` elements along the axis from the invocation's first one, in one of the workgroup's rows.
+    ExprId address_at(ExprId distance, std::uint32_t row = 0) {
+        if (cx.pass.rank == 1) return build.add(first_, distance);
         Operands parts;
-        for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis) parts.push_back(build.component(address, axis));
+        for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis) parts.push_back(build.component(first_, axis));
         parts[axis_] = build.add(parts[axis_], distance);
-        return build.construct(build.type(address), std::move(parts));
+        if (row != 0) parts[1] = build.add(parts[1], build.uint(row));
+        return build.construct(build.type(first_), std::move(parts));
     }
 
     /// The statements with updates of locals and of copies in place of those of memory.
@@ -267,7 +439,7 @@ private:
 
     StmtId rewritten(StmtId id) {
         const auto update = std::ranges::find(updates_, id, &PrivateUpdate::stmt);
-        if (update != updates_.end()) return in_turn(*update);
+        if (update != updates_.end()) return replacement(*update);
         const Stmt& stmt = cx.p.stmts[id];
         if (stmt.body.empty() && stmt.otherwise.empty()) return id;
         Builder::Parts parts{stmt.target, stmt.value, stmt.limit, rewritten(stmt.body), {}};
@@ -279,7 +451,8 @@ private:
     /// it can be computed outside of the ifs around the update.
     ExprId named_value(const PrivateUpdate& update, ExprId value) {
         const auto is_of_address = [&](const Condition& of) { return dependence_.is_same_along(axis_, of.value); };
-        if (!std::ranges::all_of(update.conditions, is_of_address) || is_trivial(cx, value)) return value;
+        if (dependence_.has_loop() || is_trivial(cx, value)) return value;
+        if (!std::ranges::all_of(update.conditions, is_of_address)) return value;
         const ExprId outside = outside_of_ifs(value);
         return outside ? statements(update).let(name_of(update) + "_value", outside, before_) : value;
     }
@@ -357,10 +530,11 @@ private:
     }
 
     /// The statement that an element executes in place of its update.
-    StmtId in_turn(const PrivateUpdate& update) {
+    StmtId replacement(const PrivateUpdate& update) {
         const Stmt stmt = cx.p.stmts[update.stmt];
         const Combination combination = this->combination(update);
         if (update.way == UpdateWay::plain) return update.stmt;
+        if (update.way == UpdateWay::run) return in_run(update);
         if (update.way == UpdateWay::copies) {
             const Copies& copies = copies_of_.at(update.stmt);
             const ExprId add =
@@ -375,37 +549,106 @@ private:
         return statements(update).assign(sum, combination.of(sum, value));
     }
 
+    /// An element of another address ends the run, which updates memory.
+    StmtId in_run(const PrivateUpdate& update) {
+        const Stmt stmt = cx.p.stmts[update.stmt];
+        Statements make = statements(update);
+        const ExprId sum = build.local(update.sum), at = build.local(update.at);
+        std::vector<StmtId> body;
+        const ExprId next = make.let(name_of(update) + "_next", stmt.target, body);
+        const StmtId ended =
+            make.where(build.binary(BinaryOp::not_equal, next, at),
+                       {end_run(update), make.assign(sum, combination(update).identity()), make.assign(at, next)});
+        body.push_back(ended);
+        body.push_back(make.assign(sum, combination(update).of(sum, combination(update).key(stmt.value))));
+        Stmt block = statement(StmtOp::block, stmt.span);
+        block.body = std::move(body);
+        return cx.add(std::move(block));
+    }
+
+    StmtId end_run(const PrivateUpdate& update) {
+        const ExprId sum = build.local(update.sum);
+        Stmt stmt = cx.p.stmts[update.stmt];
+        stmt.target = build.local(update.at);
+        stmt.value = combination(update).value(sum);
+        return statements(update).where(combination(update).changes(sum), {cx.add(std::move(stmt))});
+    }
+
     void begin(PrivateUpdate& update) {
         if (update.way == UpdateWay::copies) return begin_copies(update);
         if (update.way == UpdateWay::plain) return;
-        update.sum = statements(update).variable(name_of(update) + "_sum", combination(update).identity(), made_.body);
+        if (update.way == UpdateWay::run) {
+            const ExprId zero = build.zero(build.type(cx.p.stmts[update.stmt].target));
+            update.at = statements(update).variable(name_of(update) + "_at", zero, made_.body);
+        }
+        const ExprId identity = combination(update).identity();
+        update.sum = statements(update).variable(name_of(update) + "_sum", identity, made_.body);
+        if (update.way != UpdateWay::tree) return;
+        update.row_sums.push_back(update.sum);
+        for (std::uint32_t row = 1; row < rows(); ++row)
+            update.row_sums.push_back(statements(update).variable(name_of(update) + "_sum", identity, made_.body));
     }
 
     void end(const PrivateUpdate& update, OrderedSums* sums) {
         if (update.way == UpdateWay::copies) return end_copies(update);
-        if (update.way == UpdateWay::plain) return;
+        if (update.way == UpdateWay::run) return made_.body.push_back(end_run(update));
+        if (update.way != UpdateWay::column) return;
         const ExprId sum = build.local(update.sum);
-        if (update.way == UpdateWay::tree) return combine_in_workgroup(update, sums);
-        if (update.order) meet(update, *sums, sum, nullptr);
-        update_memory(update, sum, {});
+        if (update.order) add(sums->meet(*update.order, sum, cx.p.stmts[update.stmt].span));
+        update_memory(update, sum, build.local(cx.pass.address), {});
     }
 
-    void meet(const PrivateUpdate& update, OrderedSums& sums, ExprId sum, WorkgroupTree* tree) {
-        for (StmtId id : sums.meet(*update.order, sum, cx.p.stmts[update.stmt].span, tree)) made_.body.push_back(id);
+    void add(const std::vector<StmtId>& statements) {
+        made_.body.insert(made_.body.end(), statements.begin(), statements.end());
     }
 
-    void combine_in_workgroup(const PrivateUpdate& update, OrderedSums* ordered) {
-        WorkgroupTree tree(cx, combination(update), name_of(update) + "_sums", cx.p.stmts[update.stmt].span);
-        for (StmtId id : tree.combine(build.local(update.sum), build.uint(tree.most_levels))) made_.body.push_back(id);
-        if (update.order) meet(update, *ordered, tree.first(), &tree);
-        update_memory(update, tree.first(), build.binary(BinaryOp::equal, lane(), build.uint(0)));
+    /// Updates by trees that are alike, so that one tree combines all of them.
+    std::vector<std::vector<const PrivateUpdate*>> trees_together() const {
+        constexpr std::uint32_t most_rows = WorkgroupTree::branches;
+        const auto are_alike = [&](const PrivateUpdate& one, const PrivateUpdate& other) {
+            return cx.p.stmts[one.stmt].combine == cx.p.stmts[other.stmt].combine && one.order == other.order &&
+                   combination(one).type() == combination(other).type();
+        };
+        std::vector<std::vector<const PrivateUpdate*>> result;
+        for (const PrivateUpdate& update : updates_) {
+            if (update.way != UpdateWay::tree) continue;
+            const auto group = std::ranges::find_if(result, [&](const auto& trees) {
+                return are_alike(*trees.front(), update) && (trees.size() + 1) * rows() <= most_rows;
+            });
+            if (group == result.end()) result.push_back({&update});
+            else group->push_back(&update);
+        }
+        return result;
     }
 
-    /// Updates memory by what elements have combined, if there is anything and `condition` holds.
-    void update_memory(const PrivateUpdate& update, ExprId key, ExprId condition) {
+    void combine_in_workgroup(const std::vector<const PrivateUpdate*>& updates, OrderedSums* ordered) {
+        const PrivateUpdate& first = *updates.front();
+        const Span span = cx.p.stmts[first.stmt].span;
+        const auto count = static_cast<std::uint32_t>(updates.size());
+        WorkgroupTree tree(cx, combination(first), count == 1 ? name_of(first) + "_sums" : "sums", span,
+                           count * rows());
+        for (std::uint32_t i = 0; i < count; ++i)
+            for (std::uint32_t row = 0; row < rows(); ++row)
+                add({statements(first).assign(tree.own(build.uint(i * rows() + row)),
+                                              build.local(updates[i]->row_sums[row]))});
+        add(tree.combine(build.uint(tree.most_levels)));
+        ExprId address = build.local(cx.pass.address);
+        if (rows() != 1) address = statements(first).let("row", first_of_row(cx, lane()), made_.body);
+        if (first.order) add(ordered->meet(*first.order, count, span, tree, address));
+        // The invocation's row; no key beyond the last.
+        const ExprId row = build.intrinsic(Intrinsic::min, cx.p.types.uint, {lane(), build.uint(rows() - 1)});
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const ExprId key = rows() == 1 ? build.uint(i) : build.add(build.uint(i * rows()), row);
+            update_memory(*updates[i], tree.first(key), address, less(lane(), build.uint(rows())));
+        }
+    }
+
+    /// Updates memory by what elements have combined, if there is anything and `condition` holds; `address`: of one of
+    /// them.
+    void update_memory(const PrivateUpdate& update, ExprId key, ExprId address, ExprId condition) {
         const Combination combination = this->combination(update);
-        StatementCopy copy(cx, build.local(cx.pass.address));
-        condition = build.both(build.both(condition, in_range_condition(cx)), combination.changes(key));
+        StatementCopy copy(cx, address);
+        condition = build.both(build.both(condition, in_range_condition(cx, address)), combination.changes(key));
         Stmt stmt = cx.p.stmts[update.stmt];
         stmt.target = copy.with_definitions(stmt.target);
         stmt.value = combination.value(key);
@@ -475,7 +718,7 @@ private:
                                             {build.intrinsic(Intrinsic::findMSB, of_bits, {fitting}),
                                              build.integer(of_bits, std::countr_zero(most_copies))});
         const ExprId count = build.binary(BinaryOp::shift_left, one, build.convert(cx.p.types.uint, bits));
-        copies.count = limited(update, name + "_copy_count", count, most_copies, made_.body);
+        copies.count = limited(statements(update), name + "_copy_count", count, most_copies);
         const ExprId last = build.binary(BinaryOp::subtract, copies.count, one);
         const ExprId mine = build.multiply(build.binary(BinaryOp::bit_and, lane(), last), copies.step);
         copies.first = statements(update).let(name + "_copy", mine, made_.body);
@@ -494,9 +737,8 @@ private:
 
     /// A variable whose limit is known: else it becomes a parameter, and the rounds of loops up to it have to be
     /// counted.
-    ExprId limited(const PrivateUpdate& update, std::string_view name, ExprId value, std::uint32_t most,
-                   std::vector<StmtId>& body) {
-        const LocalId local = statements(update).variable(name, value, body);
+    ExprId limited(Statements make, std::string_view name, ExprId value, std::uint32_t most) {
+        const LocalId local = make.variable(name, value, made_.body);
         build.limits[local] = most;
         return build.local(local);
     }
@@ -506,7 +748,7 @@ private:
         const std::uint32_t most = (words_of_copies() + invocations - 1) / invocations;
         const ExprId last = build.add(count, build.uint(invocations - 1));
         const ExprId turns =
-            limited(update, "turns", build.binary(BinaryOp::divide, last, build.uint(invocations)), most, made_.body);
+            limited(statements(update), "turns", build.binary(BinaryOp::divide, last, build.uint(invocations)), most);
         made_.body.push_back(statements(update).loop("turn", turns, [&](ExprId turn) -> std::vector<StmtId> {
             const ExprId at = build.add(build.multiply(turn, build.uint(invocations)), lane());
             return {statements(update).where(less(at, count), body(at))};
@@ -538,6 +780,8 @@ private:
     SeveralElements made_;
     std::uint32_t axis_ = 0;
     bool is_chosen_ = false;
+    bool has_runs_ = false;
+    ExprId first_;  ///< the address of the invocation's first element
     std::uint32_t copies_ = 0;
     std::unordered_map<StmtId, Copies> copies_of_;
     std::vector<StmtId> before_;  ///< `let`s that go before the statement of the body that is being rewritten
@@ -549,8 +793,7 @@ private:
 }  // namespace
 
 std::optional<SeveralElements> privatised(Context& cx, const std::vector<StmtId>& body) {
-    if (cx.kernel.grouped() || cx.kernel.space || cx.kernel.raster || cx.kernel.items != 1 || cx.pass.rank > 3)
-        return {};
+    if (cx.kernel.grouped() || cx.kernel.raster || cx.kernel.items != 1 || cx.pass.rank > 3) return {};
     // Workgroups that wait for one another must not wait for elements that an invocation takes later.
     const auto is_shared = [](const PassBinding& binding) { return binding.coherent && !binding.is_workspace; };
     if (std::ranges::any_of(cx.pass.bindings, is_shared)) return {};

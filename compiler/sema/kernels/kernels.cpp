@@ -269,14 +269,21 @@ void read_disjoint(Context& c, const ast::Attribute& attribute, ir::Kernel& kern
              "the first is an 'in' parameter of a structure, the second one that is 'out' or 'inout'");
 }
 
-/// Reads the attributes of a kernel: `@disjoint(read, written)` and `@accesses_outside`; reports any other.
+/// The member that an attribute without arguments sets; null: there is no such attribute.
+bool ir::Kernel::*flag_of(const std::string& attribute) {
+    if (attribute == "accesses_outside") return &ir::Kernel::accesses_outside;
+    if (attribute == "fast_math") return &ir::Kernel::fast_math;
+    return nullptr;
+}
+
+/// Reads the attributes of a kernel: `@disjoint(read, written)`, `@accesses_outside`, `@fast_math`; reports any other.
 void read_attributes(Context& c, const ast::Decl& decl, ir::Kernel& kernel) {
     for (const ast::Attribute& attribute : decl.attributes) {
         const std::string& name = c.text(attribute.name.name);
         if (name == "disjoint") {
             read_disjoint(c, attribute, kernel);
-        } else if (name == "accesses_outside") {
-            kernel.accesses_outside = true;
+        } else if (const auto flag = flag_of(name)) {
+            kernel.*flag = true;
             if (!attribute.arguments.empty()) c.error(Diag::attribute_alone, attribute.span, {name});
         } else {
             c.error(Diag::unknown_attribute, attribute.span, {name});
