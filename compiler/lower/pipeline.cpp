@@ -149,12 +149,22 @@ std::vector<Variant> for_host(Context& cx, const Variant& variant) {
     return found;
 }
 
+/// Whether the pass has a variant of its own for the host device that may run at every address (SeveralElements).
+bool has_host_body(const Pass& pass) {
+    return std::ranges::any_of(pass.variants, [](const Variant& variant) {
+        return variant.devices == Devices::host && !variant.assumes.interior && !variant.block;
+    });
+}
+
 /// Runs the host device's passes. What they make of a variant for the host device replaces it; what they make of a
 /// variant for any device is added, as a variant for the host device.
 void add_host_variants(Context& cx) {
     std::vector<Variant> others, made;
+    const bool is_replaced = has_host_body(cx.pass);
     for (Variant& variant : cx.pass.variants) {
         if (variant.assumes.interior && !cx.pass.sum_orders().empty()) continue;
+        const bool is_for_shaders = is_replaced && variant.devices == Devices::any;
+        if (is_for_shaders) variant.devices = Devices::shaders;
         if (variant.devices != Devices::shaders) std::ranges::move(for_host(cx, variant), std::back_inserter(made));
         if (variant.devices != Devices::host) others.push_back(std::move(variant));
     }

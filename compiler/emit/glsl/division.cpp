@@ -105,6 +105,28 @@ float divide_by(float a, float b, float r) {
 }
 )";
 
+constexpr const char* quick_quotient_text = R"(// Whether the operands of all quick quotients so far were ordinary.
+bool has_usual_quotients = true;
+
+float quick_divide(float a, float b) {
+    if (exact_division) return a / b;
+    has_usual_quotients = all(bvec2(has_usual_quotients, is_ordinary(a, b)));
+    float r = 1.0 / b;
+    r = rounded_reciprocal(b, fma(fma(-b, r, 1.0), r, r));
+    float q = a * r;
+    q = fma(fma(-b, q, a), r, q);
+    return fma(fma(-b, q, a), r, q);
+}
+)";
+
+constexpr const char* quick_quotient_by_constant_text = R"(float quick_divide_by(float a, float b, float r) {
+    if (exact_division) return a / b;
+    has_usual_quotients = all(bvec2(has_usual_quotients, is_ordinary_dividend(a)));
+    float q = a * r;
+    return fma(fma(-b, q, a), r, q);
+}
+)";
+
 constexpr const char* root_text = R"(float square_root(float x) {
     float root = sqrt(x);
     if (!exact_division) {
@@ -143,10 +165,9 @@ constexpr const char* half_root_text = R"(float16_t square_root(float16_t x) {
 )";
 
 /// A function of each component of a, of the constant b and its reciprocal r.
-std::string quotients_by_constant(const std::string& type, std::uint32_t count) {
-    std::string text = type + " divide_by(" + type + " a, float b, float r) {\n    return " + type + "(";
-    for (std::uint32_t i = 0; i < count; ++i)
-        text += std::string(i ? ", " : "") + "divide_by(a." + "xyzw"[i] + ", b, r)";
+std::string quotients_by_constant(const std::string& name, const std::string& type, std::uint32_t count) {
+    std::string text = type + " " + name + "(" + type + " a, float b, float r) {\n    return " + type + "(";
+    for (std::uint32_t i = 0; i < count; ++i) text += (i ? ", " : "") + name + "(a." + "xyzw"[i] + ", b, r)";
     return text + ");\n}\n";
 }
 
@@ -156,10 +177,14 @@ std::string division_definition(Printer& p, const HelperUse& use) {
     const bool half = use.a == p.program.types.half;
     switch (use.helper) {
     case Helper::split_float: return common;
-    case Helper::divide_by: {
+    case Helper::divide_by:
+    case Helper::quick_divide_by: {
+        const bool is_quick = use.helper == Helper::quick_divide_by;
         const std::uint32_t count = p.program.types.components(use.a);
-        return count == 1 ? quotient_by_constant_text : quotients_by_constant(type_text(p, use.a), count);
+        if (count == 1) return is_quick ? quick_quotient_by_constant_text : quotient_by_constant_text;
+        return quotients_by_constant(is_quick ? "quick_divide_by" : "divide_by", type_text(p, use.a), count);
     }
+    case Helper::quick_divide: return quick_quotient_text;
     case Helper::divide: return half ? half_quotient_text : quotient_text;
     default: return half ? half_root_text : root_text;
     }
@@ -197,15 +222,22 @@ bool corrects_division(const Printer& p, ir::TypeId type) {
     return p.options.rounding == Rounding::correct && (scalar == types.float_ || scalar == types.half);
 }
 
+bool is_quick_quotient(const Printer& p, const ir::Expr& expr) {
+    return expr.op == ir::Op::binary && expr.binary == ir::BinaryOp::divide &&
+           p.program.types.scalar_of(expr.type) == p.program.types.float_ && !p.program.types.is_matrix(expr.type) &&
+           corrects_division(p, expr.type) && !is_power_of_two(p, expr.operands[1]);
+}
+
 Text print_quotient(Printer& p, const ir::Expr& expr) {
     const ir::ExprId a = expr.operands[0], b = expr.operands[1];
+    const bool is_quick = p.has_quick_quotients && is_quick_quotient(p, expr);
     if (is_ordinary_constant(p, b)) {
         const float r = 1.0f / static_cast<float>(p.program.exprs[b].number);
-        const std::string name = need(p, Helper::divide_by, expr.type);
+        const std::string name = need(p, is_quick ? Helper::quick_divide_by : Helper::divide_by, expr.type);
         return {name + "(" + print_as(p, a, expr.type) + ", " + print_any(p, b) + ", " +
                 literal(p, p.program.types.float_, 0, r) + ")"};
     }
-    const std::string name = need(p, Helper::divide, expr.type);
+    const std::string name = need(p, is_quick ? Helper::quick_divide : Helper::divide, expr.type);
     return {name + "(" + print_as(p, a, expr.type) + ", " + print_as(p, b, expr.type) + ")"};
 }
 

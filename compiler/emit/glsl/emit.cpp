@@ -2,6 +2,7 @@
 #include "emit/glsl/emit.h"
 
 #include "emit/glsl/printer.h"
+#include "emit/glsl/quick_quotients.h"
 #include "emit/glsl/signs.h"
 #include "ir/walk.h"
 #include "layout/layout.h"
@@ -136,7 +137,7 @@ std::string main_text(Printer& p) {
     const bool is_coarsened = variant.assumes.elements != p.pass.plain().assumes.elements;
     if (is_coarsened && p.options.lines == LineMarks::comments) line(p, elements_text(p.pass));
     find_choices(p, {}, p.body());
-    print_body(p, p.body());
+    print_main_body(p, p.body());
     p.indent = 0;
     p.names.leave();
     line(p, "}");

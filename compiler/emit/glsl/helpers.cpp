@@ -46,6 +46,8 @@ const char* name_of(Helper helper) {
     case Helper::split_float: return "split";
     case Helper::divide: return "divide";
     case Helper::divide_by: return "divide_by";
+    case Helper::quick_divide: return "quick_divide";
+    case Helper::quick_divide_by: return "quick_divide_by";
     case Helper::square_root: return "square_root";
     case Helper::shuffled: return "shuffled";
     case Helper::shuffled_xor: return "shuffled_xor";
@@ -385,13 +387,15 @@ std::string definition(Printer& p, const HelperUse& use) {
                "component 0.\n" +
                one_line(type_text(p, use.a) + " whole_vector(" + type_text(p, use.a) + " v)", "v");
     case Helper::split_float:
-    case Helper::divide_by: return division_definition(p, use);
+    case Helper::divide_by:
+    case Helper::quick_divide_by: return division_definition(p, use);
     case Helper::divide:
+    case Helper::quick_divide:
     case Helper::square_root: {
         std::uint32_t count = p.program.types.components(use.a);
         if (count == 1) return division_definition(p, use);
         return by_component(type_text(p, use.a), name_of(use.helper), type_text(p, use.a), count,
-                            use.helper == Helper::divide);
+                            use.helper != Helper::square_root);
     }
     case Helper::shuffled:
     case Helper::shuffled_xor:
@@ -435,10 +439,15 @@ void need_inner(Printer& p, const HelperUse& use) {
     case Helper::reflection: need(p, Helper::ordered_dot, use.a); break;
     case Helper::divide:
     case Helper::divide_by:
+    case Helper::quick_divide:
+    case Helper::quick_divide_by:
     case Helper::square_root:
         if (types.components(use.a) > 1) {
             need(p, use.helper, scalar);
-        } else if (use.helper == Helper::divide_by) {
+        } else if (use.helper == Helper::quick_divide_by) {
+            need(p, Helper::divide_by, types.float_);
+            need(p, Helper::quick_divide, types.float_);
+        } else if (use.helper == Helper::divide_by || use.helper == Helper::quick_divide) {
             need(p, Helper::divide, types.float_);
         } else if (use.a == types.half) {
             need(p, use.helper, types.float_);

@@ -69,6 +69,8 @@ enum class Helper : std::uint8_t {
     split_float,
     divide,
     divide_by,
+    quick_divide,
+    quick_divide_by,
     square_root,
     shuffled,
     shuffled_xor,
@@ -146,6 +148,7 @@ struct Printer {
     std::unordered_map<ir::LocalId, std::string> local_names;
     std::unordered_map<ir::LocalId, Bounds> bounds;
     std::unordered_set<ir::LocalId> choices;  ///< locals that may hold a choice between constants (signs.h)
+    bool has_quick_quotients = false;         ///< of the statements that are being printed (quick_quotients.h)
     bool in_range_is_known = false;           ///< the shader has returned already if in_range is false
 
     std::set<std::string> extensions;
@@ -255,6 +258,7 @@ bool is_power_of_two(const Printer& p, ir::ExprId expr);
 bool corrects_division(const Printer& p, ir::TypeId type);
 /// The quotient of floats, or halves, correctly rounded.
 Text print_quotient(Printer& p, const ir::Expr& expr);
+bool is_quick_quotient(const Printer& p, const ir::Expr& expr);  ///< a quotient that has short code, too
 std::string quotient_of(Printer& p, ir::TypeId type, const std::string& a, const std::string& b);
 
 // subgroups.cpp
@@ -283,6 +287,8 @@ std::string report_text(Printer& p, const ir::Stmt& stmt);
 
 // statements.cpp
 void print_body(Printer& p, const std::vector<ir::StmtId>& body);
+/// Assigns the value of a let whose local is declared already.
+void print_value_of_let(Printer& p, const ir::Stmt& stmt);
 void print_statement(Printer& p, ir::StmtId stmt);
 void line(Printer& p, std::string text);  ///< one line at the current indent, broken where too long
 void mark_line(Printer& p, Span span);

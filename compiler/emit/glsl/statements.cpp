@@ -79,16 +79,25 @@ void note_bounds_of_let(Printer& p, const Stmt& stmt) {
         p.bounds[stmt.local] = {static_cast<std::int64_t>(low.bits), INT64_MAX};
 }
 
+/// Whether the let declares a constant array.
+bool is_table(const Printer& p, const Stmt& stmt) {
+    const ir::Local& local = p.program.locals[stmt.local];
+    return !local.is_mutable && p.program.types.kind(local.type) == ir::TypeKind::array && stmt.value &&
+           is_constant(p, stmt.value);
+}
+
+std::string value_of_let(Printer& p, const Stmt& stmt) {
+    if (stmt.uninitialized) return "";
+    return " = " + (stmt.value ? print_any(p, stmt.value) : zero(p, p.program.locals[stmt.local].type));
+}
+
 void print_let(Printer& p, const Stmt& stmt) {
     const ir::Local& local = p.program.locals[stmt.local];
-    std::string value;
-    if (!stmt.uninitialized) value = " = " + (stmt.value ? print_any(p, stmt.value) : zero(p, local.type));
+    const std::string value = value_of_let(p, stmt);
     std::string name = p.names.declare((*p.program.names)[local.name]);
     p.local_names[stmt.local] = name;
-    bool is_table = !local.is_mutable && p.program.types.kind(local.type) == ir::TypeKind::array && stmt.value &&
-                    is_constant(p, stmt.value);
     if (stmt.value && !local.is_mutable) note_bounds_of_let(p, stmt);
-    line(p, (is_table ? "const " : "") + declaration(p, local.type, name) + value + ";");
+    line(p, (is_table(p, stmt) ? "const " : "") + declaration(p, local.type, name) + value + ";");
 }
 
 void print_block(Printer& p, const std::vector<StmtId>& body) {
@@ -233,6 +242,13 @@ void mark_line(Printer& p, Span span) {
     p.last_line = span;
     p.last_line_number = number;
     line(p, "// " + file + ":" + std::to_string(number));
+}
+
+void print_value_of_let(Printer& p, const Stmt& stmt) {
+    const std::string value = is_about_nothing(p, stmt) || is_table(p, stmt) ? "" : value_of_let(p, stmt);
+    if (value.empty()) return;
+    mark_line(p, stmt.span);
+    line(p, p.local_names.at(stmt.local) + value + ";");
 }
 
 void print_body(Printer& p, const std::vector<StmtId>& body) {

@@ -3,7 +3,6 @@
 
 #include "ir/effects.h"
 #include "ir/walk.h"
-#include "lower/analysis/long_quotients.h"
 #include "lower/analysis/tree_size.h"
 #include "lower/analysis/updates.h"
 #include "lower/build/combination.h"
@@ -28,8 +27,8 @@ namespace {
 constexpr std::uint32_t invocations = WorkgroupTree::invocations;  ///< in a workgroup
 constexpr std::uint32_t elements_of_tree = 16;                     ///< that an invocation combines
 constexpr std::uint32_t elements_of_column = 64;
-constexpr std::uint32_t elements_of_copies = 96, elements_of_float_copies = 64;
-constexpr std::uint32_t blocks_of_invocation = 16;
+constexpr std::uint32_t elements_of_copies = 128, elements_of_float_copies = 64;
+constexpr std::uint32_t blocks_of_invocation = 16, blocks_with_copies = 32;
 constexpr std::uint32_t copied_words = 4096 + 32;  ///< of workgroup memory for copies: 16 KiB
 constexpr std::uint32_t most_copies = 32;          ///< of one buffer: as many as most devices have banks
 
@@ -186,8 +185,10 @@ private:
         return static_cast<std::uint32_t>(std::bit_ceil(std::clamp<std::uint64_t>(taken, 1, invocations)));
     }
 
-    /// Devices add floats in workgroup memory slowly: more workgroups hide that.
+    /// More workgroups hide that devices add floats in workgroup memory slowly, and that the elements of a block are
+    /// found through memory.
     std::uint32_t elements_with_copies() const {
+        if (is_of_blocks()) return blocks_with_copies;
         const auto is_slow = [&](const PrivateUpdate& update) {
             return update.way == UpdateWay::copies && combination(update).is_sum_of_floats();
         };
@@ -385,9 +386,7 @@ private:
         std::size_t loads = 0, nodes = 0;
         for_each_expression(cx.p, parts.hoisted, [&](ExprId id) { loads += is_load(cx.p.exprs[id].op); });
         for (const std::vector<StmtId>* statements : {&parts.hoisted, &parts.rest})
-            for_each_expression(cx.p, *statements, [&](ExprId id) {
-                nodes += is_long_quotient(cx, cx.p.exprs[id]) ? nodes_of_long_quotient : 1;
-            });
+            for_each_expression(cx.p, *statements, [&](ExprId) { ++nodes; });
         if (loads == 0) return 1;
         std::uint32_t batch = 8;
         while (batch > 1 && (batch * loads > most_loads || batch * nodes > most_nodes)) batch /= 2;

@@ -16,7 +16,7 @@
 // buffer. For the host device the pass makes a third body, for one element, whose updates of these kinds are outside of
 // ifs where the element's address alone decides them.
 //
-// In kernels over blocks an invocation takes the elements at its position in 16 blocks, for copies in 64; elements that
+// In kernels over blocks an invocation takes the elements at its position in 16 blocks, for copies in 32; elements that
 // have one address in all of a block and in all blocks are combined by a tree, those of one position by a column. In
 // kernels with loops an invocation takes one element: there are trees only, and sums of floats have no order.
 //

@@ -41,12 +41,12 @@ Body body_of(const std::string& kernel) {
             has_any_barrier(lowering.program, variant.body)};
 }
 
-constexpr std::array one{1u, 1u, 1u}, along_x{16u, 1u, 1u}, along_y{1u, 64u, 1u};
+constexpr std::array one{1u, 1u, 1u}, along_x{16u, 1u, 1u}, of_rows{16u, 4u, 1u}, along_y{1u, 64u, 1u};
 
 TEST(Privatise, SumsOfRowsAreTrees) {
     const Body body =
         body_of("kernel k(a: at<Picture>, x: in each<Picture>, to: out scatter<Sums, add>) { to[a.y] = x; }");
-    EXPECT_EQ(body.elements, along_x);
+    EXPECT_EQ(body.elements, of_rows);
     EXPECT_TRUE(body.has_barriers);
     EXPECT_EQ(count(body.text, "atomic_add(to_data["), 1u) << body.text;
     EXPECT_LT(body.text.rfind("barrier()"), body.text.find("atomic_add(")) << body.text;
@@ -113,11 +113,11 @@ TEST(Privatise, WhatIsNotWrittenIsNotUpdated) {
 TEST(Privatise, ValuesAreOutsideOfIfs) {
     const Body body = body_of("kernel k(a: at<Picture>, x: in each<Picture>, n: uint, to: out scatter<Sums, add>) {"
                               "    if a.y < n { let t = x * 2.0; to[a.y] = t * t; } }");
-    EXPECT_EQ(body.elements, along_x);
+    EXPECT_EQ(body.elements, of_rows);
     const Body of_variable =
         body_of("kernel k(a: at<Picture>, x: in each<Picture>, n: uint, to: out scatter<Sums, add>) {"
                 "    var t = x; if a.y < n { t = t * 2.0; to[a.y] = t + 1.0; } }");
-    EXPECT_EQ(of_variable.elements, along_x);
+    EXPECT_EQ(of_variable.elements, of_rows);
     EXPECT_EQ(count(of_variable.text, "to_data_value"), 0u) << of_variable.text;
 }
 
@@ -136,9 +136,43 @@ TEST(Privatise, ElementsThatDifferAreUpdatedAtOnce) {
         EXPECT_FALSE(body_of(kernel).has_barriers) << kernel;
 }
 
-TEST(Privatise, LoopsAndReturnsAreLeftAlone) {
+TEST(Privatise, KernelsWithLoopsHaveTreesOfOneElement) {
+    const Body in_loop = body_of("kernel k(x: in each<Counts>, to: out scatter<Counts, add>) {"
+                                 "    for i in 0..x { to[0] = i; } }");
+    EXPECT_EQ(in_loop.elements, one);
+    EXPECT_EQ(count(in_loop.text, "atomic_add(to_data["), 1u) << in_loop.text;
+    const Body after = body_of("kernel k(x: in each<Counts>, to: out scatter<Counts, add>) {"
+                               "    var n = 0u; for i in 0..x { n += i * i; } to[n] = 1u; }");
+    EXPECT_EQ(after.elements, one);
+    EXPECT_THAT(after.text, HasSubstr("atomicAdd(to_data_copies["));
+    const Body data_in_loop = body_of("kernel k(x: in each<Counts>, to: out scatter<Counts, add>) {"
+                                      "    for i in 0..x { to[x + i] = i; } }");
+    EXPECT_THAT(data_in_loop.text, Not(HasSubstr("to_data_copies")));
+}
+
+TEST(Privatise, NeighboursOfOneAddressAreRuns) {
+    for (const auto& [address, elements] :
+         {std::pair("a / 4u", 4u), std::pair("a / 40u + 3u", 8u), std::pair("a >> 5u", 16u)}) {
+        const Body body = body_of("kernel k(a: at<Counts>, x: in each<Counts>, to: out scatter<Counts, add>) { to[" +
+                                  std::string(address) + "] = x; }");
+        EXPECT_EQ(body.elements, (std::array{elements, 1u, 1u})) << address;
+        EXPECT_FALSE(body.has_barriers) << address;
+    }
+    EXPECT_THAT(
+        body_of("kernel k(a: at<Counts>, x: in each<Counts>, to: out scatter<Counts, add>) { to[a / 3u] = x; }").text,
+        HasSubstr("to_data_copies"));
+}
+
+TEST(Privatise, SumsOfOneOrderShareATree) {
+    const Body body =
+        body_of("kernel k(x: in each<Sums>, all: out scatter<Sums, add>, squares: out scatter<Sums, add>) {"
+                "    all[0] = x; squares[0] = x * x; }");
+    EXPECT_EQ(count(body.text, "atomicAdd(partial_sums["), 1u) << body.text;
+}
+
+TEST(Privatise, ReturnsAreLeftAlone) {
     EXPECT_EQ(body_of("kernel k(x: in each<Counts>, to: out scatter<Counts, add>) {"
-                      "    for i in 0..x { to[0] = i; } }")
+                      "    if x > 3u { return; } to[0] = x; }")
                   .elements,
               one);
 }
