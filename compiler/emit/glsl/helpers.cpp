@@ -351,6 +351,7 @@ std::string bits_definition(Printer& p, const HelperUse& use) {
            "    return count == 0 ? base : bitfieldInsert(base, value, first, count);\n}\n";
 }
 
+// long: a case for each helper
 std::string definition(Printer& p, const HelperUse& use) {
     switch (use.helper) {
     case Helper::quotient:

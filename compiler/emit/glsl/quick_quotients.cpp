@@ -85,8 +85,8 @@ void print_address_again(Printer& p) {
     const Local& local = p.program.locals[p.pass.address];
     const std::string address = p.local_names.at(p.pass.address);
     const std::string name = p.names.declare((*p.program.names)[local.name]);
-    // No invocation's number along x has the top bit (glift/kernel.h).
-    line(p, declaration(p, local.type, name) + " = " + address + " + (gl_GlobalInvocationID.x >> 31);");
+    const std::string x = "gl_GlobalInvocationID.x";  // x * (x + 1) is even
+    line(p, declaration(p, local.type, name) + " = " + address + " + (" + x + " * (" + x + " + 1u) & 1u);");
     p.local_names[p.pass.address] = name;
 }
 

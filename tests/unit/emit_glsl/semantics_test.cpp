@@ -83,6 +83,34 @@ template <class Make> std::string corrected(Make make) {
     return text;
 }
 
+/// The shader of a body that stores the last of `count` quotients, each of which divides by the one before.
+std::string shader_of_quotients(int count) {
+    Builder b;
+    const ExprId address = b.one_axis();
+    const auto from = b.buffer("f_data", b.types().float_, Access::read);
+    const auto to = b.buffer("g_data", b.types().float_, Access::write);
+    const LocalId last = b.local("last", b.types().float_);
+    b.pass.plain().body = {b.let(last, b.load(from, address))};
+    for (int i = 0; i < count; ++i)
+        b.pass.plain().body.push_back(
+            b.assign(b.use(last), b.binary(BinaryOp::divide, b.load(from, b.plus(address, b.u(1))), b.use(last))));
+    b.pass.plain().body.push_back(b.store(to, address, b.use(last)));
+    std::string text = glsl::glsl_of(b.program, b.sources, b.pass,
+                                     {.lines = glsl::LineMarks::directives, .rounding = glsl::Rounding::correct});
+    EXPECT_EQ(spirv::spirv_of(text).error, "") << text;
+    return text;
+}
+
+TEST(Division, ManyQuotientsComeTwice) {
+    const std::string many = shader_of_quotients(4);
+    EXPECT_THAT(many, HasSubstr("last = quick_divide("));
+    EXPECT_THAT(many, HasSubstr("if (!has_usual_quotients) {"));
+    EXPECT_THAT(many, HasSubstr("        last = f_data[address_1];")) << "declared before: the store uses it";
+    EXPECT_THAT(many, HasSubstr("        last = divide(f_data[address_1 + 1u], last);"));
+    EXPECT_THAT(many, HasSubstr("    g_data[address] = last;"));
+    EXPECT_THAT(shader_of_quotients(3), Not(HasSubstr("has_usual_quotients")));
+}
+
 TEST(Division, OfFloatsIsCorrectedWhereTheDeviceIsNotExact) {
     auto division = [](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, as_float(b, a), b.f(3)); };
     EXPECT_THAT(stored(division), HasSubstr("= float(address) / 3.0;"));
