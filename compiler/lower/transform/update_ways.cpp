@@ -32,7 +32,7 @@ public:
         for (PrivateUpdate& update : updates_) {
             if (is_combined(update)) update.way = is_same_in_workgroup(update) ? UpdateWay::tree : UpdateWay::column;
             else if (may_be_run(update)) update.way = UpdateWay::run;
-            else if (update.may_collide && may_be_copied(update) && !update.is_in_loop) update.way = UpdateWay::copies;
+            else if (update.may_collide && may_be_copied(update)) update.way = UpdateWay::copies;
         }
         if (!is_chosen_) choose_other();
         if (!is_chosen_) return std::nullopt;
@@ -174,18 +174,22 @@ private:
         }
     }
 
-    /// Whether such updates can be combined. Kernels over blocks that set bits, such as those of pages to come, mostly
-    /// set few of them: to take many blocks in turn would cost more than it saves.
-    bool is_known(const PrivateUpdate& update) const {
+    /// Whether it sets bits, such as those of pages to come: most elements set none, so that to combine them costs more
+    /// than it saves.
+    bool sets_bits(const PrivateUpdate& update) const {
         const Combine op = cx.p.stmts[update.stmt].combine;
-        const bool sets_bits = op == Combine::bit_and || op == Combine::bit_or || op == Combine::bit_xor;
-        return combination(update).is_known() && !(is_of_blocks() && sets_bits);
+        return op == Combine::bit_and || op == Combine::bit_or || op == Combine::bit_xor;
+    }
+
+    bool is_known(const PrivateUpdate& update) const {
+        return combination(update).is_known() && !(is_of_blocks() && sets_bits(update));
     }
 
     bool may_be_copied(const PrivateUpdate& update) const {
         const Stmt& stmt = cx.p.stmts[update.stmt];
         const bool is_buffer = cx.pass.bindings[stmt.slot].shape == MemoryShape::buffer;
-        return is_buffer && build.type(stmt.target) == cx.p.types.uint && is_known(update);
+        const bool is_worth_it = !update.is_in_loop && !(dependence_.has_loop() && sets_bits(update));
+        return is_buffer && is_worth_it && build.type(stmt.target) == cx.p.types.uint && is_known(update);
     }
 
     Context& cx;

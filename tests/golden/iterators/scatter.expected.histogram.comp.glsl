@@ -17,7 +17,7 @@ shared uint bins_data_copies[4128];
 
 void main() {
     // scatter.glift:9
-    uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 24576u
+    uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 32768u
         + gl_LocalInvocationID.x;
     // Each invocation takes several elements, and combines their updates before it makes them.
     uint bins_data_copied_1 = bins_data_copied;
@@ -34,7 +34,7 @@ void main() {
     }
     barrier();
     uint remaining = address < s_extent ? s_extent - address : 0u;
-    for (uint turn = 0u; turn < 12u; ++turn) {
+    for (uint turn = 0u; turn < 16u; ++turn) {
         uint value_2 = turn * 8u * 256u;
         bool exists = value_2 < remaining;
         uint at = exists ? address + value_2 : 0u;
