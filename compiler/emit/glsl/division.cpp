@@ -31,6 +31,16 @@ float split(float x, out int exponent) {
 
 )";
 
+/// The quotient of ordinary operands: the end of divide and quick_divide. Not a function: drivers do not inline all
+/// calls.
+constexpr const char* ordinary_quotient_text = R"(    float r = 1.0 / b;
+    r = rounded_reciprocal(b, fma(fma(-b, r, 1.0), r, r));
+    float q = a * r;
+    q = fma(fma(-b, q, a), r, q);
+    return fma(fma(-b, q, a), r, q);
+}
+)";
+
 constexpr const char* quotient_text =
     R"(// r is 1 / b rounded, unless b's mantissa is all ones: then r is a power of two, one unit in the last place too small.
 float rounded_reciprocal(float b, float r) {
@@ -83,12 +93,6 @@ bool is_ordinary(float a, float b) {
 float divide(float a, float b) {
     if (exact_division) return a / b;
     if (!is_ordinary(a, b)) return scaled_quotient(a, b);
-    float r = 1.0 / b;
-    r = rounded_reciprocal(b, fma(fma(-b, r, 1.0), r, r));
-    float q = a * r;
-    q = fma(fma(-b, q, a), r, q);
-    return fma(fma(-b, q, a), r, q);
-}
 )";
 
 constexpr const char* quotient_by_constant_text = R"(bool is_ordinary_dividend(float a) {
@@ -111,12 +115,6 @@ bool has_usual_quotients = true;
 float quick_divide(float a, float b) {
     if (exact_division) return a / b;
     has_usual_quotients = all(bvec2(has_usual_quotients, is_ordinary(a, b)));
-    float r = 1.0 / b;
-    r = rounded_reciprocal(b, fma(fma(-b, r, 1.0), r, r));
-    float q = a * r;
-    q = fma(fma(-b, q, a), r, q);
-    return fma(fma(-b, q, a), r, q);
-}
 )";
 
 constexpr const char* quick_quotient_by_constant_text = R"(float quick_divide_by(float a, float b, float r) {
@@ -184,8 +182,8 @@ std::string division_definition(Printer& p, const HelperUse& use) {
         if (count == 1) return is_quick ? quick_quotient_by_constant_text : quotient_by_constant_text;
         return quotients_by_constant(is_quick ? "quick_divide_by" : "divide_by", type_text(p, use.a), count);
     }
-    case Helper::quick_divide: return quick_quotient_text;
-    case Helper::divide: return half ? half_quotient_text : quotient_text;
+    case Helper::quick_divide: return std::string(quick_quotient_text) + ordinary_quotient_text;
+    case Helper::divide: return half ? half_quotient_text : std::string(quotient_text) + ordinary_quotient_text;
     default: return half ? half_root_text : root_text;
     }
 }

@@ -28,7 +28,8 @@ bool is_repeatable(const Program& program, ExprId root) {
     return holds;
 }
 
-/// Whether what the expression gives does not depend on quotients, if it bounds the rounds of a loop.
+/// Whether the expression does not depend on quotients: it bounds the rounds of a loop, which must end where quotients
+/// are wrong.
 bool is_known_before(const Program& program, ExprId root) {
     bool holds = true;
     for_each_node(program, root, [&](ExprId id) { holds = holds && program.exprs[id].op != Op::local; });
@@ -55,7 +56,9 @@ bool is_repeatable(const Printer& p, StmtId id) {
     }
     case StmtOp::if_:
     case StmtOp::block: return holds && are_repeatable(stmt.body) && are_repeatable(stmt.otherwise);
-    case StmtOp::for_: return holds && is_known_before(program, stmt.limit) && are_repeatable(stmt.body);
+    case StmtOp::for_:
+        return holds && is_known_before(program, stmt.value) && is_known_before(program, stmt.limit) &&
+               are_repeatable(stmt.body);
     case StmtOp::break_:
     case StmtOp::continue_: return true;
     default: return false;

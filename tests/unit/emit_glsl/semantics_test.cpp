@@ -101,6 +101,28 @@ std::string shader_of_quotients(int count) {
     return text;
 }
 
+/// A loop with eight quotients, from an int that a quotient gives where `begins_at_quotient`, else from 0.
+std::string shader_of_loop(bool begins_at_quotient) {
+    Builder b;
+    const ExprId address = b.one_axis();
+    const auto from = b.buffer("f_data", b.types().float_, Access::read);
+    const auto to = b.buffer("g_data", b.types().float_, Access::write);
+    const LocalId sum = b.local("sum", b.types().float_), first = b.local("first", b.types().int_);
+    const LocalId round = b.local("round", b.types().int_);
+    const ExprId quotient = b.binary(BinaryOp::divide, b.load(from, b.u(0)), b.load(from, address));
+    b.pass.plain().body = {b.let(sum, quotient), b.let(first, b.make(Op::convert, b.types().int_, {b.use(sum)})),
+                           b.loop(round, begins_at_quotient ? b.use(first) : b.i(0), b.i(3),
+                                  {b.assign(b.use(sum), b.binary(BinaryOp::divide, quotient, b.use(sum)))}),
+                           b.store(to, address, b.use(sum))};
+    return glsl::glsl_of(b.program, b.sources, b.pass,
+                         {.lines = glsl::LineMarks::directives, .rounding = glsl::Rounding::correct});
+}
+
+TEST(Division, LoopsThatMayNotEndWhereQuotientsAreWrongComeOnce) {
+    EXPECT_THAT(shader_of_loop(false), HasSubstr("if (!has_usual_quotients) {"));
+    EXPECT_THAT(shader_of_loop(true), Not(HasSubstr("has_usual_quotients")));
+}
+
 TEST(Division, ManyQuotientsComeTwice) {
     const std::string many = shader_of_quotients(4);
     EXPECT_THAT(many, HasSubstr("last = quick_divide("));

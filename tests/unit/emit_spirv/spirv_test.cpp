@@ -30,6 +30,15 @@ const std::string head = "#version 460\n#extension GL_EXT_scalar_block_layout : 
                          "#extension GL_GOOGLE_cpp_style_line_directive : require\nlayout(local_size_x = 64) in;\n"
                          "layout(scalar, set = 0, binding = 1) buffer F { vec3 f[]; };\n";
 
+TEST(Spirv, ContractsFloatArithmeticOnRequest) {
+    const Spirv made = spirv_of(head + "void main() { f[0] = f[1] * f[2] + min(f[3], f[4]); }\n", Optimise::no,
+                                Stage::compute, Contraction::on);
+    ASSERT_EQ(made.error, "");
+    const std::string text = disassembled(made.words);
+    EXPECT_EQ(count(text, " NoContraction"), 0u);
+    EXPECT_THAT(text, HasSubstr("NMin"));
+}
+
 TEST(Spirv, NeverContractsFloatArithmetic) {
     Spirv made = spirv_of(
         head + "void main() { uint i = gl_GlobalInvocationID.x; f[i] = f[i] * f[i] + f[i] / 3.0 - (-f[i]); }\n");

@@ -170,6 +170,12 @@ TEST(Privatise, SumsOfOneOrderShareATree) {
     EXPECT_EQ(count(body.text, "atomicAdd(partial_sums["), 1u) << body.text;
 }
 
+TEST(Privatise, FastMathIsNotExact) {
+    const std::string kernel = "kernel k(x: in each<Sums>, to: out each<Sums>) { to = x / (x + 1.0); }";
+    EXPECT_TRUE(Lowering(structures + kernel).forms("k").direct.exact);
+    EXPECT_FALSE(Lowering(structures + "@fast_math " + kernel).forms("k").direct.exact);
+}
+
 TEST(Privatise, ReturnsAreLeftAlone) {
     EXPECT_EQ(body_of("kernel k(x: in each<Counts>, to: out scatter<Counts, add>) {"
                       "    if x > 3u { return; } to[0] = x; }")
