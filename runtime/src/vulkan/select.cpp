@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 
 namespace glift::detail {
 
@@ -34,6 +35,23 @@ std::string lower(std::string_view text) {
     std::string result(text);
     std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return std::tolower(c); });
     return result;
+}
+
+/// `NAME` or `NAME:INDEX`: of the devices that match the name, best first, the one with this index.
+struct Wanted {
+    std::string name;
+    std::size_t index = 0;
+};
+
+Wanted parse_wanted(std::string_view which) {
+    Wanted wanted{lower(which)};
+    const std::size_t colon = which.rfind(':');
+    if (colon == std::string_view::npos) return wanted;
+    const std::string_view digits = which.substr(colon + 1);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), wanted.index);
+    if (error != std::errc{} || end != digits.data() + digits.size()) return {lower(which)};
+    wanted.name.resize(colon);
+    return wanted;
 }
 
 bool matches(const Candidate& candidate, const std::string& which) {
@@ -86,19 +104,20 @@ VkPhysicalDevice select_physical_device(const Instance& instance, std::string_vi
                        !features.old() && features.missing().empty() &&
                            lacking_extensions(instance, physical, extensions).empty()});
     }
-    const std::string wanted = lower(which);
-    const Candidate* best = nullptr;
-    for (const Candidate& candidate : all) {
-        if (!matches(candidate, wanted)) continue;
-        const auto order = [](const Candidate& c) { return (c.usable ? 8 : 0) + rank(c.properties.deviceType); };
-        if (!best || order(candidate) > order(*best)) best = &candidate;
+    const Wanted wanted = parse_wanted(which);
+    std::vector<Candidate> fitting;
+    for (const Candidate& candidate : all)
+        if (matches(candidate, wanted.name)) fitting.push_back(candidate);
+    if (wanted.index >= fitting.size()) throw_none(all, which);
+    const auto order = [](const Candidate& c) { return (c.usable ? 8 : 0) + rank(c.properties.deviceType); };
+    std::stable_sort(fitting.begin(), fitting.end(),
+                     [&](const Candidate& a, const Candidate& b) { return order(a) > order(b); });
+    const Candidate& chosen = fitting[wanted.index];
+    if (!chosen.usable) {
+        FeatureChain(instance, chosen.physical).require();
+        require_extensions(instance, chosen, extensions);
     }
-    if (!best) throw_none(all, which);
-    if (!best->usable) {
-        FeatureChain(instance, best->physical).require();
-        require_extensions(instance, *best, extensions);
-    }
-    return best->physical;
+    return chosen.physical;
 }
 
 }  // namespace glift::detail

@@ -63,6 +63,15 @@ TEST(OpenErrors, NoSuchDevice) {
     EXPECT_EQ(error_of([] { glift::Device::open(); }).code(), ErrorCode::no_device);
 }
 
+TEST(OpenErrors, NoDeviceWithThisIndex) {
+    EXPECT_TRUE(glift::Device::open(vulkan_name() + ":0"));
+    const auto error = error_of([] { glift::Device::open(vulkan_name() + ":9"); });
+    expect_complete(error, ErrorCode::no_device);
+    EXPECT_NE(error.problem().find(":9"), std::string::npos) << error.what();
+    EXPECT_EQ(error_of([] { glift::Device::open(vulkan_name() + ":"); }).code(), ErrorCode::no_device);
+    EXPECT_EQ(error_of([] { glift::Device::open(vulkan_name() + ":1x"); }).code(), ErrorCode::no_device);
+}
+
 TEST(OpenErrors, NoGpu) {
     const char* lavapipe = "/usr/share/vulkan/icd.d/lvp_icd.x86_64.json";
     if (!std::filesystem::exists(lavapipe)) GTEST_SKIP() << "needs lavapipe as the only driver";
