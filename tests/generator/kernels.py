@@ -386,7 +386,7 @@ class Kernels:
                                        extent=self.extent(kernel.axes)))
         at = f"uint{kernel.axes}({', '.join(own[axis] for axis in order)})"
         start = f"var sum = {self.types.digest(structure.element)}(x0[{at}]);"
-        targets = [s for s in self.of_axes(kernel.axes) if s.owns]
+        targets = [s for s in self.of_axes(kernel.axes, each=True) if s.owns]
         if self.random.chance(50) and targets:
             target = self.random.choice(targets)
             kernel.params.append(Parameter("y9", f"out scatter<{target.name}>", target,

@@ -172,7 +172,13 @@ Text print_binary(Printer& p, const Expr& expr) {
 /// A choice between constants, at least one of them -0.0, as the negative of the choice between the negated constants:
 /// negative(c ? 0.0 : 1.0) for c ? -0.0 : -1.0. Else drivers may lose the sign of zero (signs.h).
 Text print_negative_choice(Printer& p, const Expr& expr) {
-    const auto negated = [&](ExprId side) { return literal(p, expr.type, 0, -p.program.exprs[side].number); };
+    const ir::TypeId scalar = p.program.types.scalar_of(expr.type);
+    const auto negated = [&](ExprId side) {
+        std::string parts;
+        for (const double number : numbers_of(p, side))
+            parts += (parts.empty() ? "" : ", ") + literal(p, scalar, 0, -number);
+        return p.program.types.is_vector(expr.type) ? type_text(p, expr.type) + "(" + parts + ")" : parts;
+    };
     return {need(p, Helper::negative, expr.type) + "(" + print(p, expr.operands[0], Level::logical_or) + " ? " +
             negated(expr.operands[1]) + " : " + negated(expr.operands[2]) + ")"};
 }

@@ -101,10 +101,31 @@ ExprId negated_choice(const Printer& p, const Expr& expr) {
     return is_lost ? negated : ExprId{};
 }
 
+std::vector<double> numbers_of(const Printer& p, ExprId id) {
+    const Expr& expr = p.program.exprs[id];
+    const std::uint32_t count = p.program.types.components(expr.type);
+    if (expr.op == Op::constant) return {expr.number};
+    if (expr.op != Op::construct || (expr.operands.size() != count && expr.operands.size() != 1)) return {};
+    std::vector<double> numbers;
+    for (ExprId part : expr.operands) {
+        const std::vector<double> of_part = numbers_of(p, part);
+        numbers.insert(numbers.end(), of_part.begin(), of_part.end());
+    }
+    if (expr.operands.size() == 1 && numbers.size() == 1) numbers.resize(count, numbers[0]);
+    return numbers.size() == count ? numbers : std::vector<double>{};
+}
+
 bool is_choice_of_negative_zero(const Printer& p, const Expr& expr) {
-    if (expr.op != Op::select || expr.type != p.program.types.float_) return false;
-    const ExprId a = expr.operands[1], b = expr.operands[2];
-    return is_small_constant(p, a) && is_small_constant(p, b) && (is_negative_zero(p, a) || is_negative_zero(p, b));
+    if (expr.op != Op::select || !is_float(p, expr.type) || p.program.types.is_matrix(expr.type)) return false;
+    const std::vector<double> yes = numbers_of(p, expr.operands[1]), no = numbers_of(p, expr.operands[2]);
+    if (yes.empty() || no.empty()) return false;
+    const auto is_small = [](double x) { return x == 0.0 || std::abs(x) == 1.0; };
+    const auto is_negative_zero = [](double x) { return x == 0.0 && std::signbit(x); };
+    for (std::size_t lane = 0; lane < yes.size(); ++lane) {
+        if (!is_small(yes[lane]) || !is_small(no[lane])) continue;
+        if (is_negative_zero(yes[lane]) || is_negative_zero(no[lane])) return true;
+    }
+    return false;
 }
 
 }  // namespace gliftc::glsl

@@ -18,7 +18,11 @@ void find_choices(Printer& p, const std::vector<ir::LocalId>& params, const std:
 /// The value whose negative the expression is, where only Helper::negative keeps the sign of zero; else absent.
 ir::ExprId negated_choice(const Printer& p, const ir::Expr& expr);
 
-/// Whether the expression is a choice between two of the constants 0.0, -0.0, 1.0 and -1.0, at least one of them -0.0.
+/// The components of a constant of floats; empty for any other expression.
+std::vector<double> numbers_of(const Printer& p, ir::ExprId id);
+
+/// Whether the expression is a choice between constants, in a component between two of 0.0, -0.0, 1.0 and -1.0, at least
+/// one of them -0.0.
 bool is_choice_of_negative_zero(const Printer& p, const ir::Expr& expr);
 
 }  // namespace gliftc::glsl
