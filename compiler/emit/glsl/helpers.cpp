@@ -32,6 +32,7 @@ const char* name_of(Helper helper) {
     case Helper::fraction: return "fraction";
     case Helper::sign_of: return "sign_of";
     case Helper::negative: return "negative";
+    case Helper::magnitude: return "magnitude";
     case Helper::reflection: return "reflection";
     case Helper::matrix_vector:
     case Helper::vector_matrix:
@@ -326,6 +327,9 @@ std::string arithmetic(Printer& p, const HelperUse& use) {
     case Helper::negative:
         return "// By the sign bit: drivers may drop the sign of zero of -x if x is a choice between 0.0 and 1.0.\n" +
                one_line(t + " negative(" + t + " x)", "uintBitsToFloat(floatBitsToUint(x) ^ 0x80000000u)");
+    case Helper::magnitude:
+        return "// By the sign bit: drivers may take x for positive if it is a choice that -0.0 is in.\n" +
+               one_line(t + " magnitude(" + t + " x)", "uintBitsToFloat(floatBitsToUint(x) & 0x7fffffffu)");
     case Helper::reflection:
         return one_line(t + " reflection(" + t + " i, " + t + " n)",
                         "i - (" + type_text(p, p.program.types.scalar_of(use.a)) + "(2.0) * ordered_dot(n, i)) * n");
@@ -375,6 +379,7 @@ std::string definition(Printer& p, const HelperUse& use) {
     case Helper::fraction:
     case Helper::sign_of:
     case Helper::negative:
+    case Helper::magnitude:
     case Helper::reflection: return arithmetic(p, use);
     case Helper::pack_unorm:
     case Helper::unpack_unorm:
@@ -483,6 +488,7 @@ void need_inner(Printer& p, const HelperUse& use) {
     case Helper::blend:
     case Helper::fraction:
     case Helper::negative:
+    case Helper::magnitude:
     case Helper::pack_unorm:
     case Helper::extract_bits:
     case Helper::insert_bits:

@@ -1,6 +1,7 @@
 // Intrinsics: printed as a function or operator of GLSL, or as a helper where GLSL has none, leaves the result open, or
 // drivers get it wrong.
 #include "emit/glsl/printer.h"
+#include "emit/glsl/signs.h"
 #include "ir/walk.h"
 
 #include <stdexcept>
@@ -103,7 +104,9 @@ Text sign(Printer& p, const Expr& expr) {
 // long: a case for each built-in function
 Text print_intrinsic(Printer& p, const Expr& expr) {
     switch (expr.intrinsic) {
-    case Intrinsic::abs: return call(p, "abs", expr);
+    case Intrinsic::abs:
+        return may_be_chosen_negative_zero(p, expr.operands[0]) ? shaped(p, Helper::magnitude, expr)
+                                                                : call(p, "abs", expr);
     case Intrinsic::sign: return sign(p, expr);
     case Intrinsic::floor: return call(p, "floor", expr);
     case Intrinsic::ceil: return call(p, "ceil", expr);

@@ -41,6 +41,7 @@ const std::unordered_set<std::string_view>& reserved_words() {
         "fraction",
         "sign_of",
         "negative",
+        "magnitude",
         "reflection",
         "product",
         "pack_unorm",

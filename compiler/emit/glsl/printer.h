@@ -55,6 +55,7 @@ enum class Helper : std::uint8_t {
     fraction,
     sign_of,
     negative,
+    magnitude,
     reflection,
     matrix_vector,
     vector_matrix,

@@ -101,6 +101,17 @@ ExprId negated_choice(const Printer& p, const Expr& expr) {
     return is_lost ? negated : ExprId{};
 }
 
+bool may_be_chosen_negative_zero(const Printer& p, ExprId id) {
+    bool found = false;
+    if (!is_float(p, p.program.exprs[id].type)) return false;
+    ir::for_each_node(p.program, id, [&](ExprId node) {
+        const Expr& expr = p.program.exprs[node];
+        const bool is_variable = expr.op == Op::local && p.program.locals[expr.local].is_mutable;
+        found = found || is_negative_zero(p, node) || (is_variable && p.choices.contains(expr.local));
+    });
+    return found;
+}
+
 std::vector<double> numbers_of(const Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
     const std::uint32_t count = p.program.types.components(expr.type);

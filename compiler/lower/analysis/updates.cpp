@@ -129,6 +129,19 @@ bool Updates::is_affine(ExprId index) {
            std::ranges::all_of(node.operands, is_operand_affine);
 }
 
+/// Whether the value can be computed where the body's locals are not declared (StatementCopy::with_definitions): it does
+/// not use a variable, such as one that a function takes and ignores.
+bool Updates::has_definition(ExprId value) const {
+    bool holds = true;
+    for_each_node(cx.p, value, [&](ExprId id) {
+        const Expr& node = cx.p.exprs[id];
+        if (node.op != Op::local) return;
+        const ExprId* definition = cx.definitions.find(node.local);
+        holds = holds && !cx.p.locals[node.local].is_mutable && (definition == nullptr || has_definition(*definition));
+    });
+    return holds;
+}
+
 /// Whether elements that differ along another axis than those in `same_along` have different addresses. Known for one
 /// such axis, and an odd step: then no two of its 2^32 addresses are equal.
 bool Updates::differs(ExprId target, std::uint8_t same_along) {
@@ -161,11 +174,11 @@ void Updates::note(StmtId id) {
     const ExprId target = cx.p.stmts[id].target;
     Update update{id, conditions_};
     for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis)
-        if (is_same_along(axis, target)) update.same_along |= 1u << axis;
+        if (is_same_along(axis, target) && has_definition(target)) update.same_along |= 1u << axis;
     update.differs = differs(target, update.same_along);
     update.may_collide = slopes_[0].is_steady(target) || !is_affine(target);
     update.is_in_loop = depth_ != 0;
-    if ((update.same_along & 1) == 0) update.run = run_of(target);
+    if ((update.same_along & 1) == 0 && has_definition(target)) update.run = run_of(target);
     found_.push_back(std::move(update));
 }
 

@@ -59,6 +59,7 @@ private:
     void note(StmtId id);
     bool differs(ExprId target, std::uint8_t same_along);
     bool is_affine(ExprId index);
+    bool has_definition(ExprId value) const;
     std::uint32_t run_of(ExprId target);
     void learn(RowSlopes& slopes, std::uint32_t axis, const ir::Stmt& let);
 

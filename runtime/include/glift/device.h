@@ -82,8 +82,8 @@ public:
     /// `host`, in lower case; or, in upper or lower case, `gpu`, `lavapipe` or part of a device's name; `gpu:1` is the
     /// second of those that fit, best first. Without an argument the environment variable GLIFT_DEVICE decides; without
     /// that, the best GPU, else a CPU that runs Vulkan, which is logged once (log.h). Never the host unless `host` is
-    /// given. Throws no_loader, no_device, unsupported_version, missing_feature, missing_layer, or wrong_argument for an
-    /// environment variable with an invalid value.
+    /// given. Throws no_loader, no_device, unsupported_version, missing_feature, missing_layer, or wrong_argument for
+    /// an environment variable with an invalid value.
     ///
     /// Other environment variables: GLIFT_VALIDATE=1 turns on the validation layer; GLIFT_CACHE_DIR says where
     /// compiled pipelines are kept (default: $XDG_CACHE_HOME/glift or ~/.cache/glift; empty: nowhere);

@@ -43,6 +43,11 @@ float negative(float x) {
     return uintBitsToFloat(floatBitsToUint(x) ^ 0x80000000u);
 }
 
+// By the sign bit: drivers may take x for positive if it is a choice that -0.0 is in.
+float magnitude(float x) {
+    return uintBitsToFloat(floatBitsToUint(x) & 0x7fffffffu);
+}
+
 // halves<3>
 // control_flow.glift:18
 float halves(float x) {
@@ -99,7 +104,7 @@ void main() {
         x = negative(x);
     }
     // control_flow.glift:44
-    f_data[address] = mode_value_0 ? x : sqrt(abs(x));
+    f_data[address] = mode_value_0 ? x : sqrt(magnitude(x));
     // control_flow.glift:45
     n_data[address] = collatz(address) + (found_found ? found : 7u);
 }

@@ -180,6 +180,18 @@ TEST(Negation, OfAChoiceBetweenConstantsIsAFunction) {
     EXPECT_THAT(stored(others), HasSubstr("= -float(address);"));
 }
 
+// Drivers may take such a choice for positive and leave out its abs (emit/glsl/signs.h).
+TEST(Magnitude, OfAChoiceThatNegativeZeroIsInIsAFunction) {
+    const auto magnitude_of = [](double yes, double no) {
+        return [yes, no](Builder& b, ExprId a) {
+            const ExprId choice = b.make(Op::select, b.types().float_, {b.less(a, b.u(3)), b.f(yes), b.f(no)});
+            return b.intrinsic(Intrinsic::abs, b.types().float_, {choice});
+        };
+    };
+    EXPECT_THAT(stored(magnitude_of(2.0, -0.0)), HasSubstr("= magnitude(address < 3u ? 2.0 : -0.0);"));
+    EXPECT_THAT(stored(magnitude_of(2.0, -3.0)), HasSubstr("= abs(address < 3u ? 2.0 : -3.0);"));
+}
+
 TEST(Shift, IsMaskedWhereTheAmountIsNotKnown) {
     EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::shift_left, a, b.u(31)); }),
                 HasSubstr("= address << 31u;"));
