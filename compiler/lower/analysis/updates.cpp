@@ -129,8 +129,8 @@ bool Updates::is_affine(ExprId index) {
            std::ranges::all_of(node.operands, is_operand_affine);
 }
 
-/// Whether the value can be computed where the body's locals are not declared (StatementCopy::with_definitions): it does
-/// not use a variable, such as one that a function takes and ignores.
+/// Whether the value can be computed where the body's locals are not declared (StatementCopy::with_definitions): it
+/// does not use a variable, such as one that a function takes and ignores.
 bool Updates::has_definition(ExprId value) const {
     bool holds = true;
     for_each_node(cx.p, value, [&](ExprId id) {
