@@ -29,9 +29,9 @@ struct Explained {
 };
 
 struct ExplainedStructure {
-    std::string kind;  ///< structure, view, adaptor
+    std::string kind;  ///< structure, view (it computes its elements), container (it has none)
     std::string name, type, place, addresses, elements;
-    std::vector<std::pair<std::string, std::string>> parts;  ///< of adaptors: members and functions
+    std::vector<std::pair<std::string, std::string>> parts;  ///< of containers: members and functions
     std::vector<std::pair<std::string, std::string>> memories;
     std::vector<Explained> via;
     std::string blocks;  ///< text about its blocks (ir::blocks_of); empty: the whole domain is one block
@@ -99,13 +99,13 @@ private:
         const std::vector<ir::Alias>& aliases = structure.aliases;
         if (!program_.modules[structure.module].is_root && aliases.empty()) return;
         ExplainedStructure shown;
-        const bool is_adaptor = structure.kind == ir::StructureKind::adaptor;
-        shown.kind = is_adaptor ? "adaptor" : structure.kind == ir::StructureKind::view ? "view" : "structure";
+        const bool has_elements = structure.kind != ir::StructureKind::no_elements;
+        shown.kind = !has_elements ? "container" : structure.kind == ir::StructureKind::computed ? "view" : "structure";
         shown.name = aliases.empty() ? structure.display : c_.names[aliases.front().name];
         shown.type = structure.display;
         shown.place = place(structure.span);
-        if (is_adaptor) {
-            explain_parts(structure, shown);
+        if (structure.is_container) explain_parts(structure, shown);
+        if (!has_elements) {
             structures.push_back(std::move(shown));
             return;
         }
@@ -125,26 +125,26 @@ private:
         structures.push_back(std::move(shown));
     }
 
-    /// The adaptor's members, and its public functions with what they write.
-    void explain_parts(const ir::Structure& adaptor, ExplainedStructure& shown) const {
-        for (const ir::MemberStructure& member : adaptor.members)
+    /// The container's members, and its public functions with what they write.
+    void explain_parts(const ir::Structure& container, ExplainedStructure& shown) const {
+        for (const ir::MemberStructure& member : container.members)
             shown.parts.emplace_back("member " + c_.names[member.name], program_.structures[member.structure].display +
                                                                             (member.by_reference ? ", given" : ""));
-        const auto index = program_.structures.id_of(adaptor);
+        const auto index = program_.structures.id_of(container);
         for (ir::FunctionId id : ir::public_functions(program_, index)) {
             const ir::Function& function = program_.functions[id];
             std::string effects;
             for (const ir::Effect& effect : function.effects)
-                effects += (effects.empty() ? "writes " : ", ") + path_of(adaptor, effect.place) +
+                effects += (effects.empty() ? "writes " : ", ") + path_of(container, effect.place) +
                            (effect.pattern == ir::Pattern::coherent ? " (coherent)" : " (scatter)");
             if (effects.empty()) effects = function.reads_memory ? "reads elements" : "reads no elements";
             shown.parts.emplace_back("fn " + c_.names[function.name], effects);
         }
     }
 
-    std::string path_of(const ir::Structure& adaptor, const ir::Place& place) const {
+    std::string path_of(const ir::Structure& container, const ir::Place& place) const {
         std::string text;
-        const ir::Structure* at = &adaptor;
+        const ir::Structure* at = &container;
         for (std::uint32_t member : place.members) {
             text += (text.empty() ? "" : ".") + c_.names[at->members[member].name];
             at = &program_.structures[at->members[member].structure];
@@ -218,7 +218,7 @@ std::string as_text(const Explainer& explainer, const std::vector<ExplainedMade>
     std::string text;
     for (const ExplainedStructure& s : explainer.structures) {
         text += s.kind + " " + (s.name == s.type ? s.name : s.name + " = " + s.type) + "  (" + s.place + ")\n";
-        if (s.kind != "adaptor")
+        if (!s.elements.empty())
             text += line("", "addresses", s.addresses) +
                     line("", "elements", s.elements + (s.kind == "view" ? ", computed" : ""));
         for (const auto& [what, how] : s.parts) text += line("", what, how);
@@ -267,7 +267,7 @@ void write(json::Text& out, const ExplainedStructure& s) {
         out.field("name", s.name);
         out.field("type", s.type);
         out.field("place", s.place);
-        if (s.kind == "adaptor") {
+        if (!s.parts.empty()) {
             out.key("parts");
             out.array([&] {
                 for (const auto& [what, how] : s.parts)
@@ -276,7 +276,8 @@ void write(json::Text& out, const ExplainedStructure& s) {
                         out.field("how", how);
                     });
             });
-        } else {
+        }
+        if (!s.elements.empty()) {
             out.field("addresses", s.addresses);
             out.field("elements", s.elements);
         }

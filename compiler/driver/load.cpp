@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 5> library_folders{"math", "translators", "structures", "adaptors",
+constexpr std::array<std::string_view, 4> library_folders{"math", "translators", "structures",
                                                           "algorithms"};
 constexpr std::string_view library_prefix = "std.", extension = ".glift";
 

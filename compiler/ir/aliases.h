@@ -18,7 +18,7 @@ bool is_public(const Structure& structure, ModuleId module);
 /// no such module names the structure.
 Name name_in(const Program& program, const Structure& structure, ModuleId module);
 
-/// The public functions with exactly one parameter that is a structure or adaptor, namely this one: first
+/// The public functions with exactly one parameter that is a structure or container, namely this one: first
 /// Structure::methods, which C++ can call, then others of Program::functions. Of several with the same key and the same
 /// parameter types only the first.
 std::vector<FunctionId> public_functions(const Program& program, StructureId structure);

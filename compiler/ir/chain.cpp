@@ -109,7 +109,7 @@ void ReadPlaces::add(Place place) {
         at = base_of(*link, at);
         link = &structure_at(program_, *link, link->base);
     }
-    if (link->kind == StructureKind::view) return add(link->at, {at});
+    if (link->kind == StructureKind::computed) return add(link->at, {at});
     if (std::ranges::find(found_, place) == found_.end()) found_.push_back(std::move(place));
 }
 
@@ -156,7 +156,7 @@ const Blocks* visited_blocks(const Program& program, const Kernel& kernel) {
 }
 
 bool is_computed(const Program& program, const Structure& structure) {
-    return root_structure(program, structure).kind == StructureKind::view;
+    return root_structure(program, structure).kind == StructureKind::computed;
 }
 
 TypeId physical_type(const Program& program, const Structure& structure) {
@@ -222,7 +222,7 @@ bool stays_inside(const Program& program, const Structure& structure) {
 }
 
 bool makes_memory(const Program& program, const Structure& structure) {
-    return structure.kind != StructureKind::view ||
+    return structure.kind != StructureKind::computed ||
            std::ranges::any_of(structure.members, [&](const MemberStructure& member) {
                return !member.by_reference && makes_memory(program, program.structures[member.structure]);
            });

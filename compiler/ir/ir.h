@@ -53,9 +53,9 @@ using Operands = SmallVector<ExprId, 4>;
 /// In kernels and functions root is the index of a parameter (of a function: among its structures). In a structure's
 /// own expressions (memory sizes, via arguments, …) root 0 is the structure itself; in a translator's functions root i
 /// is the i-th of the translator's structure-typed fields. In pipelines and tests `root` is unused: the path starts at
-/// the Expr's or Stmt's `local` (a temp, a structure parameter, a slice), or without a local at the adaptor that owns
+/// the Expr's or Stmt's `local` (a temp, a structure parameter, a slice), or without a local at the container that owns
 /// the pipeline. This holds for every operation that has a place (member, domain, host_read, slice, …), but not for the
-/// statement `replace`: its place is a path from that adaptor.
+/// statement `replace`: its place is a path from that container.
 struct Place {
     std::uint32_t root = 0;
     RareVector<std::uint32_t> members;
@@ -359,16 +359,20 @@ struct MemberStructure {
     Span span;
 };
 
-enum class StructureKind : std::uint8_t { stored, view, adaptor };
+enum class StructureKind : std::uint8_t {
+    stored,       ///< its elements lie in a memory
+    computed,     ///< its elements are computed where they are read, by `at` or because its memory is computed
+    no_elements,  ///< it has members, functions and pipelines alone
+};
 
-/// A public function of an adaptor that C++ programs call as a method.
+/// A public function of a container that C++ programs call as a method.
 struct Method {
     FunctionId function;
     /// Of a function that reads memory: the pipeline that evaluates it on the device. Empty: the host evaluates it.
     PipelineId pipeline;
 };
 
-/// A variable of an adaptor's host state.
+/// A variable of a container's host state.
 struct HostField {
     Name name;
     Span span;
@@ -396,7 +400,7 @@ struct Alias {
     bool is_pub = false;
 };
 
-/// One instance of a structure, view or adaptor.
+/// One instance of a structure.
 struct Structure {
     StructureKind kind = StructureKind::stored;
     Name name;                   ///< the declaration's: Array
@@ -405,8 +409,8 @@ struct Structure {
     std::vector<Alias> aliases;  ///< names in all modules, in the order in which sema finds them, by use or declaration
     Span span;
     ModuleId module;                   ///< the one with the declaration
-    TypeId domain_type;                ///< uint or vector of uint; adaptors: void
-    TypeId element;                    ///< type of its elements; adaptors: void
+    TypeId domain_type;                ///< uint or vector of uint; containers: void
+    TypeId element;                    ///< type of its elements; containers: void
     std::vector<LocalId> constructor;  ///< constructor parameters that are values; Op::member slot i
     std::vector<Memory> memories;
     std::vector<MemberStructure> members;  ///< Place::members are indices here
@@ -421,13 +425,16 @@ struct Structure {
     ExprId domain;                      ///< extent of the virtual domain, over the structure (root 0)
     std::optional<Blocks> blocks;       ///< as declared here; see blocks_of() of ir/chain.h
     FunctionId at;                      ///< of a view: (address) -> element; its only structure is this one
-    std::vector<HostField> host;        ///< of an adaptor: its host state
-    std::vector<PipelineId> pipelines;  ///< of an adaptor
+    std::vector<HostField> host;        ///< of a container: its host state
+    std::vector<PipelineId> pipelines;  ///< of a container
     /// A bit for each axis of physical addresses: set if it is proved that no address of the domain leads outside the
     /// memory along that axis, so that accesses need no test. Computed by lower/analysis/contained.cpp.
     std::uint8_t contained_axes = 0;
-    std::vector<Method> methods;  ///< of an adaptor: its public functions that C++ calls
-    bool copyable = true;         ///< its elements are stored, so that the host can copy them; false: view or adaptor
+    std::vector<Method> methods;  ///< of a container: its public functions that C++ calls
+    /// It has pipelines or host state, or no elements: its own members may be replaced, so that copies of it hold them by
+    /// a handle.
+    bool is_container = false;
+    bool copyable = true;         ///< its elements are stored, so that the host can copy them; false: view or container
     std::string doc;
 };
 
@@ -495,7 +502,7 @@ struct Pipeline {
     Span span;
     ModuleId module;
     bool is_pub = false;
-    StructureId owner;  ///< of an adaptor's pipeline: the adaptor
+    StructureId owner;  ///< of a container's pipeline: the container
     std::vector<PipelineParam> params;
     TypeId result;  ///< void, a value, device value, structure, or slice
     std::vector<StmtId> body;

@@ -37,7 +37,7 @@
 // with the rasteriser; intrinsic is also "some", "has_value" or "value", for optionals. A primary "(" expr ":" type ")"
 // gives the type of an expression whose operands do not imply it (ir/implied_type.h). "fact" is a condition that is
 // known to hold throughout the body; tests and --dump-after write it. "member" n is the n-th argument of the
-// structure's constructor, "memory" n the extent of its n-th memory, "host" n the n-th host state of an adaptor,
+// structure's constructor, "memory" n the extent of its n-th memory, "host" n the n-th host state of a container,
 // "state" n the n-th scalar field of a translator; "of" place n names the n-th memory of the structure at the place,
 // and each word before it sets a member of PassBinding, one_place and compare with the word after them (read_pass.cpp).
 // "loops", "reports", "inexact" set members of Pass; "keep" marks locals whose values cross a barrier; the section

@@ -66,7 +66,7 @@ private:
     void add_element(Places& found, const std::vector<StructureId>& structures, const Place& place,
                      const std::vector<Effect>& effects) {
         const Structure& structure = at(structures, place);
-        if (structure.kind == StructureKind::adaptor && structure.base.empty()) return;
+        if (structure.kind == StructureKind::no_elements && structure.base.empty()) return;
         add_tables(found, structures, place);
         const Place root = root_of(p, structure, place);
         const bool is_coherent = std::ranges::any_of(effects, [&](const Effect& effect) {

@@ -36,7 +36,7 @@ enum class TypeKind : std::uint8_t {
     struct_,    // Type::struct_
     enum_,      // Type::enum_; its values are uints
     optional,   // element?
-    structure,  // an instance of a structure, view or adaptor: Type::structure
+    structure,  // an instance of a structure: Type::structure
     slice,      // only in pipelines: a box of a structure (element is the structure type)
     device,     // only in pipelines: a value of type `element` that is on the device; `await` reads it back
 };

@@ -119,7 +119,7 @@ Library library_of(Program& program, StructureId structure, const Alias& alias, 
 std::vector<Library> lower_libraries(Program& program, Diagnostics& diagnostics) {
     std::vector<Library> libraries;
     for (StructureId i : program.structures.ids()) {
-        if (program.structures[i].kind == StructureKind::adaptor) continue;
+        if (program.structures[i].kind == StructureKind::no_elements) continue;
         const std::vector<Alias> aliases = program.structures[i].aliases;
         for (const Alias& alias : aliases)
             if (alias.is_pub && program.modules[alias.module].is_root)

@@ -6,6 +6,7 @@
 #include "sema/names/defines.h"
 #include "sema/names/modules.h"
 #include "sema/structures/components.h"
+#include "sema/structures/constructors.h"
 #include "sema/structures/replace.h"
 #include "sema/types/generics.h"
 #include "sema/types/instances.h"
@@ -75,13 +76,12 @@ void check_pipeline(Context& c, ast::DeclId id, const Env& env, ir::StructureId 
     for (const auto& choice : choices) instantiate_pipeline(c, id, env, choice, owner, decl.name.span);
 }
 
-/// Checks an adaptor's pipelines; those with generic parameters are instantiated where they are called.
-void check_adaptor_pipelines(Context& c, ir::StructureId index) {
-    const auto& adaptor = std::get<ast::Adaptor>(c[c.structure_decl.at(index)].body);
-    for_each_item(c, *c.structure_env.at(index), adaptor.items, [&](const ast::Item& item) {
-        if (item.kind == ast::ItemKind::pipeline && c[item.decl].generics.empty())
-            check_pipeline(c, item.decl, *c.structure_env.at(index), index, makers_of(c, index));
-    });
+/// Checks a structure's pipelines; those with generic parameters are instantiated where they are called.
+void check_own_pipelines(Context& c, ir::StructureId index) {
+    for (const ast::Item* item : items_of(c, index)) {
+        if (item->kind == ast::ItemKind::pipeline && c[item->decl].generics.empty())
+            check_pipeline(c, item->decl, *c.structure_env.at(index), index, makers_of(c, index));
+    }
 }
 
 /// Checks the types, translators, constants and aliases of a module that have no generic parameters. Done for all root
@@ -92,8 +92,7 @@ void check_types(Context& c, ir::ModuleId module, const std::vector<ast::DeclId>
         if (!decl.generics.empty() || !decl.name.name || c.diagnostics.at_limit()) continue;
         Env& env = c.new_env(module);
         bool type = std::holds_alternative<ast::Struct>(decl.body) || std::holds_alternative<ast::Enum>(decl.body) ||
-                    std::holds_alternative<ast::Structure>(decl.body) || std::holds_alternative<ast::View>(decl.body) ||
-                    std::holds_alternative<ast::Adaptor>(decl.body);
+                    std::holds_alternative<ast::Structure>(decl.body);
         if (type) instantiate_type(c, id, env, decl.name.span);
         else if (std::holds_alternative<ast::Translator>(decl.body)) instantiate_translator(c, id, env, decl.name.span);
         else if (std::holds_alternative<ast::Const>(decl.body)) check_constant(c, id);
@@ -186,8 +185,8 @@ ir::Program check(const ModuleTable& modules, const ast::Tree& tree, Names& name
         if (modules[i].is_root) check_code(c, i, modules[i].tree->decls);
     for (ir::StructureId i : program.structures.ids()) {
         if (makers_of(c, i).empty()) continue;
-        if (program.structures[i].kind == ir::StructureKind::adaptor) {
-            check_adaptor_pipelines(c, i);
+        if (program.structures[i].is_container) {
+            check_own_pipelines(c, i);
             check_methods(c, i);
         }
         if (!diagnostics.has_own_errors()) require_transfers(c, i, program.structures[i].span);

@@ -7,7 +7,7 @@
 namespace gliftc::sema {
 
 /// Looks at the functions, kernels, pipelines and tests among the declarations, but not at functions and pipelines
-/// inside structures, views, adaptors and translators. Looks at syntax trees, not at instances, so that each generic
+/// inside structures and translators. Looks at syntax trees, not at instances, so that each generic
 /// declaration is warned about once. Parameters of generic functions, and struct parameters of other functions, may
 /// stay unused. In tests it warns only of unreachable statements; in draws it does not warn of `x = x`.
 void warn(Context&, const std::vector<ast::DeclId>& declarations);

@@ -169,7 +169,7 @@ struct Attribute {
     Span span;
 };
 
-/// One pattern after a function's `with`, such as `scatter<member, op>`. It names a member of the structure or adaptor
+/// One pattern after a function's `with`, such as `scatter<member, op>`. It names a member of the structure
 /// that the function belongs to, and says that the function writes the member (scatter), reads and writes it
 /// (coherent), or calls functions of the member that have a `with` themselves (calls).
 struct MemberPattern {
@@ -243,13 +243,13 @@ enum class ItemKind : std::uint8_t {
     member,     // structure name = Type(arguments…);
     via,        // via A<…>(…) then B<…>(…);
     otherwise,  // otherwise value;         the value of reads at unmapped addresses
-    host,       // host name: type = value;   adaptors
+    host,       // host name: type = value;
     condition,  // if constant { items } [else { items }]
     function,   // a fn, or a method without the word `fn` (domain, at, blocks, …): `decl`
     pipeline,   // a pipeline: `decl`
 };
 
-/// One item in the body of a structure, view or adaptor.
+/// One item in the body of a structure.
 struct Item {
     ItemKind kind;
     Span span;
@@ -264,23 +264,11 @@ struct Item {
     std::string doc;
 };
 
-/// `structure Name<…>(constructor parameters) { items }`
+/// `structure Name<…>(constructor parameters) [: virtual -> element] { items }`. The types are those of a structure that
+/// computes its elements.
 struct Structure {
     std::vector<Param> constructor;
-    std::vector<Item> items;
-};
-
-/// `view Name<…>(constructor parameters) : virtual -> element { at(p) { … } domain() { … } }`
-struct View {
-    std::vector<Param> constructor;
-    ExprId virtual_type;
-    ExprId element_type;
-    std::vector<Item> items;
-};
-
-/// `adaptor Name<…>(constructor parameters) { items }`
-struct Adaptor {
-    std::vector<Param> constructor;
+    ExprId virtual_type, element_type;
     std::vector<Item> items;
 };
 
@@ -338,8 +326,8 @@ struct Decl {
     std::string doc;  ///< the `///` lines before it, joined by '\n', without the slashes
     std::vector<Attribute> attributes;
     std::vector<GenericParam> generics;
-    std::variant<std::monostate, Function, Struct, Enum, Interface, Const, Alias, Translator, Structure, View, Adaptor,
-                 Kernel, Pipeline, Test>
+    std::variant<std::monostate, Function, Struct, Enum, Interface, Const, Alias, Translator, Structure, Kernel,
+                 Pipeline, Test>
         body;
 };
 

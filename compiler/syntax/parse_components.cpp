@@ -1,4 +1,4 @@
-// Declarations of translators, structures, views and adaptors.
+// Declarations of translators and structures.
 #include "syntax/parser_state.h"
 
 namespace gliftc {
@@ -38,7 +38,8 @@ void Parser::parse_translator(ast::Decl& decl) {
     decl.body = std::move(translator);
 }
 
-/// structure = "structure" name [ generic-parameters ] ( parameters "{" { item } "}" | "=" expression ";" ) ;
+/// structure = "structure" name [ generic-parameters ]
+///             ( parameters [ ":" type "->" type ] "{" { item } "}" | "=" expression ";" ) ;
 void Parser::parse_structure(ast::Decl& decl) {
     if (accept(TokenKind::equal)) {
         ast::Alias alias{parse_expression()};
@@ -49,29 +50,15 @@ void Parser::parse_structure(ast::Decl& decl) {
     ast::Structure structure;
     if (!at(TokenKind::open_paren)) fail_expected("'=' or '('");
     structure.constructor = parse_params();
+    if (at(TokenKind::colon)) {
+        set_role(Role::spaced);
+        accept(TokenKind::colon);
+        structure.virtual_type = parse_type();
+        expect(TokenKind::arrow);
+        structure.element_type = parse_type();
+    }
     structure.items = parse_items();
     decl.body = std::move(structure);
-}
-
-/// view = "view" name [ generic-parameters ] parameters ":" type "->" type "{" { item } "}" ;
-ast::View Parser::parse_view() {
-    ast::View view;
-    view.constructor = parse_params();
-    set_role(Role::spaced);
-    expect(TokenKind::colon);
-    view.virtual_type = parse_type();
-    expect(TokenKind::arrow);
-    view.element_type = parse_type();
-    view.items = parse_items();
-    return view;
-}
-
-/// adaptor = "adaptor" name [ generic-parameters ] parameters "{" { item } "}" ;
-ast::Adaptor Parser::parse_adaptor() {
-    ast::Adaptor adaptor;
-    adaptor.constructor = parse_params();
-    adaptor.items = parse_items();
-    return adaptor;
 }
 
 }  // namespace gliftc

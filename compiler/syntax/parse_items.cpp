@@ -1,5 +1,4 @@
-// Items in the bodies of structures, views and adaptors. All three are parsed alike; sema checks which item may be in
-// which.
+// Items in the bodies of structures.
 #include "syntax/parser_state.h"
 
 namespace gliftc {

@@ -11,8 +11,8 @@ using ast::Decl;
 namespace {
 
 const std::vector<std::string_view> declaration_spellings{
-    "fn",      "struct", "enum",   "interface", "const", "type", "structure", "translator", "view",
-    "adaptor", "kernel", "raster", "pipeline",  "test",  "pub",  "use",       "extern"};
+    "fn",     "struct", "enum",     "interface", "const", "type", "structure", "translator",
+    "kernel", "raster", "pipeline", "test",      "pub",   "use",  "extern"};
 
 }  // namespace
 
@@ -111,8 +111,8 @@ std::vector<ast::Attribute> Parser::parse_attributes() {
 }
 
 /// declaration = attributes [ "pub" ] [ "extern" (* only before a struct *) ]
-///               ( function | struct | enum | interface | const | type-alias | translator | structure | view | adaptor
-///               | kernel | raster | pipeline | test ) ;
+///               ( function | struct | enum | interface | const | type-alias | translator | structure | kernel
+///               | raster | pipeline | test ) ;
 ast::DeclId Parser::parse_declaration() {
     Nesting nesting(*this);
     if (!nesting.ok) return {};
@@ -169,8 +169,6 @@ void Parser::parse_body_after_name(Decl& decl, const Token& keyword) {
     if (keyword.word == Word::type) decl.body = parse_type_alias();
     if (keyword.word == Word::translator) parse_translator(decl);
     if (keyword.word == Word::structure) parse_structure(decl);
-    if (keyword.word == Word::view) decl.body = parse_view();
-    if (keyword.word == Word::adaptor) decl.body = parse_adaptor();
     if (keyword.word == Word::kernel) decl.body = parse_kernel();
     if (keyword.word == Word::raster) decl.body = parse_raster();
     if (keyword.word == Word::pipeline) decl.body = parse_pipeline();

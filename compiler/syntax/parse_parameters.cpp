@@ -25,7 +25,7 @@ std::vector<ast::Param> Parser::parse_params() {
 }
 
 /// parameter = name [ ":" [ direction ] ( pattern | type ) ] ;
-/// Types may be left out in methods whose types the language gives, or the header of the translator, structure or view
+/// Types may be left out in methods whose types the language gives, or the header of the translator or structure
 /// (translate, invert, at, block); sema reports parameters of other functions that have none.
 ast::Param Parser::parse_param() {
     ast::Param param;

@@ -176,11 +176,9 @@ private:
     void parse_pattern(ast::Param& param);
     void parse_pipeline_result(ast::Pipeline& pipeline);
 
-    // ---- translators, structures, views and adaptors (parse_components.cpp, parse_items.cpp)
+    // ---- translators and structures (parse_components.cpp, parse_items.cpp)
     void parse_translator(ast::Decl& decl);
     void parse_structure(ast::Decl& decl);
-    ast::View parse_view();
-    ast::Adaptor parse_adaptor();
     std::vector<ast::Item> parse_items();
     ast::Item parse_item();
     ast::Item parse_memory();

@@ -323,17 +323,10 @@ private:
         --depth_;
     }
     void print_body(const std::string& head, const std::string& name, const Structure& s) {
-        line("(" + head + "structure " + name + params(s.constructor));
+        const std::string types =
+            s.virtual_type ? " " + expr(s.virtual_type) + " -> " + expr(s.element_type) : std::string();
+        line("(" + head + "structure " + name + params(s.constructor) + types);
         items(s.items);
-    }
-    void print_body(const std::string& head, const std::string& name, const View& v) {
-        line("(" + head + "view " + name + params(v.constructor) + " " + expr(v.virtual_type) + " -> " +
-             expr(v.element_type));
-        items(v.items);
-    }
-    void print_body(const std::string& head, const std::string& name, const Adaptor& a) {
-        line("(" + head + "adaptor " + name + params(a.constructor));
-        items(a.items);
     }
     void print_body(const std::string& head, const std::string& name, const Kernel& k) {
         line("(" + head + (k.raster ? "raster " : "kernel ") + name + params(k.params) + group(k.group));

@@ -15,8 +15,8 @@ constexpr WordSet item_words{Word::memory,        Word::via,    Word::structure,
                              Word::uninitialized, Word::vertex, Word::fragment};
 constexpr TokenSet declaration_keywords{kw_pub,       kw_extern, kw_fn,  kw_struct, kw_enum,
                                         kw_interface, kw_const,  kw_use, at_sign};
-constexpr WordSet declaration_words{Word::type,    Word::structure, Word::translator, Word::view,
-                                    Word::adaptor, Word::kernel,    Word::pipeline,   Word::raster};
+constexpr WordSet declaration_words{Word::type,   Word::structure, Word::translator,
+                                    Word::kernel, Word::pipeline,  Word::raster};
 constexpr TokenSet open_brackets{open_brace, open_paren, open_bracket};
 constexpr TokenSet close_brackets{close_brace, close_paren, close_bracket};
 }  // namespace

@@ -145,8 +145,7 @@ public:
 
     /// Saves the grid and the octree for tools/inspect; the octree as it is addressed by {node, level}.
     void inspect() {
-        const voxels::Resident there(device_, grid_.field(), grid_.pages().active(), grid_.pages().residents());
-        save(glift::inspect(there, "voxels"), "voxels_pages.inspection");
+        save(glift::inspect(grid_, "voxels"), "voxels_pages.inspection");
         const distances::Nodes nodes(device_, tree_.best(), tree_.frames(), tree_.levels());
         save(glift::inspect(nodes, "distances"), "distances_pages.inspection");
     }

@@ -112,7 +112,7 @@ here.write("within.glift", """module within;
 use std.array;
 translator Next : uint -> uint { n: uint; domain() { return n; } translate(p) { let dead = 1u; return p + n; } }
 structure Line(n: uint) { memory data = Array<1, float>(n); via Next(n); }
-adaptor Lines(n: uint) { structure line = Line(n); fn get(i: uint) -> float { let gone = 2u; return line[i]; } }
+structure Lines(n: uint) { structure line = Line(n); fn get(i: uint) -> float { let gone = 2u; return line[i]; } }
 test "uses them" { temp lines = Lines(4u); expect(await lines.get(1u) == 2.0); }
 """)
 ran = here.run("-Werror", "--check", "within.glift")
@@ -247,7 +247,7 @@ expect("loads from x_data   through a tile" in text and "exchanges x and y" in t
 tiles = json.loads(here.run("explain", "--json", "pictures.glift").stdout)["tiles"]
 expect({kernel["name"] for kernel in tiles} == {"store", "load"}, "tiles in JSON", tiles)
 
-# `explain --made`: the bytes that a structure or adaptor takes.
+# `explain --made`: the bytes that a structure takes.
 here.write("grids.glift", """module grids;
 use std.array;
 use std.image;
@@ -264,7 +264,7 @@ says(made, 0, "Grid made with extent uint3(256, 256, 256), capacity 4096, backgr
      "8 MiB, elements of field", "128 KiB, table of field", "pages.wanted.data   4 KiB\n",
      "Field made with extent uint2(18, 16), capacity 3, background float2(0.0, 0.0)", "384 bytes, elements of it",
      "Levels made with", "684 bytes")  # levels of 128, 32, 8, 2 and 1 texels
-says(made, 0, "adaptor Grid = Sparse<3, float, uint3(8, 8, 8), drop>", "member field        Paged<3, float, uint3(8, 8, 8)",
+says(made, 0, "structure Grid = Sparse<3, float, uint3(8, 8, 8), drop>", "member field        Paged<3, float, uint3(8, 8, 8)",
      "fn status           reads elements")
 as_json = json.loads(here.run("explain", "--json", "--made", "Grid(256 256 256 4096 0)", "grids.glift").stdout)["made"]
 expect({m["path"]: m["bytes"] for m in as_json[0]["memories"]}["field.frames.data"] == 8 << 20, "explain --made --json", as_json)

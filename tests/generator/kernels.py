@@ -11,10 +11,10 @@ SUBGROUPS = {"add": "subgroupAdd", "min": "subgroupMin", "max": "subgroupMax", "
 MOST_SHARED_BYTES = 8192  # of one array in workgroup memory; a kernel has up to three, and lavapipe allows 32,768 bytes in all
 
 
-# An adaptor whose functions write members by `scatter` with an operation, by `coherent` or by both. `of` reads the member `given`,
+# A container whose functions write members by `scatter` with an operation, by `coherent` or by both. `of` reads the member `given`,
 # which none of them writes.
 BAG_TEXT = """
-adaptor Bag(n: uint) {
+structure Bag(n: uint) {
     structure marks = Line(max(n, 1u));
     structure most = Line(max(n, 1u));
     structure number = Line(1u);
@@ -43,7 +43,7 @@ class Parameter:
 
 
 class Bag(Structure):
-    """The adaptor of BAG_TEXT."""
+    """The container of BAG_TEXT."""
 
     def make(self, extent):
         return f"Bag({extent[0]}u)"

@@ -136,18 +136,18 @@ POSITIONS = {
         f"pub translator T{i} : uint -> uint {{ {w}: uint; translate(za) {{ return {w} - za; }} domain() {{ return {w}; }} }}\n"
         f"pub structure Z{i}(zn: uint) {{ memory zdata = buffer<uint>[zn]; via T{i}(zn); }}\n"))),
     "views": (ALL, 8, declared(lambda i, w: (
-        f"pub view {w}(zs: ZLine) : uint -> float {{ at(zp) {{ return zs[zp]; }} domain() {{ return zs.extent; }} }}\n"
+        f"pub structure {w}(zs: ZLine) : uint -> float {{ at(zp) {{ return zs[zp]; }} domain() {{ return zs.extent; }} }}\n"
         f"pub kernel zk{i}(zx: in each<{w}>, zy: out each<ZLine>) {{ zy = zx; }}\n"
-        f"pub view V{i}({w}: ZLine) : uint -> float {{ at(zp) {{ return {w}[zp]; }} domain() {{ return {w}.extent; }} }}\n"))),
-    "adaptors": (CPP, 1, declared(lambda i, w: (
-        f"pub adaptor {w}(zn: uint) {{ structure zs = ZLine(zn); pub pipeline zp() {{ zone(zs); }} }}\n"))),
-    "adaptor members": (CPP, 1, declared(lambda i, w: (
-        f"pub adaptor Z{i}({w}: uint) {{ structure zs = ZLine({w}); pub pipeline zp() {{ zone(zs); }} }}\n"
-        f"pub adaptor Y{i}(zn: uint) {{ structure {w} = ZLine(zn); pub pipeline zp() {{ zone({w}); }} }}\n"
-        f"pub adaptor X{i}(zn: uint) {{ structure zs = ZLine(zn); host {w}: uint = 0; pub pipeline zp() {{ {w} += 1; zone(zs); }} }}\n"
-        f"pub adaptor W{i}(zn: uint) {{ structure zs = ZLine(zn); pub pipeline {w}() {{ zone(zs); }} pub pipeline zp() {{ {w}(); }} }}\n"
-        f"pub adaptor V{i}(zn: uint) {{ structure zs = ZLine({w}()); pub fn {w}() -> uint {{ return zn; }} pub pipeline zp() {{ zone(zs[0..{w}()]); }} }}\n"
-        f"pub adaptor U{i}(zn: uint) {{ structure zs = ZLine(zn); pub fn {w}({w}_: uint) -> float {{ return zs[{w}_]; }} }}\n"))),
+        f"pub structure V{i}({w}: ZLine) : uint -> float {{ at(zp) {{ return {w}[zp]; }} domain() {{ return {w}.extent; }} }}\n"))),
+    "containers": (CPP, 1, declared(lambda i, w: (
+        f"pub structure {w}(zn: uint) {{ structure zs = ZLine(zn); pub pipeline zp() {{ zone(zs); }} }}\n"))),
+    "structure members": (CPP, 1, declared(lambda i, w: (
+        f"pub structure Z{i}({w}: uint) {{ structure zs = ZLine({w}); pub pipeline zp() {{ zone(zs); }} }}\n"
+        f"pub structure Y{i}(zn: uint) {{ structure {w} = ZLine(zn); pub pipeline zp() {{ zone({w}); }} }}\n"
+        f"pub structure X{i}(zn: uint) {{ structure zs = ZLine(zn); host {w}: uint = 0; pub pipeline zp() {{ {w} += 1; zone(zs); }} }}\n"
+        f"pub structure W{i}(zn: uint) {{ structure zs = ZLine(zn); pub pipeline {w}() {{ zone(zs); }} pub pipeline zp() {{ {w}(); }} }}\n"
+        f"pub structure V{i}(zn: uint) {{ structure zs = ZLine({w}()); pub fn {w}() -> uint {{ return zn; }} pub pipeline zp() {{ zone(zs[0..{w}()]); }} }}\n"
+        f"pub structure U{i}(zn: uint) {{ structure zs = ZLine(zn); pub fn {w}({w}_: uint) -> float {{ return zs[{w}_]; }} }}\n"))),
     "interfaces": (CPP, 1, declared(lambda i, w: f"interface {w} {{ fn {w}(za: uint) -> uint; }}\n")),
     "types": (ALL, 1, in_body(lambda i, w: (
         f"type {w} = float2;\n", f"    {{ let zv = {w}(zs, 2.0); zs = zv.y; }}\n"))),

@@ -61,15 +61,15 @@ void print_draw_arguments(const Unit& unit, Writer& out, const Kernel& kernel) {
     for (std::uint32_t i = 0; i < kernel.params.size(); ++i) {
         const KernelParam& param = kernel.params[i];
         const bool is_depth = kernel.raster->depth && kernel.raster->depth->param == i;
-        const bool is_adaptor = param.pattern != Pattern::value &&
-                                unit.program.structures[param.structure].kind == ir::StructureKind::adaptor;
+        const bool is_whole = param.pattern != Pattern::value &&
+                                unit.program.structures[param.structure].kind == ir::StructureKind::no_elements;
         if (param.pattern == Pattern::each) out.line("iteration.corners" + argument(param) + ");");
         if (param.pattern == Pattern::instance) out.line("iteration.instances" + argument(param) + ");");
         if (param.pattern == Pattern::at) out.line("iteration.pixels" + argument(param) + ");");
         if (param.pattern == Pattern::target)
             out.line((is_depth ? "iteration.depth" : "iteration.colour") + argument(param) + ", " +
                      memory_text(unit, param) + ");");
-        if (!is_adaptor && param.pattern != Pattern::target && ir::has_own_range(param.pattern))
+        if (!is_whole && param.pattern != Pattern::target && ir::has_own_range(param.pattern))
             out.line("iteration.any" + argument(param) + ");");
     }
 }

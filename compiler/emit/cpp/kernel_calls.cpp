@@ -25,12 +25,12 @@ const std::string& param_name(const Unit& unit, const KernelParam& param) {
     return unit.globals.param_names.at(&param);
 }
 
-/// Whether the parameter takes a container, not a range of one: an adaptor, or a structure of which the kernel calls
+/// Whether the parameter takes a container, not a range of one: a container, or a structure of which the kernel calls
 /// functions (Pattern::calls).
 bool is_container(const Unit& unit, const KernelParam& param) {
     if (!ir::is_structure(param)) return false;
     return param.pattern == Pattern::calls ||
-           unit.program.structures[param.structure].kind == ir::StructureKind::adaptor;
+           unit.program.structures[param.structure].kind == ir::StructureKind::no_elements;
 }
 
 /// The footprints (the elements that are accessed) that the runtime compares, in the order of the parameters: the

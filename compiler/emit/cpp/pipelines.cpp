@@ -66,7 +66,7 @@ struct PipelinePrinter {
 };
 
 /// The structure at which the expression's place begins, with what stands before a member: `f.`, `part->` for a slice,
-/// or empty for the adaptor that owns the pipeline.
+/// or empty for the container that owns the pipeline.
 std::string PipelinePrinter::object(const Expr& expr) {
     if (!expr.local) return "";
     return p.local_names.at(expr.local) + (is_slice(expr) ? "->" : ".");
@@ -276,7 +276,7 @@ void PipelinePrinter::keep(const std::string& shown, const std::string& object, 
 
 /// Prints, for the structures that the outermost statements of a test make, if they are stored and the host can read
 /// them, the statements that keep them to be compared between devices. Also prints the checks of translators that need
-/// the state of such structures, adaptors' members included.
+/// the state of such structures, containers' members included.
 void PipelinePrinter::keep_all() {
     std::vector<std::pair<std::string, ir::StructureId>> made;
     for (ir::StmtId id : pipeline.body) {
@@ -370,7 +370,7 @@ std::string param_type(const Unit& unit, const ir::PipelineParam& param, bool qu
     case ir::HostPattern::range: return "const " + unit.type(type, qualified) + "& ";
     case ir::HostPattern::structure: {
         const bool changes =
-            unit.program.structures[unit.program.types[type].structure].kind == ir::StructureKind::adaptor &&
+            unit.program.structures[unit.program.types[type].structure].is_container &&
             param.direction != ir::Direction::in;
         return (changes ? "" : "const ") + unit.type(type, qualified) + "& ";
     }

@@ -70,7 +70,7 @@ struct ProgramNames {
 ProgramNames program_names(const ir::Program& program);
 
 /// Whether the class holds the member in a glift::Shared, so that all copies of an object share it: true of the members
-/// that an adaptor makes, since these can be replaced.
+/// that a container makes, since these can be replaced.
 bool is_held_by_handle(const ir::Structure& structure, std::size_t member);
 
 /// Whether code of a module may use the alias of a structure: one of its own, or a public one of a module that it

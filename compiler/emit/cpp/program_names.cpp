@@ -53,8 +53,8 @@ NameSet members_of_class(ir::StructureKind kind) {
                       "translates",
                       "write"});
         break;
-    case ir::StructureKind::view: names.insert({"Address", "Element", "View", "copy_out", "first"}); break;
-    case ir::StructureKind::adaptor:
+    case ir::StructureKind::computed: names.insert({"Address", "Element", "View", "copy_out", "first"}); break;
+    case ir::StructureKind::no_elements:
         names.erase("domain");
         names.erase("range");
         names.insert({"device", "device_"});
@@ -68,8 +68,8 @@ NameSet members_of_class(ir::StructureKind kind) {
 const NameSet& not_for_types() {
     static const NameSet names = [] {
         NameSet all = members_of_class(ir::StructureKind::stored);
-        all.merge(members_of_class(ir::StructureKind::view));
-        all.merge(members_of_class(ir::StructureKind::adaptor));
+        all.merge(members_of_class(ir::StructureKind::computed));
+        all.merge(members_of_class(ir::StructureKind::no_elements));
         all.insert(std::begin(locals_of_kernels), std::end(locals_of_kernels));
         all.insert(std::begin(locals_of_groups), std::end(locals_of_groups));
         all.insert(std::begin(locals_of_draws), std::end(locals_of_draws));

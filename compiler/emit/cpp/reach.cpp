@@ -31,7 +31,7 @@ struct Collector {
     std::set<ir::FunctionId> functions{};
     Devices devices{};       ///< those on which the visited statement may run
     bool moves_all = false;  ///< a test program, which may copy boxes of any structure to the host
-    ir::StructureId owner;   ///< the visited pipeline's adaptor, at which Expr::place begins if Expr::local is absent
+    ir::StructureId owner;   ///< the visited pipeline's container, at which Expr::place begins if Expr::local is absent
 
     void type(ir::TypeId id, bool visible);
     void struct_(ir::StructId id);

@@ -1,4 +1,4 @@
-// Structures, views and adaptors as classes.
+// Structures as classes.
 #include "emit/cpp/translators.h"
 #include "emit/cpp/unit.h"
 #include "ir/chain.h"
@@ -44,8 +44,8 @@ std::string base_of(const Unit& unit, ir::StructureId index) {
                                   storage_text(unit.globals, structure.element, true) + ">";
     switch (structure.kind) {
     case StructureKind::stored: return " : public glift::Structure" + arguments;
-    case StructureKind::view: return " : public glift::View" + arguments;
-    case StructureKind::adaptor: return "";
+    case StructureKind::computed: return " : public glift::View" + arguments;
+    case StructureKind::no_elements: return "";
     }
     return "";
 }
@@ -53,7 +53,7 @@ std::string base_of(const Unit& unit, ir::StructureId index) {
 /// Whether boxes of the structure can be copied to the host, and back if ir::is_written_in_boxes. Every definition of
 /// the class declares the functions that copy; only modules whose code may copy boxes define them (Reach::moved).
 bool has_transfers(const Structure& structure) {
-    return structure.kind == StructureKind::stored || (structure.kind == StructureKind::view && structure.domain);
+    return structure.kind == StructureKind::stored || (structure.kind == StructureKind::computed && structure.domain);
 }
 
 /// The type of a memory's extent: a number of 64 bits for the elements of a buffer, 32 bits along each axis of an
@@ -80,8 +80,13 @@ std::string extent_value(Unit& unit, Printer& p, const std::string& owner, const
     return fitted(p, memory.extent, owner + "." + unit.name(memory.name));
 }
 
+/// Whether the class itself knows its device; those of stored structures have it from glift::Structure.
+bool has_device_field(const Structure& structure) {
+    return structure.is_container && structure.kind != StructureKind::stored;
+}
+
 /// Whether a member has a non-const accessor beside the const one: the member is the structure's memory, or contains
-/// it, or was given to the structure, so that others may use it, too. (In adaptors all members have both.)
+/// it, or was given to the structure, so that others may use it, too. (In containers all members have both.)
 bool is_written_as(const Structure& structure, std::size_t member) {
     return structure.members[member].by_reference || (!structure.base.empty() && structure.base[0] == member);
 }
@@ -110,7 +115,7 @@ void print_accessors(Unit& unit, Writer& out, ir::StructureId index, const Class
         const std::string type = unit.class_name(structure.members[i].structure);
         const std::string field = names.member_fields[i] + (is_held_by_handle(structure, i) ? ".get()" : "");
         out.line("const " + type + "& " + names.members[i] + "() const { return " + field + "; }");
-        if (structure.kind == StructureKind::adaptor || is_written_as(structure, i))
+        if (structure.is_container || is_written_as(structure, i))
             out.line(type + "& " + names.members[i] + "() { return " + field + "; }");
     }
     print_base(unit, out, index, names);
@@ -132,7 +137,7 @@ std::string field_type(const Unit& unit, const Structure& structure, std::size_t
 void print_fields(Unit& unit, Writer& out, ir::StructureId index, const ClassNames& names) {
     constexpr bool qualified = true;
     const Structure& structure = unit.program.structures[index];
-    if (structure.kind == StructureKind::adaptor) out.line("glift::Device device_;");
+    if (has_device_field(structure)) out.line("glift::Device device_;");
     for (std::size_t i = 0; i < structure.constructor.size(); ++i)
         out.line(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " +
                  names.argument_fields[i] + "{};");
@@ -281,7 +286,7 @@ void print_constructors(Unit& unit, Writer& out, ir::StructureId index, const Cl
     const auto head = [&](const std::string& more, bool adopts) {
         std::vector<std::string> initialisers;
         if (structure.kind == StructureKind::stored) initialisers.push_back("Structure(commands.device())");
-        if (structure.kind == StructureKind::adaptor) initialisers.push_back("device_(commands.device())");
+        if (has_device_field(structure)) initialisers.push_back("device_(commands.device())");
         for (std::size_t i = 0; i < names.arguments.size(); ++i)
             initialisers.push_back(names.argument_fields[i] + "(" + names.arguments[i] + ")");
         for (std::size_t i = 0; i < structure.members.size(); ++i) {
@@ -385,9 +390,9 @@ void print_class(Unit& unit, Writer& out, ir::StructureId index) {
         out.line(type + "(" + constructor.text() + memory_parameters(unit, index, names) + ");");
     }
     out.gap();
-    if (structure.kind != StructureKind::adaptor) {
+    if (structure.kind != StructureKind::no_elements)
         out.line(unit.type(structure.domain_type, true) + " domain() const;");
-    } else {
+    if (has_device_field(structure)) {
         out.open("const glift::Device& device() const");
         out.line("if (!device_) glift::detail::throw_empty_structure(type_name, \"device\");");
         out.line("return device_;");
@@ -440,7 +445,7 @@ void print_class_members(Unit& unit, Writer& out, ir::StructureId index) {
     const Structure& structure = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];
     print_constructors(unit, out, index, names);
-    if (structure.kind != StructureKind::adaptor) {
+    if (structure.kind != StructureKind::no_elements) {
         Printer p = own_printer(unit, index);
         out.open(unit.linkage(structure.key) + unit.type(structure.domain_type) + " " + unit.own_name(index) +
                  "::domain() const");

@@ -10,7 +10,7 @@ std::string visible(const Printer& p, const std::string& name) {
 }
 
 bool is_held_by_handle(const ir::Structure& structure, std::size_t member) {
-    return structure.kind == ir::StructureKind::adaptor && !structure.members[member].by_reference;
+    return structure.is_container && !structure.members[member].by_reference;
 }
 
 // long: a case for each operation

@@ -246,7 +246,7 @@ bool reads_tables(const ir::Program& program, const Structure& structure) {
 std::string why_not_mirrored(const ir::Program& program, const Structure& structure, const ir::Stage& stage) {
     for (const ir::Place& place : tables_of(program, program.translators[stage.translator])) {
         const Structure& table = ir::structure_at(program, structure, placed(stage, place).members);
-        if (table.kind == ir::StructureKind::view && !table.domain)
+        if (table.kind == ir::StructureKind::computed && !table.domain)
             return "its table is " + table.display + ", a view without a domain";
     }
     return "";

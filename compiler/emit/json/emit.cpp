@@ -160,7 +160,7 @@ void Writer::structure(ir::StructureId index) {
         out.field("name", structure_name(index));
         out.field("type", s.display);
         out.field("kind", word(s.kind));
-        if (s.kind != ir::StructureKind::adaptor) {
+        if (s.kind != ir::StructureKind::no_elements) {
             out.field("domain", type(s.domain_type));
             out.field("element", type(s.element));
         }
@@ -184,7 +184,7 @@ void Writer::structure(ir::StructureId index) {
             });
         }
         functions(index, self);
-        if (s.kind == ir::StructureKind::adaptor)
+        if (s.is_container)
             list("host", s.host, [&](const ir::HostField& field) { named(name(field.name), type(field.type)); });
         document(s.doc);
     });

@@ -84,8 +84,8 @@ const char* word(ir::Combine combine) {
 const char* word(ir::StructureKind kind) {
     switch (kind) {
     case ir::StructureKind::stored: return "structure";
-    case ir::StructureKind::view: return "view";
-    case ir::StructureKind::adaptor: return "adaptor";
+    case ir::StructureKind::computed: return "view";
+    case ir::StructureKind::no_elements: return "container";
     }
     return "";
 }

@@ -30,7 +30,7 @@ template <class Asks> Pair Expander::chained(const Place& place, ExprId address,
         const Structure& structure = cx.structure_at(link);
         const Pair next = linked(link, at.value, at_link);
         at = {next.value, build.both(at.has, next.has)};
-        const bool leads_to_view = structure.kind == StructureKind::view && structure.base.empty();
+        const bool leads_to_view = structure.kind == StructureKind::computed && structure.base.empty();
         if (!is_contained(p, structure) && !leads_to_view) {
             // Not in kernels over blocks: some components depend on the block alone, a local of the vector would not.
             if (!cx.kernel.space) at.value = named(at_link + "_place", at.value);

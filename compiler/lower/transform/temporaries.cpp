@@ -93,7 +93,7 @@ void mark_last_reads(Program& p, const std::vector<StmtId>& body, std::size_t at
 }
 
 /// Whether the structure stores its elements in memory that it makes. The elements that are accessed through a view or
-/// an adaptor, or through a structure whose memory is another one that it was given, lie in other structures.
+/// a container, or through a structure whose memory is another one that it was given, lie in other structures.
 bool has_own_memory(const Program& p, LocalId local) {
     const Structure* structure = &p.structures[p.types[p.locals[local].type].structure];
     if (structure->kind != StructureKind::stored) return false;

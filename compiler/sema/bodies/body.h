@@ -14,7 +14,7 @@ namespace gliftc::sema {
 enum class BodyKind : std::uint8_t {
     constant,   // compile-time values
     function,   // functions and methods
-    structure,  // expressions in the declaration of a structure, view or adaptor, such as extents and arguments
+    structure,  // expressions in the declaration of a structure, such as extents and arguments
     kernel,
     pipeline,  // tests too
 };
@@ -28,7 +28,7 @@ enum class SymbolKind : std::uint8_t {
     member,      // a constructor parameter of the container that is a value
     memory,      // a buffer or image of the container
     iterator,    // a kernel's parameter such as `each` or `at`: its name means the current element, window or address
-    host_state,  // a field of an adaptor that lives on the host
+    host_state,  // a field of a container that lives on the host
 };
 
 /// How code may access a structure through one name. `any`: reads by address. `scatter`: writes to any address, and no
@@ -115,7 +115,7 @@ struct Body {
     unsigned depth = 0;  ///< how deeply the statement is nested
     ir::Kernel* kernel = nullptr;
     ir::Part part = ir::Part::whole;  ///< the part of a draw that is being checked; whole: the code is in neither part
-    /// The structure, view or adaptor that declares this function or pipeline, or whose declaration is checked, if any.
+    /// The structure that declares this function or pipeline, or whose declaration is checked, if any.
     /// Its members are in scope; their Place::root is 0.
     ir::StructureId container;
     std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< the workgroup size that the declaration gives; all 0: none

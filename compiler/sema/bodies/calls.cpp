@@ -304,7 +304,7 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
     };
     // A function that a structure declares comes before the built-in one of its name, such as `find`. But a declared
     // `domain` is evaluated by Op::domain, the `at` of a view by reads of elements, and call_of_blocks() handles
-    // `blocks`, `block` and `block_size`: these are not called as functions here. Adaptors have no such exceptions.
+    // `blocks`, `block` and `block_size`: these are not called as functions here. Containers have no such exceptions.
     const std::vector<const ast::Item*> items = items_of(c, self.structure);
     std::vector<ast::DeclId> overloads, pipelines;
     for (const ast::Item* item : items) {
@@ -315,10 +315,10 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         if (auto result = check_pipeline_call(body, pipelines, generics, call, &self)) return *result;
         return error_operand(call.span);
     }
-    const bool addressed = body.program().structures[self.structure].kind != ir::StructureKind::adaptor;
+    const bool addressed = body.program().structures[self.structure].kind != ir::StructureKind::no_elements;
     if (addressed)
         if (auto result = call_of_blocks(body, self, method, call)) return *result;
-    const bool is_view = body.program().structures[self.structure].kind == ir::StructureKind::view;
+    const bool is_view = body.program().structures[self.structure].kind == ir::StructureKind::computed;
     const bool is_override = (addressed && name == "domain") || (is_view && name == "at");
     if (!overloads.empty() && !is_override)
         return call_function(body, overloads, c.structure_env.at(self.structure), generics, arguments, call, wanted,

@@ -376,7 +376,7 @@ Operand check_index(Body& body, ast::ExprId id, ir::TypeId) {
         if (auto structure = as_structure(body, left)) return check_pipeline_index(body, *structure, expr);
     if (left.kind == OperandKind::structure) {
         const ir::Structure& structure = body.program().structures[left.structure];
-        if (structure.kind == ir::StructureKind::adaptor) {
+        if (structure.kind == ir::StructureKind::no_elements) {
             c.error(Diag::not_indexable, expr.span, {structure.display});
             return error_operand(expr.span);
         }

@@ -23,7 +23,7 @@ struct Whole {
 /// or if the argument for it is no Op::structure_value.
 bool follow_given(Body& body, Whole& whole) {
     const ir::Program& p = body.program();
-    if (!whole.local || whole.place.members.empty()) return false;  // without a local: a member of the adaptor itself
+    if (!whole.local || whole.place.members.empty()) return false;  // without a local: a member of the container itself
     const auto made = body.made.find(whole.local);
     const ir::Structure& structure = p.structures[p.types[p.locals[whole.local].type].structure];
     whole.place.members = ir::made_at(p, structure, whole.place.members);

@@ -77,7 +77,7 @@ void check_exclusive(Context& c, const ast::Param& param, const ir::KernelParam&
     note(diagnostic, param.pattern_span, "scatter<S, op> combines writes to one element: min, max, add, and, or, xor");
 }
 
-/// Whether a kernel can access a parameter of this type by this pattern; reports one that it cannot. An adaptor has no
+/// Whether a kernel can access a parameter of this type by this pattern; reports one that it cannot. Some have no
 /// elements: `any` reads its members, `calls` calls its functions.
 bool is_touched(Context& c, const ast::Param& param, ir::Pattern pattern, ir::TypeId type) {
     if (c.types().kind(type) != ir::TypeKind::structure) {
@@ -85,9 +85,9 @@ bool is_touched(Context& c, const ast::Param& param, ir::Pattern pattern, ir::Ty
         return false;
     }
     const ir::Structure& structure = c.program.structures[c.types()[type].structure];
-    if (structure.kind != ir::StructureKind::adaptor || pattern == ir::Pattern::any || pattern == ir::Pattern::calls)
+    if (structure.kind != ir::StructureKind::no_elements || pattern == ir::Pattern::any || pattern == ir::Pattern::calls)
         return true;
-    c.error(Diag::adaptor_in_kernel, c[param.type].span, {structure.display});
+    c.error(Diag::no_elements_in_kernel, c[param.type].span, {structure.display});
     return false;
 }
 
@@ -119,7 +119,7 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
         if (is_structure)
             note(c.error(Diag::structure_needs_pattern, c[param.type].span, {c.text(param.name.name)}),
                  c[param.type].span,
-                 c.program.structures[c.types()[type].structure].kind == ir::StructureKind::adaptor
+                 c.program.structures[c.types()[type].structure].kind == ir::StructureKind::no_elements
                      ? "say how the kernel calls its functions: calls<…>, or any<…> if they only read"
                      : "say how the kernel accesses it: each<…>, near<…, r>, any<…>, at<…>, scatter<…> or coherent<…>");
         if (type && !is_structure && holds_optional(c.program, type)) {
@@ -200,7 +200,7 @@ bool are_alike(const Context& c, const ast::Kernel& written, const ir::Kernel& k
     if (one.pattern == ir::Pattern::value || other.pattern == ir::Pattern::value) return false;
     if (one.structure != other.structure) return false;
     if (one.pattern == ir::Pattern::calls || other.pattern == ir::Pattern::calls) return false;
-    if (c.program.structures[one.structure].kind == ir::StructureKind::adaptor) return false;
+    if (c.program.structures[one.structure].kind == ir::StructureKind::no_elements) return false;
     // The ranges of corners, instances and pixels of a draw have sizes independent of each other.
     if (kernel.raster && one.pattern != other.pattern && (ir::visits(one.pattern) || ir::visits(other.pattern)))
         return false;

@@ -148,7 +148,7 @@ void check_coherent(Context& c, ast::Identifier name, ir::StructureId index) {
 
 void check_stored(Context& c, Span span, ir::StructureId index) {
     const ir::Structure& structure = c.program.structures[index];
-    if (structure.kind != ir::StructureKind::view) return;
+    if (structure.kind != ir::StructureKind::computed) return;
     Diagnostic& diagnostic = c.error(Diag::view_written, span, {structure.display});
     if (!structure.base.empty())
         note(diagnostic, structure.base_span,
@@ -189,22 +189,22 @@ void declare_writing(Body& body, const ast::Param& param, ir::KernelParam made, 
 
 namespace {
 
-/// The member named in a `with`; null, after an error, if the name is no structure among the members, or is an adaptor
+/// The member named in a `with`; null, after an error, if the name is no structure among the members, or has no elements
 /// and the pattern is not `calls`.
 Symbol* written_member(Body& body, const ast::MemberPattern& pattern) {
     Context& c = body.context;
     Symbol* symbol = body.container ? find_symbol(body, pattern.member.name) : nullptr;
-    const bool is_adaptor = symbol != nullptr && symbol->kind == SymbolKind::structure &&
-                            c.program.structures[symbol->structure].kind == ir::StructureKind::adaptor;
+    const bool is_whole = symbol != nullptr && symbol->kind == SymbolKind::structure &&
+                            c.program.structures[symbol->structure].kind == ir::StructureKind::no_elements;
     const bool is_member = symbol != nullptr && symbol->kind == SymbolKind::structure &&
-                           (!is_adaptor || pattern.pattern == ast::Pattern::calls);
+                           (!is_whole || pattern.pattern == ast::Pattern::calls);
     if (is_member) return symbol;
     Diagnostic& diagnostic = c.error(Diag::with_member, pattern.member.span, {c.text(pattern.member.name)});
     if (!body.container)
         note(diagnostic, pattern.pattern_span,
-             "'with' names members of the structure or adaptor that the function is declared in; parameters say for "
+             "'with' names members of the structure that the function is declared in; parameters say for "
              "themselves how they are written: 'out scatter<S, op>', 'inout coherent<S>', 'calls<S>'");
-    else if (is_adaptor) note(diagnostic, pattern.pattern_span, "functions of an adaptor are called: 'calls<…>'");
+    else if (is_whole) note(diagnostic, pattern.pattern_span, "it has no elements, only functions that are called: 'calls<…>'");
     else note(diagnostic, pattern.pattern_span, "name a 'structure' of it, or its memory where that is a structure");
     return nullptr;
 }

@@ -55,8 +55,6 @@ void own_members(Context& c, ast::DeclId id, ir::ModuleId module) {
     if (auto* interface = std::get_if<ast::Interface>(&body))
         for (ast::DeclId member : interface->members) own_members(c, member, module);
     if (auto* structure = std::get_if<ast::Structure>(&body)) own_items(c, structure->items, module);
-    if (auto* view = std::get_if<ast::View>(&body)) own_items(c, view->items, module);
-    if (auto* adaptor = std::get_if<ast::Adaptor>(&body)) own_items(c, adaptor->items, module);
 }
 
 void declare(Context& c, ModuleScope& scope, ast::DeclId id) {

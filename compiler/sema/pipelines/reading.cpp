@@ -5,6 +5,7 @@
 #include "ir/walk.h"
 #include "sema/pipelines/values.h"
 #include "sema/structures/components.h"
+#include "sema/structures/constructors.h"
 #include "sema/types/instances.h"
 #include "sema/types/typing.h"
 
@@ -85,13 +86,13 @@ std::optional<ir::TypeId> type_not_for_passes(const ir::Program& program, const 
 
 ir::PipelineParam structure_param(Context& c, ir::StructureId structure, Span span) {
     const ir::TypeId type = c.types().of_structure(structure);
-    const bool is_adaptor = c.program.structures[structure].kind == ir::StructureKind::adaptor;
+    const bool is_whole = c.program.structures[structure].kind == ir::StructureKind::no_elements;
     ir::PipelineParam param;
     param.name = c.names.intern("self");
     param.span = span;
-    param.pattern = is_adaptor ? ir::HostPattern::structure : ir::HostPattern::range;
+    param.pattern = is_whole ? ir::HostPattern::structure : ir::HostPattern::range;
     param.structure = structure;
-    param.local = add_local(c.program, param.name, is_adaptor ? type : c.types().slice(type), span);
+    param.local = add_local(c.program, param.name, is_whole ? type : c.types().slice(type), span);
     return param;
 }
 
@@ -160,33 +161,35 @@ ir::PipelineId pipeline_of_function(Context& c, ir::FunctionId id, Span use, con
     return made;
 }
 
-void check_methods(Context& c, ir::StructureId index) {
-    const auto& adaptor = std::get<ast::Adaptor>(c[c.structure_decl.at(index)].body);
+/// Adds the function to the structure's methods, if C++ programs can call it.
+static void add_method(Context& c, ir::StructureId index, ast::DeclId id) {
     const Env& env = *c.structure_env.at(index);
-    for_each_item(c, env, adaptor.items, [&](const ast::Item& item) {
-        if (item.kind != ast::ItemKind::function) return;
-        const ast::Decl& decl = c[item.decl];
-        const auto& written = std::get<ast::Function>(decl.body);
-        if (!decl.is_pub || !decl.generics.empty()) return;
-        const bool takes_structures = std::ranges::any_of(written.params, [&](const ast::Param& param) {
-            return param.pattern != ast::Pattern::none ||
-                   (param.type && c.types().kind(type_of(c, env, param.type)) == ir::TypeKind::structure);
-        });
-        if (takes_structures || !written.group.empty()) return;
-        const auto function = instantiate_function(c, item.decl, env, {index}, decl.name.span);
-        if (!function) return;
-        const ir::Function& made = c.program.functions[*function];
-        // Functions that write are called only by kernels, and by functions that kernels call. Methods in C++ cannot
-        // return optionals.
-        if (!made.effects.empty() || c.types().kind(made.result) == ir::TypeKind::optional) return;
-        if (made.reads_memory && type_not_for_passes(c.program, made)) return;
-        ir::Method method{*function, {}};
-        if (made.reads_memory) {
-            method.pipeline = pipeline_of_function(c, *function, decl.name.span);
-            if (!method.pipeline) return;
-        }
-        c.program.structures[index].methods.push_back(method);
+    const ast::Decl& decl = c[id];
+    const auto& written = std::get<ast::Function>(decl.body);
+    if (!decl.is_pub || !decl.generics.empty()) return;
+    const bool takes_structures = std::ranges::any_of(written.params, [&](const ast::Param& param) {
+        return param.pattern != ast::Pattern::none ||
+               (param.type && c.types().kind(type_of(c, env, param.type)) == ir::TypeKind::structure);
     });
+    if (takes_structures || !written.group.empty()) return;
+    const auto function = instantiate_function(c, id, env, {index}, decl.name.span);
+    if (!function) return;
+    const ir::Function& made = c.program.functions[*function];
+    // Functions that write are called only by kernels, and by functions that kernels call. Methods in C++ cannot
+    // return optionals.
+    if (!made.effects.empty() || c.types().kind(made.result) == ir::TypeKind::optional) return;
+    if (made.reads_memory && type_not_for_passes(c.program, made)) return;
+    ir::Method method{*function, {}};
+    if (made.reads_memory) {
+        method.pipeline = pipeline_of_function(c, *function, decl.name.span);
+        if (!method.pipeline) return;
+    }
+    c.program.structures[index].methods.push_back(method);
+}
+
+void check_methods(Context& c, ir::StructureId index) {
+    for (const ast::Item* item : items_of(c, index))
+        if (item->kind == ast::ItemKind::function) add_method(c, index, item->decl);
 }
 
 }  // namespace gliftc::sema

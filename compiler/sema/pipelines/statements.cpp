@@ -380,7 +380,7 @@ Operand check_expect_same(Body& body, const std::vector<ast::ExprId>& arguments,
         if (operand.kind == OperandKind::error) return operand;
         if (!structure || body.program().structures[structure].kind != ir::StructureKind::stored) {
             Diagnostic& diagnostic = c.error(Diag::structure_wanted, c[arguments[i]].span, {"expect_same"});
-            if (structure && body.program().structures[structure].kind == ir::StructureKind::view)
+            if (structure && body.program().structures[structure].kind == ir::StructureKind::computed)
                 note(diagnostic, c[arguments[i]].span, "a view has no elements in memory: copy it into a structure");
             return error_operand(call.span);
         }
@@ -448,7 +448,7 @@ bool check_structure_declaration(Body& body, const ast::Stmt& stmt) {
         return true;
     }
     if (stmt.is_uninitialized &&
-        body.program().structures[body.types()[node.type].structure].kind == ir::StructureKind::view)
+        body.program().structures[body.types()[node.type].structure].kind == ir::StructureKind::computed)
         c.error(Diag::uninitialized_view, c[stmt.value].span, {c.text(node.type)});
     const bool is_mutable = stmt.binding == ast::Binding::var;
     if (!made) value = as_declared(body, value, stmt.name.span);
@@ -515,7 +515,7 @@ Operand construct_structure(Body& body, ir::TypeId type, const ast::Expr& call) 
 Operand check_pipeline_index(Body& body, const Operand& structure, const ast::Expr& expr) {
     Context& c = body.context;
     const ir::Structure instance = body.program().structures[structure.structure];
-    if (instance.kind == ir::StructureKind::adaptor) {
+    if (instance.kind == ir::StructureKind::no_elements) {
         c.error(Diag::not_indexable, expr.span, {instance.display});
         return error_operand(expr.span);
     }
@@ -523,7 +523,7 @@ Operand check_pipeline_index(Body& body, const Operand& structure, const ast::Ex
     if (index.kind == ast::ExprKind::range) return check_slice(body, structure, index, expr.span);
     ir::ExprId address = check_value(body, expr.operands[1], instance.domain_type);
     if (is_error(body, address)) return error_operand(expr.span);
-    if (instance.kind == ir::StructureKind::view) {
+    if (instance.kind == ir::StructureKind::computed) {
         c.error(Diag::view_read_on_host, expr.span, {instance.display});
         return error_operand(expr.span);
     }

@@ -1,4 +1,4 @@
-// Instances of structures, views and adaptors: the items in their declarations, and the passes by which pipelines call
+// Instances of structures: the items in their declarations, and the passes by which pipelines call
 // their functions.
 #pragma once
 
@@ -7,8 +7,6 @@
 namespace gliftc::sema {
 
 ir::TypeId make_structure(Context&, ast::DeclId, const Env&);
-ir::TypeId make_view(Context&, ast::DeclId, const Env&);
-ir::TypeId make_adaptor(Context&, ast::DeclId, const Env&);
 
 /// Declares the names in scope in a structure's own functions, with Place root 0: constructor arguments, members,
 /// memories, the structure that is the memory if there is one (the base, sema/structures/memory_structure.h), host
@@ -60,7 +58,7 @@ std::optional<ir::TypeId> type_not_for_passes(const ir::Program&, const ir::Func
 /// device (empty: none). Gives an empty id after an error.
 ir::PipelineId pipeline_of_function(Context&, ir::FunctionId, Span use, const std::vector<bool>& on_device = {});
 
-/// The parameter `self` of a generated pipeline: a range of the structure, or the whole adaptor if the structure is
+/// The parameter `self` of a generated pipeline: a range of the structure, or the whole container if the structure is
 /// one.
 ir::PipelineParam structure_param(Context&, ir::StructureId structure, Span);
 
@@ -74,7 +72,7 @@ ir::ExprId structure_argument(Context&, ir::LocalId, Span);
 ir::PipelineId pipeline_of_kernel(Context&, ir::Kernel kernel, ir::Pipeline pipeline, ir::Operands arguments,
                                   ir::StructureId box);
 
-/// Fills Structure::methods: the adaptor's public functions that its C++ class gets as methods.
+/// Fills Structure::methods: the container's public functions that its C++ class gets as methods.
 void check_methods(Context&, ir::StructureId structure);
 
 bool is_address(const ir::Types&, ir::TypeId);  ///< uint, uint2, uint3, uint4

@@ -17,7 +17,7 @@ bool is_named(Body& body, ast::ExprId id) {
     return expr->kind == ast::ExprKind::name && find_symbol(body, expr->name) != nullptr;
 }
 
-/// The generic structure, view or adaptor that a constructor's name denotes; absent if it denotes anything else.
+/// The generic structure that a constructor's name denotes; absent if it denotes anything else.
 ast::DeclId generic_declaration(Body& body, const ast::Expr& name) {
     Context& c = body.context;
     if (name.kind != ast::ExprKind::name || body.env.find(name.name)) return {};
@@ -30,15 +30,11 @@ ast::DeclId generic_declaration(Body& body, const ast::Expr& name) {
 }  // namespace
 
 const std::vector<ast::Param>* constructor_of(const ast::Decl& decl) {
-    if (const auto* structure = std::get_if<ast::Structure>(&decl.body)) return &structure->constructor;
-    if (const auto* view = std::get_if<ast::View>(&decl.body)) return &view->constructor;
-    if (const auto* adaptor = std::get_if<ast::Adaptor>(&decl.body)) return &adaptor->constructor;
-    return nullptr;
+    const auto* structure = std::get_if<ast::Structure>(&decl.body);
+    return structure != nullptr ? &structure->constructor : nullptr;
 }
 
 const std::vector<ast::Item>& items_of(const ast::Decl& decl) {
-    if (const auto* view = std::get_if<ast::View>(&decl.body)) return view->items;
-    if (const auto* adaptor = std::get_if<ast::Adaptor>(&decl.body)) return adaptor->items;
     return std::get<ast::Structure>(decl.body).items;
 }
 

@@ -10,7 +10,7 @@ namespace gliftc::sema {
 
 namespace {
 
-/// Whether a name denotes a symbol in scope, a type, or a declaration of a structure, view, adaptor or alias.
+/// Whether a name denotes a symbol in scope, a type, or a declaration of a structure or alias.
 bool names_structure(Body& body, ast::Identifier name) {
     if (find_symbol(body, name.name)) return true;
     const Context& c = body.context;
@@ -18,17 +18,16 @@ bool names_structure(Body& body, ast::Identifier name) {
     if (meta.kind == MetaKind::type) return true;
     if (meta.kind != MetaKind::declarations) return false;
     const auto& decl = c[meta.declarations[0]].body;
-    return std::holds_alternative<ast::Structure>(decl) || std::holds_alternative<ast::View>(decl) ||
-           std::holds_alternative<ast::Adaptor>(decl) || std::holds_alternative<ast::Alias>(decl);
+    return std::holds_alternative<ast::Structure>(decl) || std::holds_alternative<ast::Alias>(decl);
 }
 
 /// Makes the structure `base`, at `place`, the memory of structure `index`, under the name that the item gives.
 void set_base(Body& body, ir::StructureId index, const ast::Item& item, const ir::Place& place, ir::StructureId base) {
     Context& c = body.context;
     const ir::Structure& memory = c.program.structures[base];
-    if (memory.kind == ir::StructureKind::adaptor) {
+    if (memory.kind == ir::StructureKind::no_elements) {
         note(c.error(Diag::memory_form, c[item.value].span), c[item.value].span,
-             memory.display + " is an adaptor, which has no elements: name one of its members");
+             memory.display + " has no elements: name one of its members");
         return;
     }
     if (item.mips || item.filter || item.compare)

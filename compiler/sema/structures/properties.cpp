@@ -69,7 +69,7 @@ void add_table(const ir::Program& program, ir::StructureId table, ir::Properties
         if (link->base.empty()) break;
         link = &ir::structure_at(program, *link, link->base);
     }
-    if (link->kind != ir::StructureKind::view || !link->at) return;
+    if (link->kind != ir::StructureKind::computed || !link->at) return;
     Flow flow;
     look(program, link->at, flow);
     properties.uniform &= !flow.has_open_loop && !flow.has_branch;

@@ -16,7 +16,6 @@ namespace {
 std::string why_kept(Body& body, const Operand& target) {
     if (target.local || !body.container) return "it is no member of the container whose pipeline this is";
     const ir::Structure& container = body.program().structures[body.container];
-    if (container.kind != ir::StructureKind::adaptor) return container.display + " is not an adaptor";
     if (target.place.members.size() != 1) return "it is a part of a member: replace the member as a whole";
     const std::uint32_t member = target.place.members[0];
     if (container.members[member].by_reference) return "it was given to " + container.display + ", whose it is not";

@@ -1,4 +1,4 @@
-// `member = temporary;` in a pipeline of an adaptor: the member gets the memory of the temporary.
+// `member = temporary;` in a pipeline of a container: the member gets the memory of the temporary.
 #pragma once
 
 #include "sema/bodies/body.h"

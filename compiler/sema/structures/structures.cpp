@@ -1,5 +1,5 @@
-// long: structures, views and adaptors share the checks of their items
-// Structures, views and adaptors: constructor, memories, nested structures, `via`, domain.
+// long: the checks of all items of structures
+// Structures: constructor, memories, nested structures, `via`, domain.
 #include "ir/chain.h"
 #include "ir/empty.h"
 #include "ir/spelling.h"
@@ -429,7 +429,7 @@ void finish_structure(Body& body, ir::StructureId index, const ast::Item* domain
     const ir::TypeId element =
         has_base ? ir::structure_at(c.program, structure, structure.base).element : structure.memories[0].element;
     structure.element = element;
-    if (ir::is_computed(c.program, structure)) structure.kind = ir::StructureKind::view, structure.copyable = false;
+    if (ir::is_computed(c.program, structure)) structure.kind = ir::StructureKind::computed, structure.copyable = false;
     ir::ExprId extent = domain_of(body, index, domain);
     if (!extent && !c.diagnostics.has_own_errors())
         note(c.error(Diag::no_domain, at, {display}), at,
@@ -541,118 +541,144 @@ void bring_members_into_scope(Body& body, ir::StructureId index) {
     }
 }
 
+namespace {
+
+/// What the items of a structure's declaration say together, besides what each adds by itself.
+struct Declared {
+    const ast::Item *domain = nullptr, *otherwise = nullptr;
+    ast::DeclId at;
+    BlockItems blocks;
+    bool has_via = false;
+};
+
+/// Kinds of structures: with a memory, with elements that `at` computes (their types are written after the
+/// constructor), and without elements of its own.
+ir::StructureKind kind_of(Context& c, const Env& env, const ast::Structure& written) {
+    if (written.virtual_type) return ir::StructureKind::computed;
+    bool is_stored = false;
+    for_each_item(c, env, written.items, [&](const ast::Item& item) {
+        is_stored = is_stored || item.kind == ast::ItemKind::memory || item.kind == ast::ItemKind::via ||
+                    item.kind == ast::ItemKind::otherwise;
+    });
+    return is_stored ? ir::StructureKind::stored : ir::StructureKind::no_elements;
+}
+
+/// Whether copies of the structure share more than memory: it has host state, or pipelines, which may replace members.
+bool is_container(Context& c, const Env& env, const ast::Structure& written, ir::StructureKind kind) {
+    bool holds = kind == ir::StructureKind::no_elements;
+    for_each_item(c, env, written.items, [&](const ast::Item& item) {
+        holds = holds || item.kind == ast::ItemKind::host || item.kind == ast::ItemKind::pipeline;
+    });
+    return holds;
+}
+
+void add_host_state(Body& body, ir::StructureId index, const ast::Item& item) {
+    Context& c = body.context;
+    ir::TypeId type = type_of(c, body.env, item.type);
+    if (is_refused_optional(c, type, "host state", c[item.type].span)) type = c.types().error;
+    const ir::ExprId initial = item.value ? check_value(body, item.value, type) : ir::ExprId{};
+    c.program.structures[index].host.push_back({item.name.name, item.name.span, type, initial});
+}
+
+/// Notes a function that the language knows by its name; others are checked where they are called.
+void note_function(Body& body, ir::StructureId index, const ast::Item& item, Declared& declared) {
+    Context& c = body.context;
+    const ir::StructureKind kind = c.program.structures[index].kind;
+    const std::string name = c.text(c[item.decl].name.name);
+    if (kind == ir::StructureKind::no_elements) return;
+    if (name == "domain") {
+        if (declared.domain) c.error(Diag::duplicate_name, c[item.decl].name.span, {name});
+        declared.domain = &item;
+    }
+    if (name == "at" && kind == ir::StructureKind::computed) {
+        if (declared.at) c.error(Diag::duplicate_name, c[item.decl].name.span, {name});
+        declared.at = item.decl;
+    }
+    declared.blocks.note(c, item.decl);
+}
+
+void add_item(Body& body, ir::StructureId index, const ast::Item& item, Declared& declared) {
+    Context& c = body.context;
+    const bool is_computed = c.program.structures[index].kind == ir::StructureKind::computed;
+    switch (item.kind) {
+    case ast::ItemKind::memory:
+    case ast::ItemKind::via:
+    case ast::ItemKind::otherwise:
+        if (is_computed) {
+            c.error(Diag::item_not_here, item.span, {"a structure that computes its elements"});
+            break;
+        }
+        if (item.kind == ast::ItemKind::memory) add_memory(body, index, item);
+        if (item.kind == ast::ItemKind::via) add_via(body, index, item);
+        declared.has_via = declared.has_via || item.kind == ast::ItemKind::via;
+        if (item.kind != ast::ItemKind::otherwise) break;
+        if (declared.otherwise) c.error(Diag::duplicate_name, item.span, {"otherwise"});
+        declared.otherwise = &item;
+        break;
+    case ast::ItemKind::member: add_member(body, index, item); break;
+    case ast::ItemKind::host: add_host_state(body, index, item); break;
+    case ast::ItemKind::function: note_function(body, index, item, declared); break;
+    case ast::ItemKind::pipeline:
+    case ast::ItemKind::condition: break;
+    }
+}
+
+/// Sets the types of addresses and elements that are written after the constructor.
+void set_types(Context& c, const Env& env, const ast::Structure& written, ir::StructureId index) {
+    ir::TypeId domain = type_of(c, env, written.virtual_type), element = type_of(c, env, written.element_type);
+    if (is_refused_optional(c, element, "a computed element", c[written.element_type].span)) element = c.types().error;
+    const bool is_known = domain == c.types().error || is_address(c.types(), domain);
+    if (!is_known) c.error(Diag::address_type, c[written.virtual_type].span, {c.text(domain)});
+    c.program.structures[index].domain_type = domain;
+    c.program.structures[index].element = element;
+}
+
+/// Checks `at` and `domain` of a structure that computes its elements.
+void finish_computed(Body& body, ir::StructureId index, const Declared& declared) {
+    Context& c = body.context;
+    const Span name = c.program.structures[index].span;
+    if (!declared.at) {
+        c.error(Diag::view_without_at, name, {c.text(c.program.structures[index].name)});
+        return;
+    }
+    if (declared.domain) {
+        const ir::ExprId extent =
+            domain_from_item(body, *declared.domain, c.program.structures[index].domain_type);
+        c.program.structures[index].domain = extent;
+    }
+    const ir::FunctionId function = make_at(c, declared.at, body.env, index);
+    c.program.structures[index].at = function;
+}
+
+}  // namespace
+
 ir::TypeId make_structure(Context& c, ast::DeclId id, const Env& env) {
     const auto& written = std::get<ast::Structure>(c[id].body);
     std::size_t errors = c.diagnostics.own_error_count();
-    ir::StructureId index = begin_structure(c, id, env, ir::StructureKind::stored);
+    const ir::StructureKind kind = kind_of(c, env, written);
+    ir::StructureId index = begin_structure(c, id, env, kind);
     {
         ir::Structure started = c.program.structures[index];
+        started.copyable = kind == ir::StructureKind::stored;
+        started.is_container = is_container(c, env, written, kind);
         add_constructor(c, env, written.constructor, started);
         c.program.structures[index] = std::move(started);
     }
+    if (kind == ir::StructureKind::computed) set_types(c, env, written, index);
     Body body{.context = c, .env = env, .kind = BodyKind::structure};
     bring_members_into_scope(body, index);
-    const ast::Item *domain = nullptr, *otherwise = nullptr;
-    BlockItems blocks;
-    bool has_via = false;
-    for_each_item(c, env, written.items, [&](const ast::Item& item) {
-        switch (item.kind) {
-        case ast::ItemKind::memory: add_memory(body, index, item); break;
-        case ast::ItemKind::member: add_member(body, index, item); break;
-        case ast::ItemKind::via:
-            has_via = true;
-            add_via(body, index, item);
-            break;
-        case ast::ItemKind::otherwise:
-            if (otherwise) c.error(Diag::duplicate_name, item.span, {"otherwise"});
-            otherwise = &item;
-            break;
-        case ast::ItemKind::function:
-            if (c.text(c[item.decl].name.name) == "domain") {
-                if (domain) c.error(Diag::duplicate_name, c[item.decl].name.span, {"domain"});
-                domain = &item;
-            }
-            blocks.note(c, item.decl);
-            break;
-        case ast::ItemKind::host:
-        case ast::ItemKind::pipeline: c.error(Diag::item_not_here, item.span, {"a structure"}); break;
-        case ast::ItemKind::condition: break;
-        }
-    });
+    Declared declared;
+    for_each_item(c, env, written.items, [&](const ast::Item& item) { add_item(body, index, item, declared); });
     // `via` has an error. If it lies in a translator, it may have been reported for an earlier structure: then
     // own_error_count() still equals `errors`.
-    if (has_via && c.program.structures[index].via.empty()) return c.types().error;
-    if (c.diagnostics.own_error_count() == errors) finish_structure(body, index, domain, otherwise);
-    if (c.diagnostics.own_error_count() == errors) add_blocks(c, env, index, blocks);
-    return c.diagnostics.own_error_count() == errors ? c.types().of_structure(index) : c.types().error;
-}
-
-ir::TypeId make_view(Context& c, ast::DeclId id, const Env& env) {
-    const auto& written = std::get<ast::View>(c[id].body);
-    std::size_t errors = c.diagnostics.own_error_count();
-    ir::StructureId index = begin_structure(c, id, env, ir::StructureKind::view);
-    ir::Structure started = c.program.structures[index];
-    started.copyable = false;
-    add_constructor(c, env, written.constructor, started);
-    started.domain_type = type_of(c, env, written.virtual_type);
-    started.element = type_of(c, env, written.element_type);
-    if (is_refused_optional(c, started.element, "an element of a view", c[written.element_type].span))
-        started.element = c.types().error;
-    bool address = started.domain_type == c.types().error || is_address(c.types(), started.domain_type);
-    if (!address) c.error(Diag::address_type, c[written.virtual_type].span, {c.text(started.domain_type)});
-    c.program.structures[index] = std::move(started);
-    Body body{.context = c, .env = env, .kind = BodyKind::structure};
-    bring_members_into_scope(body, index);
-    ast::DeclId at;
-    for_each_item(c, env, written.items, [&](const ast::Item& item) {
-        bool function = item.kind == ast::ItemKind::function;
-        if (!function) c.error(Diag::item_not_here, item.span, {"a view"});
-        else if (c.text(c[item.decl].name.name) == "at") {
-            if (at) c.error(Diag::duplicate_name, c[item.decl].name.span, {"at"});
-            at = item.decl;
-        } else if (c.text(c[item.decl].name.name) == "domain") {
-            if (c.program.structures[index].domain) c.error(Diag::duplicate_name, c[item.decl].name.span, {"domain"});
-            ir::ExprId extent = domain_from_item(body, item, c.program.structures[index].domain_type);
-            c.program.structures[index].domain = extent;
-        }
-    });
-    if (!at) c.error(Diag::view_without_at, c[id].name.span, {c.text(c[id].name.name)});
-    else if (c.diagnostics.own_error_count() == errors) {
-        ir::FunctionId function = make_at(c, at, env, index);
-        c.program.structures[index].at = function;
+    if (declared.has_via && c.program.structures[index].via.empty()) return c.types().error;
+    const auto is_right = [&] { return c.diagnostics.own_error_count() == errors; };
+    if (is_right() && kind == ir::StructureKind::computed) finish_computed(body, index, declared);
+    if (is_right() && kind == ir::StructureKind::stored) {
+        finish_structure(body, index, declared.domain, declared.otherwise);
+        if (is_right()) add_blocks(c, env, index, declared.blocks);
     }
-    return c.diagnostics.own_error_count() == errors ? c.types().of_structure(index) : c.types().error;
-}
-
-ir::TypeId make_adaptor(Context& c, ast::DeclId id, const Env& env) {
-    const auto& written = std::get<ast::Adaptor>(c[id].body);
-    std::size_t errors = c.diagnostics.own_error_count();
-    ir::StructureId index = begin_structure(c, id, env, ir::StructureKind::adaptor);
-    ir::Structure started = c.program.structures[index];
-    started.copyable = false;
-    add_constructor(c, env, written.constructor, started);
-    c.program.structures[index] = std::move(started);
-    Body body{.context = c, .env = env, .kind = BodyKind::structure};
-    bring_members_into_scope(body, index);
-    for_each_item(c, env, written.items, [&](const ast::Item& item) {
-        switch (item.kind) {
-        case ast::ItemKind::member: add_member(body, index, item); break;
-        case ast::ItemKind::host: {
-            ir::TypeId type = type_of(c, env, item.type);
-            if (is_refused_optional(c, type, "host state", c[item.type].span)) type = c.types().error;
-            ir::ExprId initial = item.value ? check_value(body, item.value, type) : ir::ExprId{};
-            c.program.structures[index].host.push_back({item.name.name, item.name.span, type, initial});
-            break;
-        }
-        case ast::ItemKind::function:
-        case ast::ItemKind::pipeline: break;  // checked where they are called; for C++ programs by check.cpp
-        case ast::ItemKind::memory:
-        case ast::ItemKind::via:
-        case ast::ItemKind::otherwise: c.error(Diag::item_not_here, item.span, {"an adaptor"}); break;
-        case ast::ItemKind::condition: break;
-        }
-    });
-    return c.diagnostics.own_error_count() == errors ? c.types().of_structure(index) : c.types().error;
+    return is_right() ? c.types().of_structure(index) : c.types().error;
 }
 
 }  // namespace gliftc::sema

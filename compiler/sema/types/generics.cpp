@@ -48,8 +48,7 @@ std::string key_part(const Meta& meta) {
 
 bool declares_type(const ast::Decl& decl) {
     return std::holds_alternative<ast::Struct>(decl.body) || std::holds_alternative<ast::Enum>(decl.body) ||
-           std::holds_alternative<ast::Alias>(decl.body) || std::holds_alternative<ast::Structure>(decl.body) ||
-           std::holds_alternative<ast::View>(decl.body) || std::holds_alternative<ast::Adaptor>(decl.body);
+           std::holds_alternative<ast::Alias>(decl.body) || std::holds_alternative<ast::Structure>(decl.body);
 }
 
 /// Whether the argument means a type: `float`, `Pair`, `Array<1, float>`, `uint?`, `uint[4]`.
@@ -80,11 +79,11 @@ bool satisfies_structure(Context& c, const Env& env, const ast::Expr& constraint
         return false;
     }
     const ir::Structure structure = c.program.structures[c.types()[type].structure];
-    if (structure.kind == ir::StructureKind::adaptor) {
-        why = structure.display + " is an adaptor: it has no elements of its own";
+    if (constraint.kind != ast::ExprKind::generic) return true;
+    if (structure.kind == ir::StructureKind::no_elements) {
+        why = structure.display + " has no elements";
         return false;
     }
-    if (constraint.kind != ast::ExprKind::generic) return true;
     if (constraint.operands.size() > 1) {
         ir::TypeId domain = type_of(c, env, constraint.operands[1]);
         if (domain != structure.domain_type) {

@@ -127,8 +127,6 @@ ir::TypeId instantiate_type(Context& c, ast::DeclId id, const Env& env, Span use
     if (std::holds_alternative<ast::Struct>(decl.body)) type = make_struct(c, id, env, key);
     else if (std::holds_alternative<ast::Enum>(decl.body)) type = make_enum(c, id);
     else if (std::holds_alternative<ast::Structure>(decl.body)) type = make_structure(c, id, env);
-    else if (std::holds_alternative<ast::View>(decl.body)) type = make_view(c, id, env);
-    else if (std::holds_alternative<ast::Adaptor>(decl.body)) type = make_adaptor(c, id, env);
     else c.error(Diag::not_a_type, use);
     Instance& instance = c.instances[key];
     instance.type = type;

@@ -5,7 +5,7 @@
 
 namespace gliftc::sema {
 
-/// The type of a struct, enum, structure, view or adaptor with the generic arguments in `env`, which have been checked.
+/// The type of a struct, enum or structure with the generic arguments in `env`, which have been checked.
 ir::TypeId instantiate_type(Context&, ast::DeclId, const Env&, Span use);
 
 /// The instance of a translator; empty after an error.
@@ -35,14 +35,14 @@ struct Passed {
     bool on_device = false;
 };
 
-/// `passed` has an entry for each parameter. `owner`: the adaptor that declares the pipeline, if one does. Empty after
+/// `passed` has an entry for each parameter. `owner`: the structure that declares the pipeline, if one does. Empty after
 /// an error.
 ir::PipelineId instantiate_pipeline(Context&, ast::DeclId, const Env&, const std::vector<Passed>& passed,
                                     ir::StructureId owner, Span use);
 
 /// Instantiates kernels of std.transfer for the structure, which move boxes of elements between host and device, fill
 /// boxes, and list the elements that are there, as far as the structure allows it; adds them to Program::transfers (see
-/// ir::Program::Transfer). Does the same for the structure's members; of an adaptor, for the members alone. Does
+/// ir::Program::Transfer). Does the same for the structure's members; of a container, for the members alone. Does
 /// nothing if Program::transfers has the structure already, or for a view without a domain.
 void require_transfers(Context&, ir::StructureId structure, Span use);
 

@@ -131,8 +131,7 @@ Meta meta_of_declaration(Context& c, ast::DeclId id, const Env& env, Span use) {
 bool is_type_declaration(const ast::Decl& decl) {
     return std::holds_alternative<ast::Struct>(decl.body) || std::holds_alternative<ast::Enum>(decl.body) ||
            std::holds_alternative<ast::Alias>(decl.body) || std::holds_alternative<ast::Translator>(decl.body) ||
-           std::holds_alternative<ast::Structure>(decl.body) || std::holds_alternative<ast::View>(decl.body) ||
-           std::holds_alternative<ast::Adaptor>(decl.body);
+           std::holds_alternative<ast::Structure>(decl.body);
 }
 
 /// `mat<C, R, T>`: shaders have matrices of floating types alone.

@@ -275,11 +275,11 @@ public:
         json.put("type", quoted(S::type_name));
         Memories memories;
         structure.describe(memories);
-        // An adaptor has no elements: all that it has is parts.
-        constexpr bool is_adaptor = !requires { structure.domain(); };
+        // A container has no elements: all that it has is parts.
+        constexpr bool has_elements = requires { structure.domain(); };
         json.put("bytes", memories.bytes());
-        if (!is_adaptor) json.put("bytes_of_elements", Memories::sum(memories.elements));
-        if constexpr (!is_adaptor) {
+        if (has_elements) json.put("bytes_of_elements", Memories::sum(memories.elements));
+        if constexpr (has_elements) {
             constexpr unsigned rank = Axes<typename S::Address>::count;
             json.put("domain", json_extent(extent_of(structure.domain()), rank));
         }
@@ -383,7 +383,7 @@ private:
 
 }  // namespace detail
 
-/// Inspects a structure, view or adaptor that gliftc generated, and each of its parts: sizes, the results of its
+/// Inspects a structure that gliftc generated, and each of its parts: sizes, the results of its
 /// functions without arguments, and the resident elements. Errors are those of `read_resident` and of these functions.
 template <class S>
 Inspection inspect(const S& structure, const std::string& name = "structure", const InspectionOptions& options = {}) {

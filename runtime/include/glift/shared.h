@@ -1,4 +1,4 @@
-// What copies of a container share. A container is a class that gliftc generates for an `adaptor`.
+// What copies of a container share. A container is a class that gliftc generates for an `container`.
 #pragma once
 
 #include <memory>

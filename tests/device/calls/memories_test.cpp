@@ -1,5 +1,5 @@
 // C++ classes of structures that share memory: each keeps the memory alive, calls that would race on it are refused,
-// and so is the use of memory that an adaptor's member has given up.
+// and so is the use of memory that a container's member has given up.
 #include "memories.glift.hpp"
 
 #include <gtest/gtest.h>

@@ -99,7 +99,7 @@ TEST(Library, OfDepths) {
 TEST(Library, OfAViewThatFilters) {
     const std::vector<std::string> texts =
         libraries("module own;\nuse std.image;\nstructure Picture = Image<rgba8>;\n"
-                  "pub view Halved(of: Picture) : uint2 -> float4 {\n    domain() { return of.domain() / 2u; }\n"
+                  "pub structure Halved(of: Picture) : uint2 -> float4 {\n    domain() { return of.domain() / 2u; }\n"
                   "    at(p) { return of.sample(2.0 * float2(p) + 1.0); }\n}\n");
     ASSERT_EQ(texts.size(), 1u);
     prove(texts[0], "#define HALVED_BINDING 0\nlayout(binding = 7) buffer Out { vec4 result; };\n",
@@ -109,7 +109,7 @@ TEST(Library, OfAViewThatFilters) {
 TEST(Library, OfAViewOfIntegers) {
     const std::vector<std::string> texts =
         libraries("module own;\nuse std.image;\nstructure Counts = Image<uint>;\n"
-                  "pub view Doubled(of: Counts) : uint2 -> uint {\n    domain() { return of.domain(); }\n"
+                  "pub structure Doubled(of: Counts) : uint2 -> uint {\n    domain() { return of.domain(); }\n"
                   "    at(p) { return 2u * of[p]; }\n}\n");
     ASSERT_EQ(texts.size(), 1u);
     prove(texts[0], "#define DOUBLED_BINDING 0\n#define DOUBLED_READONLY\n", "if (Doubled_read(id.xy) > 1u) return;\n");

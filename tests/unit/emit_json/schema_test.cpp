@@ -86,11 +86,11 @@ std::string reflection_of_file(const std::string& path) {
     return "";
 }
 
-/// The modules whose reflections are checked: those of structures, of adaptors and of a few examples, draws among them.
+/// The modules whose reflections are checked: those of structures and of a few examples, draws among them.
 std::vector<std::string> modules() {
     std::vector<std::string> found;
     for (const char* folder :
-         {"/stdlib/structures", "/stdlib/adaptors", "/examples/laplacian", "/examples/mesh", "/examples/narrow_band"})
+         {"/stdlib/structures", "/examples/laplacian", "/examples/mesh", "/examples/narrow_band"})
         for (const auto& entry : std::filesystem::recursive_directory_iterator(GLIFT_SOURCE_DIR + std::string(folder)))
             if (entry.path().extension() == ".glift")
                 found.push_back(entry.path().lexically_relative(GLIFT_SOURCE_DIR).string());

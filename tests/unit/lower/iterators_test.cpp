@@ -91,7 +91,7 @@ kernel k(f: in each<Field>, h: out scatter<Bins, add>) { h[uint(f * 8.0)] = 1; }
 
 TEST(Iterators, ViewsAreFused) {
     Lowering lowering(R"(
-view Doubled(source: Field) : uint3 -> float { domain() { return source.domain(); } at(p) { return 2.0 * source[p]; } }
+structure Doubled(source: Field) : uint3 -> float { domain() { return source.domain(); } at(p) { return 2.0 * source[p]; } }
 kernel k(v: in each<Doubled>, g: out each<Field>) { g = v; })");
     EXPECT_THAT(lowering.direct("k"), HasSubstr("v_source_data["));
 }

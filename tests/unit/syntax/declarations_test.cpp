@@ -94,16 +94,16 @@ TEST(Structures, have_items) {
 }
 
 TEST(Views, compute_elements) {
-    EXPECT_EQ(declarations("view Rows<axis: uint>(coc: Circles) : uint2 -> Row { at(p) { return p; } }"),
-              "  (view Rows <axis:uint> ((coc Circles)) uint2 -> Row\n    (fn at ((p))\n      (return p)))");
+    EXPECT_EQ(declarations("structure Rows<axis: uint>(coc: Circles) : uint2 -> Row { at(p) { return p; } }"),
+              "  (structure Rows <axis:uint> ((coc Circles)) uint2 -> Row\n    (fn at ((p))\n      (return p)))");
 }
 
 TEST(Adaptors, have_host_state_and_pipelines) {
     EXPECT_EQ(declarations(
-                  "adaptor Stack<T: type>(n: uint) {\n    structure items = Array<1, T>(n);\n    host top: uint = 0;\n"
+                  "structure Stack<T: type>(n: uint) {\n    structure items = Array<1, T>(n);\n    host top: uint = 0;\n"
                   "    pub pipeline push(values: in range<1, T>) { copy(values, items[top .. top + n]); top += n; }\n"
                   "    pipeline pop() -> range<1, T> { return items[0..n]; }\n}"),
-              "  (adaptor Stack <T:type> ((n uint))\n"
+              "  (structure Stack <T:type> ((n uint))\n"
               "    (member items (call (generic Array 1 T) n))\n"
               "    (host top:uint 0)\n"
               "    (pub pipeline push ((values in range 1 T))\n"

@@ -1,5 +1,5 @@
-// Functions of adaptors as methods of their C++ classes, and adaptors as arguments of kernels.
-#include "adaptors.glift.hpp"
+// Functions of containers as methods of their C++ classes, and containers as arguments of kernels.
+#include "containers.glift.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,12 +10,12 @@ namespace {
 
 const char* const devices[] = {"host", "lavapipe"};
 
-TEST(Adaptors, functions_are_methods) {
+TEST(Containers, functions_are_methods) {
     for (const char* name : devices) {
         const auto device = glift::Device::open(name);
-        adaptors::Line data(device, 4);
+        containers::Line data(device, 4);
         data.write(std::vector<float>{1, 2, 3, 4});
-        adaptors::Reversed reversed(device, data, 4);
+        containers::Reversed reversed(device, data, 4);
         reversed.set_up(device, 2.0f);
         EXPECT_EQ(reversed.last(), 3u);
         EXPECT_EQ(reversed.get(device, 0), 8.0f);
@@ -23,26 +23,26 @@ TEST(Adaptors, functions_are_methods) {
     }
 }
 
-TEST(Adaptors, kernels_take_them) {
+TEST(Containers, kernels_take_them) {
     for (const char* name : devices) {
         const auto device = glift::Device::open(name);
-        adaptors::Line data(device, 4);
+        containers::Line data(device, 4);
         data.write(std::vector<float>{1, 2, 3, 4});
-        adaptors::Reversed reversed(device, data, 4);
+        containers::Reversed reversed(device, data, 4);
         reversed.set_up(device, 10.0f);
-        const adaptors::Line result(device, 4);
-        adaptors::reverse(device, reversed, result, result);
+        const containers::Line result(device, 4);
+        containers::reverse(device, reversed, result, result);
         EXPECT_EQ(result.read(), (std::vector<float>{40, 30, 20, 10}));
     }
 }
 
-TEST(Adaptors, what_they_hold_is_not_written_beside_them) {
+TEST(Containers, what_they_hold_is_not_written_beside_them) {
     for (const char* name : devices) {
         const auto device = glift::Device::open(name);
-        const adaptors::Line data(device, 4);
-        adaptors::Reversed reversed(device, data, 4);
+        const containers::Line data(device, 4);
+        containers::Reversed reversed(device, data, 4);
         try {
-            adaptors::reverse(device, reversed, data, data);
+            containers::reverse(device, reversed, data, data);
             ADD_FAILURE() << "on " << name;
         } catch (const glift::Error& error) {
             EXPECT_EQ(error.code(), glift::ErrorCode::aliased_memory);
