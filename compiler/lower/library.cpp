@@ -53,12 +53,12 @@ struct Maker {
     }
 
     void add(const std::string& function, TypeId result, std::vector<LocalId> params, KernelParam of_structure,
-             Stmt body) {
+             std::vector<Stmt> body) {
         Kernel kernel;
         kernel.name = program.names->intern(library.name + "_" + function);
         kernel.params = {std::move(of_structure), param("at", Pattern::at, Direction::in)};
         kernel.domain_type = program.structures[library.structure].domain_type;
-        kernel.body = {program.stmts.add(std::move(body))};
+        for (Stmt& stmt : body) kernel.body.push_back(program.stmts.add(std::move(stmt)));
         library.functions.push_back(
             {function, result, lower_function(program, diagnostics, kernel, std::move(params))});
     }
@@ -68,7 +68,7 @@ struct Maker {
         stmt.op = StmtOp::evaluate;
         stmt.value = result;
         add(function, program.exprs[result].type, {address}, param(library.name, Pattern::any, Direction::in),
-            std::move(stmt));
+            {std::move(stmt)});
     }
 };
 
@@ -93,7 +93,47 @@ void add_write(Maker& k) {
     stmt.target = k.use(k.address);
     stmt.value = k.use(k.value);
     k.add("write", k.program.types.void_, {k.address, k.value},
-          k.param(k.library.name, Pattern::scatter, Direction::out), std::move(stmt));
+          k.param(k.library.name, Pattern::scatter, Direction::out), {std::move(stmt)});
+}
+
+/// `sample` at a point, of elements that can be filtered and lie in a buffer or are computed: an image that is written
+/// is a storage image, which has no filter.
+void add_sample(Maker& k) {
+    const Structure& s = k.program.structures[k.library.structure];
+    Types& types = k.program.types;
+    const bool is_image = !is_computed(k.program, s) && root_memory(k.program, s).shape != MemoryShape::buffer;
+    const bool is_number = types.is_scalar(s.element) || types.is_vector(s.element);
+    const std::uint32_t axes = types.components(s.domain_type);
+    if (is_image || axes > 3 || !is_number || types.scalar_of(s.element) != types.float_) return;
+    const LocalId point = k.local("point", types.with_scalar(s.domain_type, types.float_));
+    Stmt stmt;
+    stmt.op = StmtOp::evaluate;
+    stmt.value = k.make(Op::sample, s.element, k.use(point));
+    k.add("sample", s.element, {point}, k.param(k.library.name, Pattern::any, Direction::in), {std::move(stmt)});
+}
+
+/// A function that the structure declares itself.
+void add_method(Maker& k, FunctionId id) {
+    const Function function = k.program.functions[id];
+    Expr call;
+    call.op = Op::call;
+    call.type = function.result;
+    call.function = id;
+    call.places = {Place{}};
+    std::vector<LocalId> params;
+    for (LocalId param : function.params) {
+        params.push_back(k.local((*k.program.names)[k.program.locals[param].name].c_str(), k.program.locals[param].type));
+        call.operands.push_back(k.use(params.back()));
+    }
+    const LocalId result = k.local("result", function.result);
+    Stmt let, evaluate;  // a call that is evaluated as a statement has no result
+    let.op = StmtOp::let;
+    let.local = result;
+    let.value = k.program.exprs.add(std::move(call));
+    evaluate.op = StmtOp::evaluate;
+    evaluate.value = k.use(result);
+    k.add((*k.program.names)[function.name], function.result, std::move(params),
+          k.param(k.library.name, Pattern::any, Direction::in), {std::move(let), std::move(evaluate)});
 }
 
 Library library_of(Program& program, StructureId structure, const Alias& alias, Diagnostics& diagnostics) {
@@ -105,6 +145,11 @@ Library library_of(Program& program, StructureId structure, const Alias& alias, 
     add_translate(k);
     k.add_value("read", k.make(Op::read, s.element, k.use(k.address)));
     const bool is_written = s.kind == StructureKind::stored && root_memory(program, s).format != Format::d32;
+    const auto is_sample = [&](const Method& method) {
+        return (*program.names)[program.functions[method.function].name] == "sample";
+    };
+    if (std::ranges::none_of(s.methods, is_sample)) add_sample(k);
+    for (const Method& method : std::vector(program.structures[structure].methods)) add_method(k, method.function);
     if (is_written) add_write(k);
     // Without a `write` function, images are sampled images: these can be filtered, and devices need not have storage
     // images of depths.

@@ -1,7 +1,8 @@
 // Functions of structures for the user's own shaders, each for one address. Every structure and view has `read`. It has
 // `write`, unless a view computes the elements or an image of depths (d32) has them. It has `translate`, if it has a
 // translator or its memory is a structure; then it has `is_mapped`, too, unless its memory is no structure, no
-// translator is partial, and no address leads outside the memory.
+// translator is partial, and no address leads outside the memory. It has `sample` if elements can be filtered without a
+// sampler, and the public functions of its own that C++ programs can call.
 #pragma once
 
 #include "diag/diagnostics.h"

@@ -189,8 +189,12 @@ std::string library_of(const Program& program, const Sources& sources, const Lib
     for (const char* ending : {"_SET", "_BINDING", "_STATE", "_READONLY", "_ACCESS"})
         interface.names.declare(macro + ending);
     interface.names.declare(name + "_state");
-    for (const LibraryFunction& function : library.functions)
-        names.push_back(interface.names.declare(name + "_" + function.name));
+    std::map<std::string, std::string> declared;  // overloads have one name
+    for (const LibraryFunction& function : library.functions) {
+        const auto [found, is_new] = declared.try_emplace(function.name);
+        if (is_new) found->second = interface.names.declare(name + "_" + function.name);
+        names.push_back(found->second);
+    }
     for (const LibraryFunction& function : library.functions) {
         std::vector<bool> used = used_parameters(program, function.pass);
         bindings.emplace_back();
