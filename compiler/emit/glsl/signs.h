@@ -18,15 +18,15 @@ void find_choices(Printer& p, const std::vector<ir::LocalId>& params, const std:
 /// The value whose negative the expression is, where only Helper::negative keeps the sign of zero; else absent.
 ir::ExprId negated_choice(const Printer& p, const ir::Expr& expr);
 
-/// Whether the value may be -0.0 where NVIDIA's compiler takes it for positive, and leaves out its abs: a choice between
-/// constants, one of them -0.0.
+/// Whether the value may be -0.0 where NVIDIA's compiler takes it for positive, and leaves out its abs: a choice
+/// between constants, one of them -0.0.
 bool may_be_chosen_negative_zero(const Printer& p, ir::ExprId id);
 
 /// The components of a constant of floats; empty for any other expression.
 std::vector<double> numbers_of(const Printer& p, ir::ExprId id);
 
-/// Whether the expression is a choice between constants, in a component between two of 0.0, -0.0, 1.0 and -1.0, at least
-/// one of them -0.0.
+/// Whether the expression is a choice between constants, in a component between two of 0.0, -0.0, 1.0 and -1.0, at
+/// least one of them -0.0.
 bool is_choice_of_negative_zero(const Printer& p, const ir::Expr& expr);
 
 }  // namespace gliftc::glsl
