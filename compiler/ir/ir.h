@@ -474,7 +474,7 @@ struct Kernel {
 };
 
 /// The parameter whose range an `at` parameter takes if its argument is left out: the first `each` of its structure,
-/// else the first `any`, else the first `scatter`.
+/// else the first `near`, else the first `any`, else the first `scatter`.
 std::optional<std::size_t> range_giver(const std::vector<KernelParam>& params, std::size_t at);
 
 enum class HostPattern : std::uint8_t { value, structure, range };

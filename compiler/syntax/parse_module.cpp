@@ -171,8 +171,8 @@ void Parser::parse_body_after_name(Decl& decl, const Token& keyword) {
     if (keyword.word == Word::structure) parse_structure(decl);
     if (keyword.word == Word::view) decl.body = parse_view();
     if (keyword.word == Word::adaptor) decl.body = parse_adaptor();
-    if (keyword.word == Word::kernel) decl.body = parse_kernel();
-    if (keyword.word == Word::raster) decl.body = parse_raster();
+    if (keyword.word == Word::kernel) decl.body = parse_kernel(decl.generics);
+    if (keyword.word == Word::raster) decl.body = parse_raster(decl.generics);
     if (keyword.word == Word::pipeline) decl.body = parse_pipeline();
 }
 

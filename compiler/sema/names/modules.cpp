@@ -41,7 +41,7 @@ void report_attributes(Context& c, const ast::Decl& decl) {
 void own_members(Context& c, ast::DeclId id, ir::ModuleId module) {
     c.module_of[id] = module;
     report_attributes(c, c[id]);
-    report_duplicates(c, c[id].generics);
+    report_duplicates(c, c[id].named_generics());
     const auto& body = c[id].body;
     if (auto* translator = std::get_if<ast::Translator>(&body)) {
         report_duplicates(c, translator->fields);

@@ -31,6 +31,14 @@ struct Arguments {
     /// Fills in defaults, checks constraints, adds bindings to env. False if an argument is missing or violates its
     /// constraint, which is reported unless `quiet`, and after an error in a default.
     bool finish(bool quiet = false);
+
+    /// The index of the generic parameter that the type is; absent if it is none.
+    std::optional<std::size_t> index_of(ast::ExprId type) const;
+    /// Sets where errors are reported in the argument of an unnamed parameter, if the type is one.
+    void locate(ast::ExprId type, Span);
+
+private:
+    bool finish_unnamed(std::size_t index, bool quiet);
 };
 
 /// Binds a generic parameter by the default type of a literal argument. To be called after all other inference, since
