@@ -33,10 +33,11 @@ std::vector<ast::Param> Parser::parse_kernel_params(std::vector<ast::GenericPara
     if (lost_) return params;
     for (ast::Param& param : params)
         if (param.pattern != Pattern::at) add_unnamed(param, generics);
-    ast::Param giver;  // of the range where the argument of `at` is left out
-    for (Pattern pattern : {Pattern::any, Pattern::near, Pattern::each})
+    // Of which parameter `at` takes the range where its argument is left out. In draws its argument is written.
+    ast::Param giver;
+    for (Pattern pattern : {Pattern::any, Pattern::near, Pattern::each, Pattern::target})
         if (auto found = std::ranges::find(params, pattern, &ast::Param::pattern); found != params.end())
-            giver = *found;
+            giver = pattern == Pattern::target ? ast::Param{} : *found;
     for (ast::Param& param : params) {
         if (param.pattern != Pattern::at) continue;
         const std::size_t before = generics.size();
