@@ -33,8 +33,7 @@ std::vector<ast::Param> Parser::parse_kernel_params(std::vector<ast::GenericPara
     if (lost_) return params;
     for (ast::Param& param : params)
         if (param.pattern != Pattern::at) add_unnamed(param, generics);
-    // Of which parameter `at` takes the range where its argument is left out. In draws its argument is written.
-    ast::Param giver;
+    ast::Param giver;  // its range is that of `at` where a call leaves the argument out; none in draws
     for (Pattern pattern : {Pattern::any, Pattern::near, Pattern::each, Pattern::target})
         if (auto found = std::ranges::find(params, pattern, &ast::Param::pattern); found != params.end())
             giver = pattern == Pattern::target ? ast::Param{} : *found;
@@ -56,7 +55,7 @@ void Parser::add_unnamed(ast::Param& param, std::vector<ast::GenericParam>& gene
         return tree_.exprs[id].kind == ExprKind::name && names_[tree_.exprs[id].name] == text;
     };
     const Span span = param.type ? tree_.exprs[param.type].span : param.pattern_span;
-    if (is_of(ExprKind::int_literal)) {
+    if (is_of(ExprKind::int_literal)) {  // `near<1>`
         param.extra.insert(param.extra.begin(), param.type);
         param.type = {};
     }

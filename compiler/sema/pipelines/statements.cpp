@@ -157,8 +157,8 @@ void report_argument_count(Context& c, ast::DeclId id, std::size_t wanted, std::
          c[id].name.span, "declared here");
 }
 
-/// Reports a call that leaves the argument of `at` out where the kernel has no other parameter that could give the
-/// range.
+/// Whether another parameter of the kernel gives the range of `address`, a bare `at` whose argument the call leaves
+/// out; reports if none does. True for an `at` that names its structure: insert_address() looks for its range.
 bool is_range_given(Context& c, const Arguments& generics, const ast::Param& address, Span call) {
     const auto unnamed = generics.index_of(address.type);
     if (!unnamed || !generics.decl.generics[*unnamed].is_unnamed() || generics.decl.generics[*unnamed].default_value)
