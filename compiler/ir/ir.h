@@ -460,6 +460,7 @@ struct Kernel {
     Span span;
     ModuleId module;
     bool is_pub = false;
+    bool is_instance = false;  ///< one of several that C++ programs call by one name
     std::vector<KernelParam> params;
     std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< all 0: the compiler chooses
     std::uint32_t items = 1;                         ///< at<S, items>: consecutive elements that one invocation takes
@@ -481,7 +482,7 @@ struct Kernel {
 };
 
 /// The parameter whose range an `at` parameter takes if its argument is left out: the first `each` of its structure,
-/// else the first `any`, else the first `scatter`.
+/// else the first `near`, else the first `any`, else the first `scatter`.
 std::optional<std::size_t> range_giver(const std::vector<KernelParam>& params, std::size_t at);
 
 enum class HostPattern : std::uint8_t { value, structure, range };

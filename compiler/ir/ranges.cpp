@@ -4,7 +4,7 @@
 namespace gliftc::ir {
 
 std::optional<std::size_t> range_giver(const std::vector<KernelParam>& params, std::size_t at) {
-    for (Pattern pattern : {Pattern::each, Pattern::any, Pattern::scatter}) {
+    for (Pattern pattern : {Pattern::each, Pattern::near, Pattern::any, Pattern::scatter}) {
         for (std::size_t i = 0; i < params.size(); ++i) {
             if (params[i].pattern == pattern && params[i].structure == params[at].structure) return i;
         }

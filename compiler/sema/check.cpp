@@ -3,6 +3,7 @@
 #include "ir/aliases.h"
 #include "ir/chain.h"
 #include "sema/context.h"
+#include "sema/kernels/kernel_instances.h"
 #include "sema/names/defines.h"
 #include "sema/names/modules.h"
 #include "sema/structures/components.h"
@@ -105,6 +106,7 @@ void check_code(Context& c, ir::ModuleId module, const std::vector<ast::DeclId>&
         const ast::Decl& decl = c[id];
         if (c.diagnostics.at_limit()) return;
         if (std::holds_alternative<ast::Test>(decl.body)) instantiate_test(c, id);
+        if (std::holds_alternative<ast::KernelInstances>(decl.body)) check_kernel_instances(c, id);
         if (!decl.generics.empty() || !decl.name.name) continue;
         Env& env = c.new_env(module);
         if (std::holds_alternative<ast::Function>(decl.body)) check_function(c, id, env);

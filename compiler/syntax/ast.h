@@ -11,7 +11,9 @@
 #include "source/source.h"
 #include "syntax/token.h"
 
+#include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -133,11 +135,17 @@ struct Stmt {
 
 // --------------------------------------------------------------------------------------------------- declarations
 
-/// One of the parameters in `<N: uint, T: type = float, S: Structure<uint3, float>>`.
+/// One of the parameters in `<N: uint, T: type = float, S: Structure<uint3, float>>`, or an unnamed one: the structure
+/// of a kernel's parameter whose pattern names none, as in `from: in each` and `volume: in any<Structure<uint3,
+/// float>>`.
 struct GenericParam {
-    Identifier name;
-    ExprId constraint;     ///< `uint`, `type`, `Structure<…>`, an enum, an interface, …; absent only after an error
-    ExprId default_value;  ///< or absent
+    Identifier name;    ///< unnamed: what no source can write
+    ExprId constraint;  ///< `uint`, `type`, `Structure<…>`, an enum, an interface, …; absent after an error, and of
+                        ///< an unnamed one that takes any structure
+    ExprId default_value;  ///< or absent; unnamed: the structure of `at` if its argument is left out
+    Name parameter;        ///< unnamed: the kernel's parameter; else absent
+
+    bool is_unnamed() const { return static_cast<bool>(parameter); }
 };
 
 /// Whether a parameter is read, written or both. `none`: the source does not say.
@@ -149,7 +157,8 @@ enum class Direction : std::uint8_t { none, in, out, inout };
 enum class Pattern : std::uint8_t { none, each, near, any, at, scatter, coherent, calls, target, instance, range };
 
 /// `name: [in|out|inout] (each|near|any|at|scatter|coherent|calls|target|instance|range)<type, extra…>`,
-/// `name: [in|out|inout] type`, or in some methods (Parser::parse_param) `name`
+/// `name: [in|out|inout] type`, or in some methods (Parser::parse_param) `name`. Where a kernel's pattern names no
+/// structure, `type` names an unnamed generic parameter of the kernel.
 struct Param {
     Identifier name;
     Direction direction = Direction::none;
@@ -303,6 +312,11 @@ struct Kernel {
     std::optional<Raster> raster;
 };
 
+/// `kernel name = generic<…>, generic<…>;`: instances of generic kernels, which C++ programs call by the name.
+struct KernelInstances {
+    std::vector<ExprId> targets;
+};
+
 /// `pipeline name<…>(params) [-> type] { … }`
 struct Pipeline {
     std::vector<Param> params;
@@ -325,10 +339,15 @@ struct Decl {
     bool is_extern = false;
     std::string doc;  ///< the `///` lines before it, joined by '\n', without the slashes
     std::vector<Attribute> attributes;
-    std::vector<GenericParam> generics;
+    std::vector<GenericParam> generics;  ///< the unnamed ones last
     std::variant<std::monostate, Function, Struct, Enum, Interface, Const, Alias, Translator, Structure, Kernel,
-                 Pipeline, Test>
+                 KernelInstances, Pipeline, Test>
         body;
+
+    std::span<const GenericParam> named_generics() const {
+        const auto unnamed = std::ranges::find_if(generics, &GenericParam::is_unnamed);
+        return {generics.begin(), unnamed};
+    }
 };
 
 /// `use std.array;` (a name: driver/load.h says where it is looked for) or `use ./mesh;` (relative to this file)

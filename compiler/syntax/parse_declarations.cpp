@@ -185,9 +185,9 @@ std::vector<ast::ExprId> Parser::parse_group() {
 }
 
 /// kernel = "kernel" name [ generic-parameters ] parameters [ group ] block ;
-ast::Kernel Parser::parse_kernel() {
+ast::Kernel Parser::parse_kernel(std::vector<ast::GenericParam>& generics) {
     ast::Kernel kernel;
-    kernel.params = parse_params();
+    kernel.params = parse_kernel_params(generics);
     kernel.group = parse_group();
     if (at(TokenKind::arrow)) fail_expected("'{'", "a kernel returns nothing: it writes through its 'out' parameters");
     kernel.body = parse_block();
@@ -201,6 +201,16 @@ ast::Pipeline Parser::parse_pipeline() {
     parse_pipeline_result(pipeline);
     pipeline.body = parse_block();
     return pipeline;
+}
+
+/// instances = "=" type { "," type } ";" ;
+ast::KernelInstances Parser::parse_kernel_instances() {
+    ast::KernelInstances instances;
+    accept(TokenKind::equal);
+    do instances.targets.push_back(parse_type());
+    while (!lost_ && accept(TokenKind::comma));
+    end_statement();
+    return instances;
 }
 
 }  // namespace gliftc

@@ -169,8 +169,9 @@ void Parser::parse_body_after_name(Decl& decl, const Token& keyword) {
     if (keyword.word == Word::type) decl.body = parse_type_alias();
     if (keyword.word == Word::translator) parse_translator(decl);
     if (keyword.word == Word::structure) parse_structure(decl);
-    if (keyword.word == Word::kernel) decl.body = parse_kernel();
-    if (keyword.word == Word::raster) decl.body = parse_raster();
+    if (keyword.word == Word::kernel && at(equal)) decl.body = parse_kernel_instances();
+    else if (keyword.word == Word::kernel) decl.body = parse_kernel(decl.generics);
+    if (keyword.word == Word::raster) decl.body = parse_raster(decl.generics);
     if (keyword.word == Word::pipeline) decl.body = parse_pipeline();
 }
 

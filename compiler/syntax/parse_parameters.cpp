@@ -3,40 +3,88 @@
 
 #include "base/concat.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
 namespace gliftc {
 
 using ast::Direction;
+using ast::ExprKind;
 using ast::Pattern;
 
 /// parameters = "(" [ parameter { "," parameter } [ "," ] ] ")" ;
-std::vector<ast::Param> Parser::parse_params() {
+std::vector<ast::Param> Parser::parse_params(Bare bare) {
     std::vector<ast::Param> params;
     std::uint32_t open = cursor_;
     if (!expect(TokenKind::open_paren)) return params;
     while (!at(TokenKind::close_paren) && !at_end() && !lost_) {
-        params.push_back(parse_param());
+        params.push_back(parse_param(bare));
         if (!accept(TokenKind::comma)) break;
     }
     expect_close(TokenKind::close_paren, open);
     return params;
 }
 
+/// The parameters of a kernel. Adds the unnamed ones among its generic parameters to `generics`: that of `at` last,
+/// since its default is the structure that another pattern names.
+std::vector<ast::Param> Parser::parse_kernel_params(std::vector<ast::GenericParam>& generics) {
+    std::vector<ast::Param> params = parse_params(Bare::allowed);
+    if (lost_) return params;
+    for (ast::Param& param : params)
+        if (param.pattern != Pattern::at) add_unnamed(param, generics);
+    ast::Param giver;  // its range is that of `at` where a call leaves the argument out; none in draws
+    for (Pattern pattern : {Pattern::any, Pattern::near, Pattern::each, Pattern::target})
+        if (auto found = std::ranges::find(params, pattern, &ast::Param::pattern); found != params.end())
+            giver = pattern == Pattern::target ? ast::Param{} : *found;
+    for (ast::Param& param : params) {
+        if (param.pattern != Pattern::at) continue;
+        const std::size_t before = generics.size();
+        add_unnamed(param, generics);
+        if (generics.size() > before) generics.back().default_value = giver.type;
+    }
+    return params;
+}
+
+/// Adds a generic parameter to `generics` if the parameter's pattern names no structure, as `each`, `near<1>`,
+/// `scatter<_, add>` and `any<Structure<uint3, float>>`, and makes it the parameter's type.
+void Parser::add_unnamed(ast::Param& param, std::vector<ast::GenericParam>& generics) {
+    if (param.pattern == Pattern::none || param.pattern == Pattern::range) return;
+    const auto is_of = [&](ExprKind kind) { return param.type && tree_.exprs[param.type].kind == kind; };
+    const auto is_name = [&](ExprId id, std::string_view text) {
+        return tree_.exprs[id].kind == ExprKind::name && names_[tree_.exprs[id].name] == text;
+    };
+    const Span span = param.type ? tree_.exprs[param.type].span : param.pattern_span;
+    if (is_of(ExprKind::int_literal)) {  // `near<1>`
+        param.extra.insert(param.extra.begin(), param.type);
+        param.type = {};
+    }
+    ExprId constraint;
+    if (is_of(ExprKind::name) && is_name(param.type, "Structure")) constraint = param.type;
+    if (is_of(ExprKind::generic) && is_name(tree_.exprs[param.type].operands[0], "Structure")) constraint = param.type;
+    const bool is_left_out = !param.type || is_name(param.type, "_");
+    if (!is_left_out && !constraint) return;
+    ast::Expr type;
+    type.kind = ExprKind::name;
+    type.name = names_.intern("structure of " + names_[param.name.name]);
+    type.span = span;
+    generics.push_back({.name = {type.name, span}, .constraint = constraint, .parameter = param.name.name});
+    param.type = add(std::move(type));
+}
+
 /// parameter = name [ ":" [ direction ] ( pattern | type ) ] ;
 /// Types may be left out in methods whose types the language gives, or the header of the translator or structure
 /// (translate, invert, at, block); sema reports parameters of other functions that have none.
-ast::Param Parser::parse_param() {
+ast::Param Parser::parse_param(Bare bare) {
     ast::Param param;
     param.name = parse_name("a parameter");
     if (!accept(TokenKind::colon)) return param;
     std::uint32_t first = cursor_;
     param.direction = parse_direction();
     if (param.direction != Direction::none) param.direction_span = since(first);
-    param.pattern = pattern_here();
+    param.pattern = pattern_here(bare);
     if (param.pattern != Pattern::none) {
-        parse_pattern(param);
+        parse_pattern(param, bare);
     } else if (at_word(Word::activate) && peek(1).kind == TokenKind::less) {
         fail_reserved("iterators that ask for residency come in a later version");
     } else {
@@ -59,7 +107,7 @@ ast::Direction Parser::parse_direction() {
     return Direction::none;
 }
 
-ast::Pattern Parser::pattern_here() const {
+ast::Pattern Parser::pattern_here(Bare bare) const {
     static constexpr std::array<std::pair<Word, Pattern>, 10> patterns{{
         {Word::each, Pattern::each},
         {Word::near, Pattern::near},
@@ -72,18 +120,22 @@ ast::Pattern Parser::pattern_here() const {
         {Word::instance, Pattern::instance},
         {Word::range, Pattern::range},
     }};
+    const TokenKind next = peek(1).kind;
+    const bool ends = next == TokenKind::comma || next == TokenKind::close_paren;
     // An identifier may follow instead of '<', as in `each S`: parse_pattern() reports the missing '<'.
-    if (peek(1).kind != TokenKind::less && peek(1).kind != TokenKind::identifier) return Pattern::none;
+    if (next != TokenKind::less && next != TokenKind::identifier && !(ends && bare == Bare::allowed))
+        return Pattern::none;
     for (auto [word, pattern] : patterns)
-        if (at_word(word)) return pattern;
+        if (at_word(word) && !(ends && pattern == Pattern::range)) return pattern;
     return Pattern::none;
 }
 
 /// pattern = ( "each" | "near" | "any" | "at" | "scatter" | "coherent" | "calls" | "target" | "instance" | "range" )
-/// "<" generic-argument { "," generic-argument } ">" ;
-void Parser::parse_pattern(ast::Param& param) {
+///           [ "<" generic-argument { "," generic-argument } ">" ] ;      the brackets may be left out in kernels
+void Parser::parse_pattern(ast::Param& param, Bare bare) {
     const std::string_view word = text_of(peek());
     param.pattern_span = span_of(advance());
+    if (bare == Bare::allowed && !at(TokenKind::less) && !at(TokenKind::identifier)) return;
     if (!at(TokenKind::less))
         return fail_expected("'<'", concat("the structure is written in angle brackets: '", word, "<…>'"));
     std::uint32_t open = cursor_;

@@ -5,10 +5,10 @@ namespace gliftc {
 
 /// raster = "raster" name [ generic-parameters ] parameters "{" { state | varying | vertex | fragment } "}" ;
 /// One vertex part, and at most one fragment part.
-ast::Kernel Parser::parse_raster() {
+ast::Kernel Parser::parse_raster(std::vector<ast::GenericParam>& generics) {
     ast::Kernel kernel;
     kernel.raster.emplace();
-    kernel.params = parse_params();
+    kernel.params = parse_kernel_params(generics);
     if (at(TokenKind::arrow)) fail_expected("'{'", "a raster returns nothing: it writes through its targets");
     std::uint32_t open = cursor_;
     if (lost_ || !expect(TokenKind::open_brace)) return kernel;

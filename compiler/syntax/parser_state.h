@@ -159,8 +159,9 @@ private:
     ast::Interface parse_interface();
     ast::Const parse_const();
     std::vector<ast::ExprId> parse_group();
-    ast::Kernel parse_kernel();
-    ast::Kernel parse_raster();
+    ast::KernelInstances parse_kernel_instances();
+    ast::Kernel parse_kernel(std::vector<ast::GenericParam>& generics);
+    ast::Kernel parse_raster(std::vector<ast::GenericParam>& generics);
     void parse_raster_item(ast::Kernel& kernel);
     void begin_raster_part(Span& first);
     void parse_raster_state(ast::Raster& raster);
@@ -169,11 +170,14 @@ private:
     DeclId parse_method();
 
     // ---- parameters (parse_parameters.cpp)
-    std::vector<ast::Param> parse_params();
-    ast::Param parse_param();
+    enum class Bare : bool { refused, allowed };  ///< whether a pattern may stand without a structure: `in each`
+    std::vector<ast::Param> parse_params(Bare bare = Bare::refused);
+    std::vector<ast::Param> parse_kernel_params(std::vector<ast::GenericParam>& generics);
+    ast::Param parse_param(Bare bare);
     ast::Direction parse_direction();
-    ast::Pattern pattern_here() const;
-    void parse_pattern(ast::Param& param);
+    ast::Pattern pattern_here(Bare bare = Bare::refused) const;
+    void parse_pattern(ast::Param& param, Bare bare = Bare::refused);
+    void add_unnamed(ast::Param& param, std::vector<ast::GenericParam>& generics);
     void parse_pipeline_result(ast::Pipeline& pipeline);
 
     // ---- translators and structures (parse_components.cpp, parse_items.cpp)

@@ -333,6 +333,11 @@ private:
         if (k.raster) return raster(k);
         block(k.body);
     }
+    void print_body(const std::string& head, const std::string& name, const KernelInstances& k) {
+        std::string targets;
+        for (ExprId target : k.targets) targets += " " + expr(target);
+        line("(" + head + "kernel " + name + targets);
+    }
     void raster(const Kernel& k) {
         ++depth_;
         for (const RasterState& state : k.raster->states)

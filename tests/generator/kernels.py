@@ -60,6 +60,7 @@ class Kernel:
         self.params = []
         self.scope = Scope()
         self.writes = []  # functions that take a scope and return a statement that writes an output or hashes a window of `near`
+        self.bare_address = None  # the `at` parameter whose argument calls may leave out: its pattern names no structure
 
 
 class Kernels:
@@ -504,9 +505,30 @@ class Kernels:
     # ------------------------------------------------------------------------------------------------ tests
 
     def finished(self, kernel, body, group=""):
-        text = ", ".join(f"{p.name}: {p.text}" for p in kernel.params)
+        is_bare = self.random.chance(25)
+        text = ", ".join(f"{p.name}: {self.bare(kernel, p) if is_bare and p.structure else p.text}" for p in kernel.params)
         node = Node(f"kernel {kernel.name}({text}){group} {{\n", body, "\n}")
         return node, self.test(kernel)
+
+    def bare(self, kernel, p):
+        """The parameter's pattern, in most cases without its structure or with a constraint in its place."""
+        word, extra = p.text[:-1].split(f"<{p.structure.name}")
+        extra = [extra[2:]] if extra else []
+        kind = self.random.weighted([(2, "named"), (4, "bare"), (3, "constraint")])
+        if kind == "named" or (kind == "constraint" and p.structure is BAG):
+            return p.text
+        if kind == "bare" and word == "at" and not extra and sum(q.text.startswith("at<") for q in kernel.params) == 1:
+            kernel.bare_address = p
+        if kind == "constraint":
+            extra.insert(0, f"Structure<{vector(p.structure.axes, UINT).text()}, {p.structure.element.text()}>")
+        elif extra and (not extra[0].isdigit() or self.random.chance(50)):
+            extra.insert(0, "_")
+        return f"{word}<{', '.join(extra)}>" if extra else word
+
+    def leaves_out(self, kernel, p):
+        """Whether a call leaves out the argument of `at`, whose range is then that of an `each` parameter."""
+        given = any(q.structure and " each<" in q.text for q in kernel.params)
+        return p is kernel.bare_address and given and self.random.chance(50)
 
     def test(self, kernel):
         lines = []
@@ -556,5 +578,6 @@ class Kernels:
 
     def call(self, kernel, values, box):
         values = iter(values)
-        arguments = [next(values) if p.value else p.name + (box if box and p.moves else "") for p in kernel.params]
+        arguments = [next(values) if p.value else p.name + (box if box and p.moves else "") for p in kernel.params
+                     if not self.leaves_out(kernel, p)]
         return f"{kernel.name}({', '.join(arguments)});"

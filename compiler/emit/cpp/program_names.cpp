@@ -225,7 +225,10 @@ struct Naming {
     void kernels_that_are(bool is_pub) {
         for (ir::KernelId i : program.kernels.ids()) {
             const ir::Kernel& each = program.kernels[i];
-            if (each.is_pub == is_pub) names.kernels[i] = function(kernels, each.module, each.name, each.key);
+            if (each.is_pub != is_pub) continue;
+            const std::string key =
+                each.is_instance ? ir::module_text(program, each.module) + "." + text(each.name) : each.key;
+            names.kernels[i] = function(kernels, each.module, each.name, key);
         }
     }
 

@@ -41,7 +41,7 @@ void report_attributes(Context& c, const ast::Decl& decl) {
 void own_members(Context& c, ast::DeclId id, ir::ModuleId module) {
     c.module_of[id] = module;
     report_attributes(c, c[id]);
-    report_duplicates(c, c[id].generics);
+    report_duplicates(c, c[id].named_generics());
     const auto& body = c[id].body;
     if (auto* translator = std::get_if<ast::Translator>(&body)) {
         report_duplicates(c, translator->fields);
@@ -59,7 +59,7 @@ void own_members(Context& c, ast::DeclId id, ir::ModuleId module) {
 
 void declare(Context& c, ModuleScope& scope, ast::DeclId id) {
     const ast::Decl& decl = c[id];
-    if (!decl.name.name) return;  // tests
+    if (!decl.name.name || std::holds_alternative<ast::KernelInstances>(decl.body)) return;  // not called by name
     auto& same = scope.names[decl.name.name];
     const bool are_functions = is_function(c, {id}) && is_function(c, same);
     if (!same.empty() && !are_functions && !(is_pass(c, {id}) && is_pass(c, same))) {

@@ -47,7 +47,7 @@ bool is_viable(Body& body, ast::DeclId id, const std::vector<ast::ExprId>& gener
                const std::vector<PassArgument>& arguments, const ast::Expr& call, const Operand* owner) {
     Context& c = body.context;
     const std::vector<ast::Param> params = given_params(c[id], arguments.size());
-    if (params.size() != arguments.size() || generics.size() > c[id].generics.size()) return false;
+    if (params.size() != arguments.size() || generics.size() > c[id].named_generics().size()) return false;
     Env env;
     env.module = c.module_of.at(id);
     if (owner) env.bindings = c.structure_env.at(owner->structure)->bindings;
@@ -77,6 +77,7 @@ std::optional<std::size_t> only_address(const std::vector<ast::Param>& params) {
 void infer_arguments(Body& body, Arguments& generics, const std::vector<ast::Param>& params,
                      const std::vector<PassArgument>& arguments) {
     for (std::size_t i = 0; i < params.size() && i < arguments.size(); ++i) {
+        generics.locate(params[i].type, body.context[arguments[i].written].span);
         if (arguments[i].waits) continue;
         if (params[i].pattern == ast::Pattern::range && arguments[i].structure) {
             const ir::Structure structure = body.program().structures[arguments[i].structure];

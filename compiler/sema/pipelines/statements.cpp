@@ -152,6 +152,22 @@ void insert_address(const std::vector<ir::KernelParam>& params, std::size_t at, 
     arguments.insert(arguments.begin() + static_cast<std::ptrdiff_t>(at), std::move(address));
 }
 
+void report_argument_count(Context& c, ast::DeclId id, std::size_t wanted, std::size_t found, Span call) {
+    note(c.error(Diag::argument_count, call, {c.text(c[id].name.name), std::to_string(wanted), std::to_string(found)}),
+         c[id].name.span, "declared here");
+}
+
+/// Whether another parameter of the kernel gives the range of `address`, a bare `at` whose argument the call leaves
+/// out; reports if none does. True for an `at` that names its structure: insert_address() looks for its range.
+bool is_range_given(Context& c, const Arguments& generics, const ast::Param& address, Span call) {
+    const auto unnamed = generics.index_of(address.type);
+    if (!unnamed || !generics.decl.generics[*unnamed].is_unnamed() || generics.decl.generics[*unnamed].default_value)
+        return true;
+    note(c.error(Diag::nothing_visited, call, {c.text(generics.decl.name.name)}), address.name.span,
+         "pass a structure or a range of one for '" + c.text(address.name.name) + "'");
+    return false;
+}
+
 std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector<ast::ExprId>& explicit_generics,
                                    const ast::Expr& call, std::vector<Argument> arguments) {
     Context& c = body.context;
@@ -163,6 +179,11 @@ std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector
     if (arguments.size() + 1 == written.params.size()) left_out = only_address(written.params);
     std::vector<ast::Param> given = written.params;
     if (left_out) given.erase(given.begin() + static_cast<std::ptrdiff_t>(*left_out));
+    if (given.size() != arguments.size()) {
+        report_argument_count(c, id, written.params.size(), arguments.size(), call.span);
+        return std::nullopt;
+    }
+    if (left_out && !is_range_given(c, generics, written.params[*left_out], call.span)) return std::nullopt;
     infer_arguments(body, generics, given, {arguments.begin(), arguments.end()});
     if (!generics.finish()) return std::nullopt;
     auto kernel = instantiate_kernel(c, id, env, call.span);
@@ -170,9 +191,7 @@ std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector
     const std::vector<ir::KernelParam> params = body.program().kernels[kernel].params;
     if (left_out) insert_address(params, *left_out, arguments);
     if (arguments.size() != params.size()) {
-        note(c.error(Diag::argument_count, call.span,
-                     {c.text(c[id].name.name), std::to_string(params.size()), std::to_string(arguments.size())}),
-             c[id].name.span, "declared here");
+        report_argument_count(c, id, params.size(), arguments.size(), call.span);
         return std::nullopt;
     }
     auto values = kernel_arguments(body, kernel, arguments);
@@ -214,10 +233,7 @@ std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vect
     Context& c = body.context;
     const auto& written = std::get<ast::Pipeline>(c[id].body);
     if (arguments.size() != written.params.size()) {
-        note(
-            c.error(Diag::argument_count, call.span,
-                    {c.text(c[id].name.name), std::to_string(written.params.size()), std::to_string(arguments.size())}),
-            c[id].name.span, "declared here");
+        report_argument_count(c, id, written.params.size(), arguments.size(), call.span);
         return std::nullopt;
     }
     Env& env = c.new_env(c.module_of.at(id));

@@ -111,6 +111,16 @@ bool is_interface(const Context& c, const Meta& meta) {
     return meta.kind == MetaKind::declarations && std::holds_alternative<ast::Interface>(c[meta.declarations[0]].body);
 }
 
+/// The constraint of an unnamed parameter, with the types that its generic arguments are: `Structure<uint3, float>`.
+std::string constraint_text(Context& c, const Env& env, ast::ExprId constraint) {
+    const ast::Expr& expr = c[constraint];
+    if (expr.kind == ast::ExprKind::name) return c.text(expr.name);
+    std::string text = c.text(c[expr.operands[0]].name);
+    for (std::size_t i = 1; i < expr.operands.size(); ++i)
+        text += (i == 1 ? "<" : ", ") + c.text(type_of(c, env, expr.operands[i]));
+    return text + ">";
+}
+
 /// Says what the interface is for, as the first paragraph of its comment does.
 void note_interface(Context& c, const Env& env, ast::ExprId constraint, Diagnostic& diagnostic) {
     const Meta wanted = meaning_of(c, env, c[constraint]);
@@ -175,15 +185,26 @@ Arguments::Arguments(Context& context, const ast::Decl& declaration, Env& enviro
     : context(context), decl(declaration), env(environment), use(at), found(declaration.generics.size()),
       spans(declaration.generics.size(), at) {}
 
+/// Always false.
+bool Arguments::report_count(std::size_t most, std::size_t given) const {
+    note(context.error(Diag::generic_count, use,
+                       {context.text(decl.name.name), std::to_string(most), std::to_string(given)}),
+         decl.name.span, "declared here");
+    return false;
+}
+
 bool Arguments::give(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first, bool quiet) {
+    const std::size_t most = decl.named_generics().size(), given = written.size() - first;
+    return given > most ? report_count(most, given) : take(user, written, first, quiet);
+}
+
+bool Arguments::give_all(const Env& user, const std::vector<ast::ExprId>& written) {
+    const std::size_t most = decl.generics.size();
+    return written.size() > most ? report_count(most, written.size()) : take(user, written, 0, false);
+}
+
+bool Arguments::take(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first, bool quiet) {
     Context& c = context;
-    if (written.size() - first > decl.generics.size()) {
-        note(c.error(Diag::generic_count, use,
-                     {c.text(decl.name.name), std::to_string(decl.generics.size()),
-                      std::to_string(written.size() - first)}),
-             decl.name.span, "declared here");
-        return false;
-    }
     for (std::size_t i = 0; i + first < written.size(); ++i) {
         ast::ExprId argument = written[i + first];
         const ast::GenericParam& param = decl.generics[i];
@@ -240,31 +261,36 @@ bool Arguments::give(std::vector<Meta> metas) {
 }
 
 void Arguments::infer_value(ast::ExprId pattern, const ir::Value& actual) {
-    const ast::Expr& expr = context[pattern];
-    if (expr.kind != ast::ExprKind::name) return;
-    for (std::size_t i = 0; i < decl.generics.size(); ++i) {
-        if (decl.generics[i].name.name != expr.name || found[i]) continue;
-        Meta meta;
-        meta.kind = MetaKind::value;
-        meta.value = actual;
-        found[i] = std::move(meta);
-    }
+    const auto i = index_of(pattern);
+    if (!i || found[*i]) return;
+    Meta meta;
+    meta.kind = MetaKind::value;
+    meta.value = actual;
+    found[*i] = std::move(meta);
 }
 
 void Arguments::infer_structure(ast::ExprId pattern, ir::StructureId structure) {
     if (!pattern) return;
     infer(pattern, context.types().of_structure(structure));
     // The constraint Structure<D, T> of a parameter also determines D and T.
-    const ast::Expr& expr = context[pattern];
-    if (expr.kind != ast::ExprKind::name) return;
-    for (const ast::GenericParam& param : decl.generics) {
-        if (param.name.name != expr.name || !param.constraint) continue;
-        const ast::Expr& constraint = context[param.constraint];
-        if (constraint.kind != ast::ExprKind::generic) continue;
-        const ir::Structure instance = context.program.structures[structure];
-        if (constraint.operands.size() > 1) infer(constraint.operands[1], instance.domain_type);
-        if (constraint.operands.size() > 2) infer(constraint.operands[2], instance.element);
-    }
+    const auto i = index_of(pattern);
+    if (!i || !decl.generics[*i].constraint) return;
+    const ast::Expr& constraint = context[decl.generics[*i].constraint];
+    if (constraint.kind != ast::ExprKind::generic) return;
+    const ir::Structure instance = context.program.structures[structure];
+    if (constraint.operands.size() > 1) infer(constraint.operands[1], instance.domain_type);
+    if (constraint.operands.size() > 2) infer(constraint.operands[2], instance.element);
+}
+
+std::optional<std::size_t> Arguments::index_of(ast::ExprId type) const {
+    if (!type || context[type].kind != ast::ExprKind::name) return std::nullopt;
+    for (std::size_t i = 0; i < decl.generics.size(); ++i)
+        if (decl.generics[i].name.name == context[type].name) return i;
+    return std::nullopt;
+}
+
+void Arguments::locate(ast::ExprId type, Span span) {
+    if (const auto i = index_of(type); i && decl.generics[*i].is_unnamed()) spans[*i] = span;
 }
 
 void Arguments::infer(ast::ExprId pattern, ir::TypeId actual) {
@@ -272,13 +298,12 @@ void Arguments::infer(ast::ExprId pattern, ir::TypeId actual) {
     if (!pattern) return;
     const ast::Expr& expr = c[pattern];
     if (expr.kind == ast::ExprKind::name) {
-        for (std::size_t i = 0; i < decl.generics.size(); ++i) {
-            if (decl.generics[i].name.name != expr.name || found[i]) continue;
-            Meta meta;
-            meta.kind = MetaKind::type;
-            meta.type = actual;
-            found[i] = std::move(meta);
-        }
+        const auto i = index_of(pattern);
+        if (!i || found[*i]) return;
+        Meta meta;
+        meta.kind = MetaKind::type;
+        meta.type = actual;
+        found[*i] = std::move(meta);
         return;
     }
     const ir::Type type = c.types()[actual];
@@ -318,10 +343,34 @@ void Arguments::infer(ast::ExprId pattern, ir::TypeId actual) {
     }
 }
 
+bool Arguments::finish_unnamed(std::size_t i, bool quiet) {
+    Context& c = context;
+    const ast::GenericParam& param = decl.generics[i];
+    if (!found[i] && param.default_value) found[i] = meta_of(c, env, param.default_value);
+    if (!found[i] || c.types().kind(found[i]->type) != ir::TypeKind::structure) {
+        if (!quiet) c.error(Diag::structure_wanted, spans[i], {c.text(param.parameter)});
+        return false;
+    }
+    std::string why;
+    if (param.constraint && !satisfies(c, env, param.constraint, *found[i], why)) {
+        if (!quiet)
+            note(c.error(Diag::constraint, spans[i],
+                         {to_text(c, *found[i]), constraint_text(c, env, param.constraint), why}),
+                 param.name.span, "the constraint is declared here");
+        return false;
+    }
+    env.bindings.emplace_back(param.name.name, *found[i]);
+    return true;
+}
+
 bool Arguments::finish(bool quiet) {
     Context& c = context;
     for (std::size_t i = 0; i < decl.generics.size(); ++i) {
         const ast::GenericParam& param = decl.generics[i];
+        if (param.is_unnamed()) {
+            if (!finish_unnamed(i, quiet)) return false;
+            continue;
+        }
         if (!param.constraint) return false;
         if (!found[i] && param.default_value) {
             // A default is evaluated in the declaration's scope, and may name earlier parameters.

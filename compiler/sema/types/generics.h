@@ -21,6 +21,8 @@ struct Arguments {
     /// evaluated. False after an error, and if a type is given for a value; that is reported unless `quiet`.
     bool give(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first = 0, bool quiet = false);
     bool give(std::vector<Meta> metas);
+    /// As give(), for unnamed parameters, too: they come after those with names.
+    bool give_all(const Env& user, const std::vector<ast::ExprId>& written);
 
     /// Unifies a parameter's declared type with a concrete type, binding generic parameters that it names. Never
     /// reports: unbound parameters and contradictions are found later.
@@ -31,6 +33,16 @@ struct Arguments {
     /// Fills in defaults, checks constraints, adds bindings to env. False if an argument is missing or violates its
     /// constraint, which is reported unless `quiet`, and after an error in a default.
     bool finish(bool quiet = false);
+
+    /// The index of the generic parameter that the type is; absent if it is none.
+    std::optional<std::size_t> index_of(ast::ExprId type) const;
+    /// Sets where errors are reported in the argument of an unnamed parameter, if the type is one.
+    void locate(ast::ExprId type, Span);
+
+private:
+    bool take(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first, bool quiet);
+    bool report_count(std::size_t most, std::size_t found) const;
+    bool finish_unnamed(std::size_t index, bool quiet);
 };
 
 /// Binds a generic parameter by the default type of a literal argument. To be called after all other inference, since

@@ -62,6 +62,15 @@ TEST(Kernels, have_access_patterns) {
               "    (shared tile:(index float 64)))");
 }
 
+TEST(Kernels, have_unnamed_generic_parameters) {
+    EXPECT_EQ(
+        declarations("kernel k(f: in near<2>, a: at, g: out each<Structure<uint, T>>, c: out scatter<_, add>) { }"),
+        "  (kernel k <structure of f> <structure of g:(generic Structure uint T)> <structure of c> "
+        "<structure of a = structure of g> ((f in near structure of f 2) (a at structure of a) "
+        "(g out each structure of g) (c out scatter structure of c add)))");
+    EXPECT_EQ(declarations("fn f(x: each) -> at { }"), "  (fn f ((x each)) -> at)");
+}
+
 TEST(Translators, have_fields_and_methods_without_types) {
     EXPECT_EQ(declarations("@total\ntranslator Fold<N: uint> : vec<N, uint> -> uint2 {\n    extent: vec<N, uint>;\n"
                            "    translate(va) { return va; }\n    fn other(x: uint) -> uint { return x; }\n}"),

@@ -34,6 +34,11 @@ TEST(Format, lays_statements_out) {
               "}\n");
 }
 
+TEST(Format, lays_bare_patterns_out) {
+    EXPECT_EQ(formatted("module m;\nkernel k(a:at,f : in  near< 1 >,g:out   each,c:out scatter<_,add>){g=f[0];}\n"),
+              "module m;\nkernel k(a: at, f: in near<1>, g: out each, c: out scatter<_, add>) { g = f[0]; }\n");
+}
+
 TEST(Format, keeps_short_blocks_and_breaks_long_lines) {
     std::string text =
         "module m;\nfn f(first_parameter: vec<3, float>, second_parameter: vec<3, float>, third_parameter: float, "
