@@ -149,7 +149,8 @@ enum class Direction : std::uint8_t { none, in, out, inout };
 enum class Pattern : std::uint8_t { none, each, near, any, at, scatter, coherent, calls, target, instance, range };
 
 /// `name: [in|out|inout] (each|near|any|at|scatter|coherent|calls|target|instance|range)<type, extra…>`,
-/// `name: [in|out|inout] type`, or in some methods (Parser::parse_param) `name`
+/// `name: [in|out|inout] type`, or in some methods (Parser::parse_param) `name`;
+/// in constructors all but structures may be followed by `= default`
 struct Param {
     Identifier name;
     Direction direction = Direction::none;
@@ -160,6 +161,7 @@ struct Param {
     /// What follows the type. near: the radius; scatter: the operation that combines writes; target: how colours are
     /// blended, or the depth test; at: how many elements an invocation takes; range<N, T>: `type` is N, extra[0] is T.
     std::vector<ExprId> extra;
+    ExprId default_value;  ///< of a constructor's argument, or absent
 };
 
 /// `@name(arguments)` before a declaration or method.

@@ -38,7 +38,7 @@ void Parser::parse_translator(ast::Decl& decl) {
     decl.body = std::move(translator);
 }
 
-/// structure = "structure" name [ generic-parameters ] ( parameters "{" { item } "}" | "=" expression ";" ) ;
+/// structure = "structure" name [ generic-parameters ] ( constructor "{" { item } "}" | "=" expression ";" ) ;
 void Parser::parse_structure(ast::Decl& decl) {
     if (accept(TokenKind::equal)) {
         ast::Alias alias{parse_expression()};
@@ -48,15 +48,15 @@ void Parser::parse_structure(ast::Decl& decl) {
     }
     ast::Structure structure;
     if (!at(TokenKind::open_paren)) fail_expected("'=' or '('");
-    structure.constructor = parse_params();
+    structure.constructor = parse_params(Defaults::allowed);
     structure.items = parse_items();
     decl.body = std::move(structure);
 }
 
-/// view = "view" name [ generic-parameters ] parameters ":" type "->" type "{" { item } "}" ;
+/// view = "view" name [ generic-parameters ] constructor ":" type "->" type "{" { item } "}" ;
 ast::View Parser::parse_view() {
     ast::View view;
-    view.constructor = parse_params();
+    view.constructor = parse_params(Defaults::allowed);
     set_role(Role::spaced);
     expect(TokenKind::colon);
     view.virtual_type = parse_type();
@@ -66,10 +66,10 @@ ast::View Parser::parse_view() {
     return view;
 }
 
-/// adaptor = "adaptor" name [ generic-parameters ] parameters "{" { item } "}" ;
+/// adaptor = "adaptor" name [ generic-parameters ] constructor "{" { item } "}" ;
 ast::Adaptor Parser::parse_adaptor() {
     ast::Adaptor adaptor;
-    adaptor.constructor = parse_params();
+    adaptor.constructor = parse_params(Defaults::allowed);
     adaptor.items = parse_items();
     return adaptor;
 }

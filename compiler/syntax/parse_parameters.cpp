@@ -12,16 +12,32 @@ using ast::Direction;
 using ast::Pattern;
 
 /// parameters = "(" [ parameter { "," parameter } [ "," ] ] ")" ;
-std::vector<ast::Param> Parser::parse_params() {
+/// constructor = "(" [ argument { "," argument } [ "," ] ] ")" ;    argument = parameter [ "=" expression ] ;
+std::vector<ast::Param> Parser::parse_params(Defaults defaults) {
     std::vector<ast::Param> params;
     std::uint32_t open = cursor_;
     if (!expect(TokenKind::open_paren)) return params;
     while (!at(TokenKind::close_paren) && !at_end() && !lost_) {
-        params.push_back(parse_param());
+        ast::Param param = parse_param();
+        parse_default(param, params, defaults);
+        params.push_back(std::move(param));
         if (!accept(TokenKind::comma)) break;
     }
     expect_close(TokenKind::close_paren, open);
     return params;
+}
+
+/// Parses `= expression`, if that follows the parameter, and reports a parameter without it after one that has it.
+void Parser::parse_default(ast::Param& param, const std::vector<ast::Param>& earlier, Defaults defaults) {
+    if (at(TokenKind::equal) && defaults == Defaults::refused)
+        return fail_expected("')'", "only the arguments of constructors have defaults");
+    if (!lost_ && accept(TokenKind::equal)) {
+        param.default_value = parse_expression();
+    } else if (!earlier.empty() && earlier.back().default_value) {
+        diagnostics_
+            .report(Diag::default_missing, param.name.span, {names_[param.name.name], names_[earlier.back().name.name]})
+            .notes.push_back({{}, "arguments without a default come first"});
+    }
 }
 
 /// parameter = name [ ":" [ direction ] ( pattern | type ) ] ;

@@ -169,7 +169,9 @@ private:
     DeclId parse_method();
 
     // ---- parameters (parse_parameters.cpp)
-    std::vector<ast::Param> parse_params();
+    enum class Defaults : std::uint8_t { refused, allowed };
+    std::vector<ast::Param> parse_params(Defaults defaults = Defaults::refused);
+    void parse_default(ast::Param& param, const std::vector<ast::Param>& earlier, Defaults defaults);
     ast::Param parse_param();
     ast::Direction parse_direction();
     ast::Pattern pattern_here() const;

@@ -162,6 +162,7 @@ private:
         if (p.pattern != Pattern::none) text += " " + std::string(word_of(p.pattern));
         if (p.type) text += " " + expr(p.type);
         for (ExprId extra : p.extra) text += " " + expr(extra);
+        if (p.default_value) text += " = " + expr(p.default_value);
         return text + ")";
     }
     std::string params(const std::vector<Param>& list) const {
