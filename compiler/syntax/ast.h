@@ -42,6 +42,7 @@ enum class ExprKind : std::uint8_t {
     none_literal,    // none
     name,            // name
     generic,         // operands[0] < operands[1..] >, `Array<4, float>`
+    named,           // name: operands[0], among generic arguments
     member,          // operands[0] . name
     index,           // operands[0] [ operands[1..] ]; as a type: an array; `T[]` has one operand
     call,            // operands[0] ( operands[1..] ); names of arguments in `labels`
@@ -82,8 +83,8 @@ enum class BinaryOp : std::uint8_t {
 struct Expr {
     ExprKind kind = ExprKind::error;
     Span span;       ///< the whole expression
-    Name name;       ///< name, member, string_literal
-    Span name_span;  ///< member: the member's name alone; operators, `..`, `?`, await: the operator
+    Name name;       ///< name, member, string_literal, named
+    Span name_span;  ///< member, named: the name alone; operators, `..`, `?`, await: the operator
     UnaryOp unary = {};
     BinaryOp binary = {};
     char suffix[3] = {};      ///< numbers: "u", "ul", "h", …

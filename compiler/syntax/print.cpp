@@ -91,6 +91,7 @@ public:
         case ExprKind::none_literal: return "none";
         case ExprKind::name: return names_[e.name];
         case ExprKind::generic: return list("generic", e);
+        case ExprKind::named: return names_[e.name] + ":" + expr(e.operands[0]);
         case ExprKind::member: return "(. " + expr(e.operands[0]) + " " + names_[e.name] + ")";
         case ExprKind::index: return list("index", e);
         case ExprKind::call: return list("call", e);

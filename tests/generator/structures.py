@@ -144,7 +144,8 @@ class Structures:
 
     def edged(self, name, axes, t):
         edge = self.random.choice(["clamp", "repeat", "mirror"])
-        return Structure(name, axes, t, folds=True), f"structure {name} = Array<{axes}, {t.text()}, {edge}>;"
+        named = self.random.choice(["", "edge: "])
+        return Structure(name, axes, t, folds=True), f"structure {name} = Array<{axes}, {t.text()}, {named}{edge}>;"
 
     def bordered(self, name, axes, t):
         return Structure(name, axes, t, f", {literal(t)}"), f"structure {name} = Bordered<{axes}, {t.text()}>;"
@@ -153,7 +154,8 @@ class Structures:
         texel = self.random.choice([t for t in TEXELS if t in self.types.storable])
         edge = self.random.choice(["none", "none", "clamp", "repeat", "mirror"])
         kind = self.random.choice(["image1d", "image2d", "image3d"])
-        return Structure(name, axes, texel, buffer=False, folds=edge != "none"), f"structure {name} = Array<{axes}, {texel.text()}, {edge}, {kind}>;"
+        rest = self.random.choice([f"{edge}, {kind}", f"storage: {kind}, edge: {edge}"])
+        return Structure(name, axes, texel, buffer=False, folds=edge != "none"), f"structure {name} = Array<{axes}, {texel.text()}, {rest}>;"
 
     def tiled(self, name, axes, t):
         tile = extent_text([self.random.between(2, 5) for _ in range(axes)])
