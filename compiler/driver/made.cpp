@@ -233,8 +233,12 @@ std::string wanted(const ir::Program& program, const ir::Structure& structure, s
 std::optional<MadeStructure> made_with(const ir::Program& program, const ir::Structure& structure,
                                        const std::vector<double>& numbers, std::string& problem) {
     std::size_t count = 0;
-    for (ir::LocalId local : structure.constructor) count += ir::lane_count(program, program.locals[local].type);
-    if (count != numbers.size()) {
+    bool fits = false;  // what is left out has defaults
+    for (std::size_t i = 0; i < structure.constructor.size(); ++i) {
+        fits |= structure.defaults[i] && count == numbers.size();
+        count += ir::lane_count(program, program.locals[structure.constructor[i]].type);
+    }
+    if (!fits && count != numbers.size()) {
         problem = wanted(program, structure, count) + ", not " + std::to_string(numbers.size()) +
                   ": write one for each component, as in float2(0.0, 0.0)";
         return std::nullopt;
@@ -242,7 +246,12 @@ std::optional<MadeStructure> made_with(const ir::Program& program, const ir::Str
     MadeStructure result;
     std::vector<std::optional<Value>> arguments;
     std::size_t next = 0;
+    const auto argument = [&](const ir::Expr& asked) { return arguments[asked.slot]; };
     for (ir::LocalId local : structure.constructor) {
+        if (next == numbers.size()) {
+            arguments.push_back(ir::evaluate(program, structure.defaults[arguments.size()], argument));
+            continue;
+        }
         const ir::TypeId type = program.locals[local].type;
         Value value{type, {}};
         const ir::TypeId scalar = program.types.scalar_of(type);

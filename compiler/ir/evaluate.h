@@ -55,6 +55,8 @@ std::optional<Value> call(const Program& program, FunctionId function, std::vect
 
 /// Makes an expression with this value: a constant, or one that is built of constants.
 ExprId materialize(Program& program, const Value& value, Span span);
+/// The value of the type whose scalars are all zero, by which `var x: T;` begins.
+ExprId zero(Program& program, TypeId type, Span span);
 
 /// The value of a scalar, vector or matrix much as the language writes it: 4, 1.5, uint2(8, 8); of an enum, the name of
 /// the enumerator alone. Of other types, the type and the scalars in parentheses (of one scalar, only the scalar),

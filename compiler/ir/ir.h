@@ -412,6 +412,8 @@ struct Structure {
     TypeId domain_type;                ///< uint or vector of uint; containers: void
     TypeId element;                    ///< type of its elements; containers: void
     std::vector<LocalId> constructor;  ///< constructor parameters that are values; Op::member slot i
+    /// For each of `constructor` its default, over the arguments before it, or absent.
+    std::vector<ExprId> defaults;
     std::vector<Memory> memories;
     std::vector<MemberStructure> members;  ///< Place::members are indices here
     std::vector<Stage> via;        ///< the first stage takes the virtual address; the last gives the physical one

@@ -104,6 +104,12 @@ ExprId materialize_part(Program& program, TypeId type, const Lane*& lanes, Span 
 
 }  // namespace
 
+ExprId zero(Program& program, TypeId type, Span span) {
+    Value value{type, {}};
+    for (std::size_t i = lane_count(program, type); i > 0; --i) value.lanes.push_back({});
+    return materialize(program, value, span);
+}
+
 ExprId materialize(Program& program, const Value& value, Span span) {
     const Lane* lanes = value.lanes.data();
     return materialize_part(program, value.type, lanes, span);

@@ -44,6 +44,7 @@ enum class ExprKind : std::uint8_t {
     none_literal,    // none
     name,            // name
     generic,         // operands[0] < operands[1..] >, `Array<4, float>`
+    named,           // name: operands[0], among generic arguments
     member,          // operands[0] . name
     index,           // operands[0] [ operands[1..] ]; as a type: an array; `T[]` has one operand
     call,            // operands[0] ( operands[1..] ); names of arguments in `labels`
@@ -84,8 +85,8 @@ enum class BinaryOp : std::uint8_t {
 struct Expr {
     ExprKind kind = ExprKind::error;
     Span span;       ///< the whole expression
-    Name name;       ///< name, member, string_literal
-    Span name_span;  ///< member: the member's name alone; operators, `..`, `?`, await: the operator
+    Name name;       ///< name, member, string_literal, named
+    Span name_span;  ///< member, named: the name alone; operators, `..`, `?`, await: the operator
     UnaryOp unary = {};
     BinaryOp binary = {};
     char suffix[3] = {};      ///< numbers: "u", "ul", "h", …
@@ -159,6 +160,7 @@ enum class Pattern : std::uint8_t { none, each, near, any, at, scatter, coherent
 /// `name: [in|out|inout] (each|near|any|at|scatter|coherent|calls|target|instance|range)<type, extra…>`,
 /// `name: [in|out|inout] type`, or in some methods (Parser::parse_param) `name`. Where a kernel's pattern names no
 /// structure, `type` names an unnamed generic parameter of the kernel.
+/// In constructors all but structures may be followed by `= default`.
 struct Param {
     Identifier name;
     Direction direction = Direction::none;
@@ -169,6 +171,7 @@ struct Param {
     /// What follows the type. near: the radius; scatter: the operation that combines writes; target: how colours are
     /// blended, or the depth test; at: how many elements an invocation takes; range<N, T>: `type` is N, extra[0] is T.
     std::vector<ExprId> extra;
+    ExprId default_value;  ///< of a constructor's argument, or absent
 };
 
 /// `@name(arguments)` before a declaration or method.

@@ -39,7 +39,7 @@ void Parser::parse_translator(ast::Decl& decl) {
 }
 
 /// structure = "structure" name [ generic-parameters ]
-///             ( parameters [ ":" type "->" type ] "{" { item } "}" | "=" expression ";" ) ;
+///             ( constructor [ ":" type "->" type ] "{" { item } "}" | "=" expression ";" ) ;
 void Parser::parse_structure(ast::Decl& decl) {
     if (accept(TokenKind::equal)) {
         ast::Alias alias{parse_expression()};
@@ -49,7 +49,7 @@ void Parser::parse_structure(ast::Decl& decl) {
     }
     ast::Structure structure;
     if (!at(TokenKind::open_paren)) fail_expected("'=' or '('");
-    structure.constructor = parse_params();
+    structure.constructor = parse_params(Params::of_constructor);
     if (at(TokenKind::colon)) {
         set_role(Role::spaced);
         accept(TokenKind::colon);

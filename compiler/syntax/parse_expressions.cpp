@@ -125,7 +125,9 @@ ast::ExprId Parser::parse_conditional() {
     expr.kind = ExprKind::conditional;
     set_role(Role::spaced);
     expr.name_span = span_of(advance());
+    const bool was_before_colon = std::exchange(is_before_colon_, true);
     expr.operands = {condition, parse_conditional()};
+    is_before_colon_ = was_before_colon;
     set_role(Role::spaced);
     expect(TokenKind::colon);
     if (lost_) return error_expr();

@@ -14,12 +14,15 @@ using ast::ExprKind;
 using ast::Pattern;
 
 /// parameters = "(" [ parameter { "," parameter } [ "," ] ] ")" ;
-std::vector<ast::Param> Parser::parse_params(Bare bare) {
+/// constructor = "(" [ argument { "," argument } [ "," ] ] ")" ;    argument = parameter [ "=" expression ] ;
+std::vector<ast::Param> Parser::parse_params(Params kind) {
     std::vector<ast::Param> params;
     std::uint32_t open = cursor_;
     if (!expect(TokenKind::open_paren)) return params;
     while (!at(TokenKind::close_paren) && !at_end() && !lost_) {
-        params.push_back(parse_param(bare));
+        ast::Param param = parse_param(kind == Params::of_kernel ? Bare::allowed : Bare::refused);
+        parse_default(param, params, kind);
+        params.push_back(std::move(param));
         if (!accept(TokenKind::comma)) break;
     }
     expect_close(TokenKind::close_paren, open);
@@ -29,7 +32,7 @@ std::vector<ast::Param> Parser::parse_params(Bare bare) {
 /// The parameters of a kernel. Adds the unnamed ones among its generic parameters to `generics`: that of `at` last,
 /// since its default is the structure that another pattern names.
 std::vector<ast::Param> Parser::parse_kernel_params(std::vector<ast::GenericParam>& generics) {
-    std::vector<ast::Param> params = parse_params(Bare::allowed);
+    std::vector<ast::Param> params = parse_params(Params::of_kernel);
     if (lost_) return params;
     for (ast::Param& param : params)
         if (param.pattern != Pattern::at) add_unnamed(param, generics);
@@ -70,6 +73,19 @@ void Parser::add_unnamed(ast::Param& param, std::vector<ast::GenericParam>& gene
     type.span = span;
     generics.push_back({.name = {type.name, span}, .constraint = constraint, .parameter = param.name.name});
     param.type = add(std::move(type));
+}
+
+/// Parses `= expression`, if that follows the parameter, and reports a parameter without it after one that has it.
+void Parser::parse_default(ast::Param& param, const std::vector<ast::Param>& earlier, Params kind) {
+    if (at(TokenKind::equal) && kind != Params::of_constructor)
+        return fail_expected("')'", "only the arguments of constructors have defaults");
+    if (!lost_ && accept(TokenKind::equal)) {
+        param.default_value = parse_expression();
+    } else if (!earlier.empty() && earlier.back().default_value) {
+        diagnostics_
+            .report(Diag::default_missing, param.name.span, {names_[param.name.name], names_[earlier.back().name.name]})
+            .notes.push_back({{}, "arguments without a default come first"});
+    }
 }
 
 /// parameter = name [ ":" [ direction ] ( pattern | type ) ] ;

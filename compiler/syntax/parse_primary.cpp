@@ -258,6 +258,7 @@ void Parser::parse_arguments(Expr& expr, TokenKind close) {
             any_label = true;
         }
         labels.push_back(label);
+        is_before_colon_ = static_cast<bool>(label.name);
         expr.operands.push_back(parse_expression());
         if (!accept(TokenKind::comma)) break;
     }
@@ -297,7 +298,7 @@ ast::ExprId Parser::parse_member(ExprId base, std::uint32_t first) {
     return add(std::move(expr));
 }
 
-/// generic-arguments = "<" [ generic-argument { "," generic-argument } [ "," ] ] ">" ;
+/// generic-arguments = "<" [ argument { "," argument } [ "," ] ] ">" ;    argument = [ name ":" ] generic-argument ;
 ast::ExprId Parser::parse_generic_arguments(ExprId base, std::uint32_t first) {
     std::uint32_t open = cursor_;
     Expr expr;
@@ -307,11 +308,27 @@ ast::ExprId Parser::parse_generic_arguments(ExprId base, std::uint32_t first) {
     advance();
     ++open_angles_;
     while (!at_close_angle() && !at_end() && !lost_) {
-        expr.operands.push_back(parse_generic_argument());
+        const bool is_after_name =
+            expr.operands.size() > 1 && tree_.exprs[expr.operands.back()].kind == ExprKind::named;
+        const bool is_named = at(TokenKind::identifier) && peek(1).kind == TokenKind::colon;
+        if (is_after_name && !is_named) fail_expected("a name and ':'", "arguments without a name come first");
+        expr.operands.push_back(is_named ? parse_named_argument() : parse_generic_argument());
         if (!accept(TokenKind::comma)) break;
     }
     --open_angles_;
     expect_close_angle(open);
+    expr.span = since(first);
+    return add(std::move(expr));
+}
+
+ast::ExprId Parser::parse_named_argument() {
+    const std::uint32_t first = cursor_;
+    Expr expr;
+    expr.kind = ExprKind::named;
+    expr.name_span = here();
+    expr.name = advance().name;
+    advance();
+    expr.operands = {parse_generic_argument()};
     expr.span = since(first);
     return add(std::move(expr));
 }
@@ -323,7 +340,8 @@ bool Parser::closes_outer(TokenKind kind) const {
 }
 
 /// Whether the `<` here opens generic arguments: all tokens up to its `>` may occur in generic arguments, and the token
-/// after the `>` may follow them. As in C#, `f(a < b, c > (d))` is parsed as a call of the generic `a<b, c>`.
+/// after the `>` may follow them. As in C#, `f(a < b, c > (d))` is parsed as a call of the generic `a<b, c>`. A `:`
+/// must follow the name of an argument, unless it has another meaning here (is_before_colon_).
 bool Parser::generic_arguments_follow() const {
     constexpr std::uint32_t farthest = 512;
     int angles = 0, brackets = 0;
@@ -345,6 +363,9 @@ bool Parser::generic_arguments_follow() const {
             return angles == 1 && open_angles_ > 0;
         } else if (kind == question || kind == question_question) {
             if (!after_optional.has(peek(i + 1).kind)) return false;
+        } else if (kind == colon) {
+            const bool begins = i > 1 && (peek(i - 2).kind == less || peek(i - 2).kind == comma);
+            if (is_before_colon_ || !begins || peek(i - 1).kind != identifier) return false;
         } else if (!in_generic_arguments.has(kind)) {
             return false;
         }

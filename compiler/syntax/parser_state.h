@@ -84,12 +84,15 @@ private:
     /// Exists while the parser is inside parentheses, brackets or the braces of a tuple: a `>` there is a comparison,
     /// even if the brackets are part of a generic argument.
     struct Brackets {
-        explicit Brackets(Parser& outer) : parser(outer), angles(std::exchange(outer.open_angles_, 0)) {}
-        ~Brackets() { parser.open_angles_ = angles; }
+        explicit Brackets(Parser& outer)
+            : parser(outer), angles(std::exchange(outer.open_angles_, 0)),
+              is_before_colon(std::exchange(outer.is_before_colon_, false)) {}
+        ~Brackets() { parser.open_angles_ = angles, parser.is_before_colon_ = is_before_colon; }
         Brackets(const Brackets&) = delete;
         Brackets& operator=(const Brackets&) = delete;
         Parser& parser;
         int angles;
+        bool is_before_colon;
     };
 
     // ---- expressions (parse_expressions.cpp, parse_primary.cpp)
@@ -114,6 +117,7 @@ private:
     ExprId parse_index(ExprId base, std::uint32_t first);
     ExprId parse_member(ExprId base, std::uint32_t first);
     ExprId parse_generic_arguments(ExprId base, std::uint32_t first);
+    ExprId parse_named_argument();
     void parse_arguments(ast::Expr& expr, TokenKind close);
     bool closes_outer(TokenKind kind) const;
     bool generic_arguments_follow() const;
@@ -170,8 +174,10 @@ private:
     DeclId parse_method();
 
     // ---- parameters (parse_parameters.cpp)
+    enum class Params : std::uint8_t { plain, of_kernel, of_constructor };
     enum class Bare : bool { refused, allowed };  ///< whether a pattern may stand without a structure: `in each`
-    std::vector<ast::Param> parse_params(Bare bare = Bare::refused);
+    std::vector<ast::Param> parse_params(Params kind = Params::plain);
+    void parse_default(ast::Param& param, const std::vector<ast::Param>& earlier, Params kind);
     std::vector<ast::Param> parse_kernel_params(std::vector<ast::GenericParam>& generics);
     ast::Param parse_param(Bare bare);
     ast::Direction parse_direction();
@@ -207,8 +213,9 @@ private:
     bool lost_ = false;
     bool has_open_string_;
     int depth_ = 0;
-    int open_angles_ = 0;                 // how many lists of generic arguments or parameters are open here
-    std::uint32_t first_expr_;            // index in the tree of this file's first expression
+    int open_angles_ = 0;           // how many lists of generic arguments or parameters are open here
+    bool is_before_colon_ = false;  // a ':' here ends the middle of `a ? b : c`, or begins the next named argument
+    std::uint32_t first_expr_;      // index in the tree of this file's first expression
     std::vector<std::uint16_t> heights_;  // height of the tree of each expression from first_expr_ on; limited by add()
     std::uint32_t unclosed_at_ =
         0xffffffffu;  // the token where a missing `}` was reported, so that enclosing braces do not report it again

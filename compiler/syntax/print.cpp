@@ -91,6 +91,7 @@ public:
         case ExprKind::none_literal: return "none";
         case ExprKind::name: return names_[e.name];
         case ExprKind::generic: return list("generic", e);
+        case ExprKind::named: return names_[e.name] + ":" + expr(e.operands[0]);
         case ExprKind::member: return "(. " + expr(e.operands[0]) + " " + names_[e.name] + ")";
         case ExprKind::index: return list("index", e);
         case ExprKind::call: return list("call", e);
@@ -162,6 +163,7 @@ private:
         if (p.pattern != Pattern::none) text += " " + std::string(word_of(p.pattern));
         if (p.type) text += " " + expr(p.type);
         for (ExprId extra : p.extra) text += " " + expr(extra);
+        if (p.default_value) text += " = " + expr(p.default_value);
         return text + ")";
     }
     std::string params(const std::vector<Param>& list) const {

@@ -1,6 +1,6 @@
 """Random structures: those of the library, and others over translators, page tables and blocks that the program defines."""
 from declarations import split_declarations
-from model import FLOAT, INT, UINT, Matrix, Node, Vector, literal, vector
+from model import FLOAT, INT, UINT, Enum, Matrix, Node, Vector, literal, vector
 
 TEXELS = [vector(n, s) for s in (FLOAT, INT, UINT) for n in (1, 2, 4)]
 
@@ -144,7 +144,8 @@ class Structures:
 
     def edged(self, name, axes, t):
         edge = self.random.choice(["clamp", "repeat", "mirror"])
-        return Structure(name, axes, t, folds=True), f"structure {name} = Array<{axes}, {t.text()}, {edge}>;"
+        named = self.random.choice(["", "edge: "])
+        return Structure(name, axes, t, folds=True), f"structure {name} = Array<{axes}, {t.text()}, {named}{edge}>;"
 
     def bordered(self, name, axes, t):
         return Structure(name, axes, t, f", {literal(t)}"), f"structure {name} = Bordered<{axes}, {t.text()}>;"
@@ -153,7 +154,8 @@ class Structures:
         texel = self.random.choice([t for t in TEXELS if t in self.types.storable])
         edge = self.random.choice(["none", "none", "clamp", "repeat", "mirror"])
         kind = self.random.choice(["image1d", "image2d", "image3d"])
-        return Structure(name, axes, texel, buffer=False, folds=edge != "none"), f"structure {name} = Array<{axes}, {texel.text()}, {edge}, {kind}>;"
+        rest = self.random.choice([f"{edge}, {kind}", f"storage: {kind}, edge: {edge}"])
+        return Structure(name, axes, texel, buffer=False, folds=edge != "none"), f"structure {name} = Array<{axes}, {texel.text()}, {rest}>;"
 
     def tiled(self, name, axes, t):
         tile = extent_text([self.random.between(2, 5) for _ in range(axes)])
@@ -174,11 +176,15 @@ class Structures:
         kind, needs, _ = ORDERS[order]
         generic = f"<{axes}>" if not needs else ""
         outside = f"    otherwise made_{self.made_name(t)}(3u);\n" if self.random.chance(40) else ""
+        argument, extra = "", ""
+        if outside and self.random.chance(50):
+            argument, outside = f", outside: {t.text()} = {self.zero(t)}", "    otherwise outside;\n"
+            extra = self.random.choice(["", f", {literal(t)}"])
         memory = self.line_of(t, "volume(extent)")
         folds = order == "Beyond" and memory.startswith("Array") and "none" not in memory
-        text = (f"structure {name}(extent: {vector(axes, UINT).text()}) {{\n    memory data = {memory};\n"
+        text = (f"structure {name}(extent: {vector(axes, UINT).text()}{argument}) {{\n    memory data = {memory};\n"
                 f"    via {order}{generic}(extent);\n{outside}}}")
-        return Structure(name, axes, t, each=kind != "many_to_one", is_dense=kind == "one_to_one", folds=folds, owns=not folds), text
+        return Structure(name, axes, t, extra, each=kind != "many_to_one", is_dense=kind == "one_to_one", folds=folds, owns=not folds), text
 
     def composed(self, name, axes, t):
         """A composition of translators."""
@@ -233,6 +239,10 @@ class Structures:
                 f"    block_size() {{ return {page}; }}\n}}")
         return Structure(name, axes, t, each=not inner or inner.each, is_dense=False, buffer=not inner or inner.buffer,
                          block=sides, folds=bool(inner) and inner.folds, owns=not inner or inner.owns), text
+
+    def zero(self, t):
+        """A default for an argument of the type: its zero, where it has one."""
+        return f"made_{self.made_name(t)}(4u)" if isinstance(t, Enum) or self.random.chance(30) else f"{t.text()}()"
 
     def made_name(self, t):
         return self.types.made(t, "").removeprefix("made_").removesuffix("()")

@@ -207,7 +207,8 @@ void PipelinePrinter::expect(const Stmt& stmt) {
     std::string text = "test.expect(" + print_any(p, stmt.value) + ", \"" + place_text(unit.sources, stmt.span) +
                        "\", " + quoted(source_text(unit.sources, stmt.span));
     if (!stmt.arguments.empty())
-        text += ", " + print_any(p, stmt.arguments[0]) + ", \"" +
+        text += ", " + quoted(source_text(unit.sources, unit.program.exprs[stmt.arguments[0]].span)) + ", " +
+                print_any(p, stmt.arguments[0]) + ", \"" +
                 std::string(ir::spelling(unit.program.exprs[stmt.value].binary)) + "\", " +
                 print_any(p, stmt.arguments[1]);
     p.out.line(text + ");");

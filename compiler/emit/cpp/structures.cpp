@@ -3,8 +3,10 @@
 #include "emit/cpp/unit.h"
 #include "ir/chain.h"
 #include "ir/effects.h"
+#include "ir/evaluate.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gliftc::cpp {
 
@@ -13,12 +15,22 @@ namespace {
 using ir::Structure;
 using ir::StructureKind;
 
-/// One constructor of a class: its parameters as they are declared.
+/// One constructor of a class: its parameters as they are declared, and the default arguments of the last ones.
 struct Constructor {
     std::vector<std::string> parameters;
-    std::string text() const {
+    std::vector<std::string> defaults;
+
+    std::size_t required() const { return parameters.size() - defaults.size(); }
+    std::string text() const { return text_of(0); }
+    std::string text_with_defaults() const { return text_of(defaults.size()); }
+
+private:
+    std::string text_of(std::size_t defaulted) const {
         std::string all;
-        for (const std::string& parameter : parameters) all += (all.empty() ? "" : ", ") + parameter;
+        for (std::size_t i = 0; i < parameters.size(); ++i) {
+            all += (all.empty() ? "" : ", ") + parameters[i];
+            if (i + defaulted >= parameters.size()) all += " = " + defaults[i - required()];
+        }
         return all;
     }
 };
@@ -242,6 +254,32 @@ std::string argument_of_part(Unit& unit, Printer& p, const ir::MemberStructure& 
     return fitted(p, argument, part);
 }
 
+/// The default of a constructor's argument; empty if C++ has to give the argument: the default depends on others, or is
+/// no zero, and no scalar or vector either, or one of halves.
+std::string default_argument(Unit& unit, ir::StructureId index, ir::ExprId value) {
+    const std::optional<ir::Value> known = value ? ir::evaluate(unit.program, value) : std::nullopt;
+    if (!known) return "";
+    const auto is_zero = [](const ir::Lane& lane) {
+        return lane.bits == 0 && lane.number == 0 && !std::signbit(lane.number);
+    };
+    if (std::ranges::all_of(known->lanes, is_zero)) return "{}";
+    const ir::Types& types = unit.program.types;
+    const bool is_vector = types.is_vector(known->type);
+    if ((!types.is_scalar(known->type) && !is_vector) || types.scalar_of(known->type) == types.half) return "";
+    Printer p = own_printer(unit, index);
+    return (is_vector ? "glift::" : "") + print_any(p, value);
+}
+
+/// Gives the last parameters their defaults. One parameter is left without: `Type()` makes an empty handle.
+void add_defaults(Unit& unit, ir::StructureId index, Constructor& constructor) {
+    const std::vector<ir::ExprId>& defaults = unit.program.structures[index].defaults;
+    for (std::size_t i = defaults.size(); i > 0 && constructor.required() > 1; --i) {
+        const std::string text = default_argument(unit, index, defaults[i - 1]);
+        if (text.empty()) return;
+        constructor.defaults.insert(constructor.defaults.begin(), text);
+    }
+}
+
 /// Like own_printer, for functions of the class whose parameters have names from the source.
 Printer method_printer(Unit& unit, ir::StructureId index) {
     Printer p = own_printer(unit, index);
@@ -382,9 +420,11 @@ void print_class(Unit& unit, Writer& out, ir::StructureId index) {
     out.line("static constexpr const char* type_name = " + quoted(structure.display) + ";");
     out.gap();
     out.line(type + "() = default;");
-    const Constructor constructor = constructor_of(unit, index, names, true);
+    Constructor constructor = constructor_of(unit, index, names, true);
+    add_defaults(unit, index, constructor);
     if (!constructor.parameters.empty())
-        out.line((constructor.parameters.size() == 1 ? "explicit " : "") + type + "(" + constructor.text() + ");");
+        out.line((constructor.required() == 1 ? "explicit " : "") + type + "(" + constructor.text_with_defaults() +
+                 ");");
     if (has_parts(structure)) {
         out.line("/// Makes the structure with the given " + parts_text(structure) + ".");
         out.line(type + "(" + constructor.text() + memory_parameters(unit, index, names) + ");");

@@ -118,6 +118,8 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
     const ir::Type type = types[id];
     bool is_tuple = call.kind == ast::ExprKind::tuple;
     std::vector<ast::ExprId> written = is_tuple ? call.operands : arguments_of(call);
+    if (!is_tuple && written.empty() && type.kind != ir::TypeKind::enum_ && id != types.error)
+        return value_operand(body, ir::zero(body.program(), id, call.span), call.span);
     const Parts parts(body);
     ir::Operands operands;
     if (type.kind == ir::TypeKind::struct_ || type.kind == ir::TypeKind::array) {

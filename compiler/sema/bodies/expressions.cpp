@@ -226,6 +226,9 @@ Operand check_kind(Body& body, ast::ExprId id, ir::TypeId wanted) {
         operand.span = expr.span;
         return operand;
     }
+    case ast::ExprKind::named:
+        c.error(Diag::named_argument, expr.name_span, {c.text(expr.name)});
+        return error_operand(expr.span);
     case ast::ExprKind::member: return check_member(body, id);
     case ast::ExprKind::index: return check_index(body, id, wanted);
     case ast::ExprKind::call: return check_call(body, id, wanted);

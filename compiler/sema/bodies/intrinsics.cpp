@@ -6,6 +6,7 @@
 #include "sema/pipelines/values.h"
 #include "sema/types/typing.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace gliftc::sema {
@@ -180,6 +181,55 @@ std::optional<ir::ExprId> of_unsigned(Body& body, ir::Intrinsic intrinsic, const
     return least;
 }
 
+/// Whether the expression has at most `left` nodes, which calculate with variables and constants; takes their number
+/// off.
+bool is_short(const ir::Program& program, ir::ExprId id, int& left) {
+    const ir::Expr& expr = program.exprs[id];
+    const bool calculates = expr.op == ir::Op::local || expr.op == ir::Op::constant || expr.op == ir::Op::construct ||
+                            expr.op == ir::Op::swizzle || expr.op == ir::Op::unary || expr.op == ir::Op::binary;
+    if (!calculates || --left < 0) return false;
+    return std::ranges::all_of(expr.operands, [&](ir::ExprId operand) { return is_short(program, operand, left); });
+}
+
+/// The value as an expression that may stand in several places.
+ir::ExprId repeatable(Body& body, ir::ExprId value, Span span) {
+    int most = 8;
+    if (is_short(body.program(), value, most) || !body.block) return value;
+    if (body.kind != BodyKind::pipeline)
+        return make_local(body.program(), emit_temporary(body, "v", value, span), span);
+    settle(body);
+    return value;
+}
+
+ir::ExprId length_of(Body& body, ir::ExprId vector, Span span) {
+    ir::Program& p = body.program();
+    const ir::TypeId scalar = p.types.scalar_of(p.exprs[vector].type);
+    const ir::ExprId square = add(p, ir::Op::intrinsic, scalar, span, {vector, vector});
+    p.exprs[square].intrinsic = ir::Intrinsic::dot;
+    const ir::ExprId root = add(p, ir::Op::intrinsic, scalar, span, {square});
+    p.exprs[root].intrinsic = ir::Intrinsic::sqrt;
+    return root;
+}
+
+/// length, distance and normalize, which devices round differently, as exact operations: sqrt(dot(v, v)), the length of
+/// the difference, v * (1 / length(v)). Absent for other functions.
+std::optional<ir::ExprId> composed(Body& body, ir::Intrinsic intrinsic, const ir::Operands& operands, Span span) {
+    ir::Program& p = body.program();
+    const bool is_distance = intrinsic == ir::Intrinsic::distance, is_normal = intrinsic == ir::Intrinsic::normalize;
+    if (!is_distance && !is_normal && intrinsic != ir::Intrinsic::length) return std::nullopt;
+    const ir::TypeId type = p.exprs[operands[0]].type, scalar = p.types.scalar_of(type);
+    ir::ExprId vector = operands[0];
+    if (is_distance) vector = make_binary(p, ir::BinaryOp::subtract, type, vector, operands[1], span);
+    vector = repeatable(body, vector, span);
+    const ir::ExprId length = length_of(body, vector, span);
+    if (!is_normal) return length;
+    const ir::ExprId one = add(p, ir::Op::constant, scalar, span);
+    p.exprs[one].number = 1;
+    ir::ExprId factor = make_binary(p, ir::BinaryOp::divide, scalar, one, length, span);
+    if (type != scalar) factor = add(p, ir::Op::construct, type, span, {factor});
+    return make_binary(p, ir::BinaryOp::multiply, type, vector, factor, span);
+}
+
 }  // namespace
 
 std::optional<ir::Intrinsic> find_intrinsic(std::string_view name) {
@@ -283,6 +333,7 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
         }
     }
     if (auto value = of_unsigned(body, intrinsic, operands, call.span)) return value_operand(body, *value, call.span);
+    if (auto value = composed(body, intrinsic, operands, call.span)) return value_operand(body, *value, call.span);
     ir::TypeId type =
         result_type(types, signature,
                     common && !operands.empty() && is_generic_letter(signature.params[0].letter) ? common : first);

@@ -22,9 +22,7 @@ void check_let(Body& body, const ast::Stmt& stmt) {
         const bool is_device_type = is_on_device(body, value) && body.types()[operand.type].element == wanted;
         if (wanted && !is_device_type) value = coerce(body, value, wanted, c[stmt.value].span);
     } else if (lies_on_device_later(body, stmt.name.span)) {
-        ir::Value zero{wanted, {}};
-        for (std::size_t i = ir::lane_count(body.program(), wanted); i > 0; --i) zero.lanes.push_back({});
-        value = ir::materialize(body.program(), zero, stmt.name.span);
+        value = ir::zero(body.program(), wanted, stmt.name.span);
     }
     if (value) value = as_declared(body, value, stmt.name.span);
     ir::TypeId type = value && (is_on_device(body, value) || !wanted) ? body.program().exprs[value].type

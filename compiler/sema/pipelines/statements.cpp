@@ -512,20 +512,18 @@ Operand construct_structure(Body& body, ir::TypeId type, const ast::Expr& call) 
     ast::DeclId decl = c.structure_decl.at(index);
     const std::vector<ast::Param>* params = constructor_of(c[decl]);
     std::vector<ast::ExprId> written = arguments_of(call);
-    if (params->size() != written.size()) {
-        note(c.error(Diag::argument_count, call.span,
-                     {c.text(type), std::to_string(params->size()), std::to_string(written.size())}),
-             c[decl].name.span, "declared here");
-        return error_operand(call.span);
-    }
-    ir::Operands values;
+    if (!has_argument_count(c, index, call)) return error_operand(call.span);
+    ir::Operands operands;
+    std::vector<ir::ExprId> values;
     for (std::size_t i = 0; i < written.size(); ++i) {
         ir::TypeId wanted = type_of(c, *c.structure_env.at(index), (*params)[i].type);
         Operand value = declared(body, check(body, written[i], wanted));
-        values.push_back(coerce(body, to_value(body, value), wanted, c[written[i]].span));
-        if (is_error(body, values.back())) return error_operand(call.span);
+        operands.push_back(coerce(body, to_value(body, value), wanted, c[written[i]].span));
+        if (is_error(body, operands.back())) return error_operand(call.span);
+        if (body.types().kind(wanted) != ir::TypeKind::structure) values.push_back(operands.back());
     }
-    return value_operand(body, add(body.program(), ir::Op::construct, type, call.span, std::move(values)), call.span);
+    for (ir::ExprId omitted : omitted_arguments(body, index, std::move(values))) operands.push_back(omitted);
+    return value_operand(body, add(body.program(), ir::Op::construct, type, call.span, std::move(operands)), call.span);
 }
 
 Operand check_pipeline_index(Body& body, const Operand& structure, const ast::Expr& expr) {

@@ -1,5 +1,6 @@
 #include "sema/structures/constructors.h"
 
+#include "sema/bodies/order.h"
 #include "sema/names/lookup.h"
 #include "sema/structures/components.h"
 #include "sema/types/generics.h"
@@ -25,6 +26,14 @@ ast::DeclId generic_declaration(Body& body, const ast::Expr& name) {
     if (visible.found.size() != 1) return {};
     const ast::Decl& decl = c[visible.found[0]];
     return constructor_of(decl) && !decl.generics.empty() ? visible.found[0] : ast::DeclId{};
+}
+
+/// A copy of a default in which `values` replace the arguments of the constructor.
+ir::ExprId with_values(ir::Program& program, ir::ExprId id, const std::vector<ir::ExprId>& values) {
+    ir::Expr expr = program.exprs[id];
+    if (expr.op == ir::Op::member) return values[expr.slot];
+    for (ir::ExprId& operand : expr.operands) operand = with_values(program, operand, values);
+    return program.exprs.add(std::move(expr));
 }
 
 }  // namespace
@@ -72,6 +81,43 @@ Meta constructed_type(Body& body, const ast::Expr& call) {
     meta.kind = MetaKind::type;
     meta.type = type;
     return meta;
+}
+
+ir::ExprId default_of(Body& earlier, const ast::Param& param, ir::TypeId type) {
+    Context& c = earlier.context;
+    if (!param.default_value) return {};
+    if (c.types().kind(type) == ir::TypeKind::structure) {
+        c.error(Diag::default_of_structure, c[param.default_value].span, {c.text(param.name.name)});
+        return {};
+    }
+    const ir::ExprId value = check_value(earlier, param.default_value, type);
+    const std::optional<ir::Value> known = known_value(earlier, value);
+    return known ? ir::materialize(c.program, *known, c[param.default_value].span) : value;
+}
+
+bool has_argument_count(Context& c, ir::StructureId structure, const ast::Expr& call) {
+    const ast::Decl& decl = c[c.structure_decl.at(structure)];
+    const std::vector<ast::Param>& params = *constructor_of(decl);
+    const std::size_t given = call.operands.size() - 1, most = params.size();
+    std::size_t least = most;
+    while (least > 0 && params[least - 1].default_value) --least;
+    if (given >= least && given <= most) return true;
+    const std::string few = least < most ? std::to_string(least) + (least + 1 < most ? " to " : " or ") : "";
+    note(c.error(Diag::argument_count, call.span,
+                 {c.program.structures[structure].display, few + std::to_string(most), std::to_string(given)}),
+         decl.name.span, "declared here");
+    return false;
+}
+
+ir::Operands omitted_arguments(Body& body, ir::StructureId structure, std::vector<ir::ExprId> values) {
+    const std::vector<ir::ExprId> defaults = body.program().structures[structure].defaults;
+    if (values.size() < defaults.size() && body.block) settle(body);
+    ir::Operands omitted;
+    while (values.size() < defaults.size()) {
+        values.push_back(with_values(body.program(), defaults[values.size()], values));
+        omitted.push_back(values.back());
+    }
+    return omitted;
 }
 
 }  // namespace gliftc::sema

@@ -170,21 +170,20 @@ void declare_member(Body& body, ir::StructureId index, std::uint32_t member, ast
     declare(body, name, symbol);
 }
 
-const std::vector<ast::Param>& params_of(const Context& c, ir::StructureId structure) {
-    return *constructor_of(c[c.structure_decl.at(structure)]);
-}
-
 /// Checks the arguments of the member's constructor, and sorts them into values and structures.
 void give_arguments(Body& body, const ast::Expr& call, ir::MemberStructure& member) {
     Context& c = body.context;
-    const std::vector<ast::Param>& params = params_of(c, member.structure);
+    const std::vector<ast::Param>& params = *constructor_of(c[c.structure_decl.at(member.structure)]);
     const Env& env = *c.structure_env.at(member.structure);
-    for (std::size_t i = 0; i < params.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < call.operands.size(); ++i) {
         const ir::TypeId wanted = type_of(c, env, params[i].type);
         const ir::ExprId value = check_value(body, call.operands[i + 1], wanted);
         if (c.types().kind(wanted) != ir::TypeKind::structure) member.arguments.push_back(value);
         else member.structures.push_back(c.program.exprs[value].place);
     }
+    for (ir::ExprId omitted :
+         omitted_arguments(body, member.structure, {member.arguments.begin(), member.arguments.end()}))
+        member.arguments.push_back(omitted);
 }
 
 }  // namespace
@@ -211,11 +210,7 @@ bool add_member(Body& body, ir::StructureId index, const ast::Item& item) {
     member.name = item.name.name;
     member.span = item.name.span;
     member.structure = c.types()[type].structure;
-    if (params_of(c, member.structure).size() != call.operands.size() - 1)
-        c.error(Diag::argument_count, call.span,
-                {c.text(type), std::to_string(params_of(c, member.structure).size()),
-                 std::to_string(call.operands.size() - 1)});
-    else give_arguments(body, call, member);
+    if (has_argument_count(c, member.structure, call)) give_arguments(body, call, member);
     c.program.structures[index].members.push_back(std::move(member));
     declare_member(body, index, static_cast<std::uint32_t>(c.program.structures[index].members.size() - 1), item.name);
     return true;
@@ -492,9 +487,19 @@ ir::FunctionId make_at(Context& c, ast::DeclId id, const Env& env, ir::Structure
 
 }  // namespace
 
+static void declare_argument(Body& body, ast::Identifier name, std::uint32_t slot, ir::TypeId type) {
+    Symbol symbol;
+    symbol.kind = SymbolKind::member;
+    symbol.slot = slot;
+    symbol.type = type;
+    declare(body, name, symbol);
+}
+
 void add_constructor(Context& c, const Env& env, const std::vector<ast::Param>& params, ir::Structure& structure) {
+    Body earlier{.context = c, .env = env, .kind = BodyKind::structure};
     for (const ast::Param& param : params) {
         ir::TypeId type = type_of(c, env, param);
+        const ir::ExprId default_value = default_of(earlier, param, type);
         const Span span = param.type ? c[param.type].span : param.name.span;
         if (is_refused_optional(c, type, "a constructor's argument", span)) type = c.types().error;
         if (c.types().kind(type) == ir::TypeKind::structure) {
@@ -505,7 +510,9 @@ void add_constructor(Context& c, const Env& env, const std::vector<ast::Param>& 
             member.span = param.name.span;
             structure.members.push_back(std::move(member));
         } else {
+            declare_argument(earlier, param.name, static_cast<std::uint32_t>(structure.constructor.size()), type);
             structure.constructor.push_back(add_local(c.program, param.name.name, type, param.name.span));
+            structure.defaults.push_back(default_value);
         }
     }
 }
@@ -516,11 +523,7 @@ void bring_members_into_scope(Body& body, ir::StructureId index) {
     const ir::Structure structure = c.program.structures[index];
     for (std::uint32_t i = 0; i < structure.constructor.size(); ++i) {
         const ir::Local& local = c.program.locals[structure.constructor[i]];
-        Symbol symbol;
-        symbol.kind = SymbolKind::member;
-        symbol.slot = i;
-        symbol.type = local.type;
-        declare(body, {local.name, local.span}, symbol);
+        declare_argument(body, {local.name, local.span}, i, local.type);
     }
     for (std::uint32_t i = 0; i < structure.members.size(); ++i)
         declare_member(body, index, i, {structure.members[i].name, structure.members[i].span});

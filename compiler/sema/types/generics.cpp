@@ -67,6 +67,30 @@ bool names_type(Context& c, const Env& user, ast::ExprId argument) {
     }
 }
 
+/// The index of the generic parameter of that name; their number if there is none.
+std::size_t place_of(const ast::Decl& decl, Name name) {
+    const auto name_of = [](const ast::GenericParam& param) { return param.name.name; };
+    return static_cast<std::size_t>(std::ranges::find(decl.generics, name, name_of) - decl.generics.begin());
+}
+
+Meta value_meta(ir::Value value) {
+    Meta meta;
+    meta.kind = MetaKind::value;
+    meta.value = std::move(value);
+    return meta;
+}
+
+/// `border` for `Boundary.border`: where an enum is expected, enumerators need no prefix.
+std::optional<Meta> enumerator_of(Context& c, ir::TypeId type, const ast::Expr& expr) {
+    const bool is_none = expr.kind == ast::ExprKind::none_literal;
+    if (c.types().kind(type) != ir::TypeKind::enum_ || (expr.kind != ast::ExprKind::name && !is_none)) return {};
+    const ir::Enum& declared = c.program.enums[c.types()[type].enum_];
+    const std::string_view text = is_none ? std::string_view("none") : std::string_view(c.text(expr.name));
+    for (std::size_t k = 0; k < declared.enumerators.size(); ++k)
+        if (c.text(declared.enumerators[k]) == text) return value_meta({type, {ir::Lane{.bits = declared.values[k]}}});
+    return {};
+}
+
 bool is_texel(const ir::Types& types, ir::TypeId type) {
     ir::TypeId scalar = types.scalar_of(type);
     bool shaped = types.is_scalar(type) || (types.is_vector(type) && types.components(type) != 3);
@@ -183,7 +207,55 @@ bool satisfies(Context& c, const Env& env, ast::ExprId constraint, const Meta& m
 
 Arguments::Arguments(Context& context, const ast::Decl& declaration, Env& environment, Span at)
     : context(context), decl(declaration), env(environment), use(at), found(declaration.generics.size()),
-      spans(declaration.generics.size(), at) {}
+      spans(declaration.generics.size(), at), named(declaration.generics.size()) {}
+
+/// Evaluates the argument of a parameter. `known`: the earlier parameters, which the constraint may name.
+bool Arguments::take(std::size_t i, const Env& user, ast::ExprId argument, const Env& known, bool quiet) {
+    Context& c = context;
+    const ast::GenericParam& param = decl.generics[i];
+    spans[i] = c[argument].span;
+    if (takes_type(c, known, param.constraint)) {
+        Meta meta = meta_of(c, user, argument);
+        if (meta.kind == MetaKind::none) return false;
+        found[i] = std::move(meta);
+        return true;
+    }
+    const ir::TypeId type = type_of(c, known, param.constraint);
+    if (type == c.types().error) return false;
+    found[i] = enumerator_of(c, type, c[argument]);
+    if (found[i]) return true;
+    if (names_type(c, user, argument)) {
+        if (quiet) return false;
+        note(c.error(Diag::type_mismatch, c[argument].span, {c.text(type), "a type"}), decl.name.span,
+             "'" + c.text(param.name.name) + "' stands at place " + std::to_string(i + 1));
+        return false;
+    }
+    auto value = constant_of(c, user, argument, type);
+    if (value) found[i] = value_meta(std::move(*value));
+    return value.has_value();
+}
+
+/// Notes an argument `name: value` for finish().
+bool Arguments::take_named(const Env& user, const ast::Expr& argument, bool quiet) {
+    Context& c = context;
+    const std::size_t i = place_of(decl, argument.name);
+    if (i == decl.generics.size()) {
+        if (quiet) return false;
+        std::vector<std::string_view> known;
+        for (const ast::GenericParam& generic : decl.generics) known.push_back(c.text(generic.name.name));
+        Diagnostic& diagnostic =
+            c.error(Diag::generic_name, argument.name_span, {c.text(decl.name.name), c.text(argument.name)});
+        const std::string_view meant = did_you_mean(c.text(argument.name), known);
+        if (!meant.empty()) note(diagnostic, argument.name_span, "did you mean '" + std::string(meant) + "'?");
+        return false;
+    }
+    if (found[i] || named[i].user) {
+        if (!quiet) c.error(Diag::generic_twice, argument.name_span, {c.text(argument.name)});
+        return false;
+    }
+    named[i] = {&user, argument.operands[0]};
+    return true;
+}
 
 /// Always false.
 bool Arguments::report_count(std::size_t most, std::size_t given) const {
@@ -195,62 +267,30 @@ bool Arguments::report_count(std::size_t most, std::size_t given) const {
 
 bool Arguments::give(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first, bool quiet) {
     const std::size_t most = decl.named_generics().size(), given = written.size() - first;
-    return given > most ? report_count(most, given) : take(user, written, first, quiet);
+    return given > most ? report_count(most, given) : take_all(user, written, first, quiet);
 }
 
 bool Arguments::give_all(const Env& user, const std::vector<ast::ExprId>& written) {
     const std::size_t most = decl.generics.size();
-    return written.size() > most ? report_count(most, written.size()) : take(user, written, 0, false);
+    return written.size() > most ? report_count(most, written.size()) : take_all(user, written, 0, false);
 }
 
-bool Arguments::take(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first, bool quiet) {
+bool Arguments::take_all(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first, bool quiet) {
     Context& c = context;
+    Env known = env;
     for (std::size_t i = 0; i + first < written.size(); ++i) {
-        ast::ExprId argument = written[i + first];
-        const ast::GenericParam& param = decl.generics[i];
-        if (!param.constraint) return false;
-        spans[i] = c[argument].span;
-        // Constraints may name earlier parameters: bind those that are known.
-        Env partial = env;
-        partial.module = env.module;
-        for (std::size_t k = 0; k < i; ++k)
-            if (found[k]) partial.bindings.emplace_back(decl.generics[k].name.name, *found[k]);
-        if (takes_type(c, partial, param.constraint)) {
-            Meta meta = meta_of(c, user, argument);
-            if (meta.kind == MetaKind::none) return false;
-            found[i] = std::move(meta);
+        const ast::ExprId argument = written[i + first];
+        if (c[argument].kind == ast::ExprKind::named) {
+            if (!take_named(user, c[argument], quiet)) return false;
             continue;
         }
-        ir::TypeId type = type_of(c, partial, param.constraint);
-        if (type == c.types().error) return false;
-        // `border` for `Boundary.border`: where an enum is expected, enumerators need no prefix.
-        const ast::Expr& expr = c[argument];
-        if (c.types().kind(type) == ir::TypeKind::enum_ &&
-            (expr.kind == ast::ExprKind::name || expr.kind == ast::ExprKind::none_literal)) {
-            const ir::Enum& declared = c.program.enums[c.types()[type].enum_];
-            std::string_view text = expr.kind == ast::ExprKind::none_literal ? std::string_view("none")
-                                                                             : std::string_view(c.text(expr.name));
-            for (std::size_t k = 0; k < declared.enumerators.size() && !found[i]; ++k)
-                if (c.text(declared.enumerators[k]) == text) {
-                    Meta meta;
-                    meta.kind = MetaKind::value;
-                    meta.value = {type, {ir::Lane{.bits = declared.values[k]}}};
-                    found[i] = meta;
-                }
-            if (found[i]) continue;
+        if (decl.generics[i].is_unnamed()) {
+            found[i] = meta_of(c, user, argument);
+            if (found[i]->kind == MetaKind::none) return false;
+            continue;
         }
-        if (names_type(c, user, argument)) {
-            if (quiet) return false;
-            note(c.error(Diag::type_mismatch, expr.span, {c.text(type), "a type"}), decl.name.span,
-                 "'" + c.text(param.name.name) + "' stands at place " + std::to_string(i + 1));
-            return false;
-        }
-        auto value = constant_of(c, user, argument, type);
-        if (!value) return false;
-        Meta meta;
-        meta.kind = MetaKind::value;
-        meta.value = *value;
-        found[i] = std::move(meta);
+        if (!decl.generics[i].constraint || !take(i, user, argument, known, quiet)) return false;
+        known.bindings.emplace_back(decl.generics[i].name.name, *found[i]);
     }
     return true;
 }
@@ -337,9 +377,14 @@ void Arguments::infer(ast::ExprId pattern, ir::TypeId actual) {
     }
     if (!arguments || c[instance_decl].name.name != c[expr.operands[0]].name) return;
     for (std::size_t i = 0; i + 1 < expr.operands.size() && i < arguments->size(); ++i) {
-        const Meta& meta = (*arguments)[i];
-        if (meta.kind == MetaKind::type) infer(expr.operands[i + 1], meta.type);
-        if (meta.kind == MetaKind::value) infer_value(expr.operands[i + 1], meta.value);
+        const ast::Expr& written = c[expr.operands[i + 1]];
+        const bool is_named = written.kind == ast::ExprKind::named;
+        const std::size_t place = is_named ? place_of(c[instance_decl], written.name) : i;
+        if (place >= arguments->size()) continue;
+        const ast::ExprId part = is_named ? written.operands[0] : expr.operands[i + 1];
+        const Meta& meta = (*arguments)[place];
+        if (meta.kind == MetaKind::type) infer(part, meta.type);
+        if (meta.kind == MetaKind::value) infer_value(part, meta.value);
     }
 }
 
@@ -372,13 +417,14 @@ bool Arguments::finish(bool quiet) {
             continue;
         }
         if (!param.constraint) return false;
+        if (named[i].user) {
+            found[i].reset();
+            if (!take(i, *named[i].user, named[i].argument, env, quiet)) return false;
+        }
+        // A default is evaluated in the declaration's scope, and may name earlier parameters.
         if (!found[i] && param.default_value) {
-            // A default is evaluated in the declaration's scope, and may name earlier parameters.
-            ast::Decl alone = decl;
-            alone.generics = {param};
-            Arguments single(c, alone, env, c[param.default_value].span);
-            if (!single.give(env, {param.default_value})) return false;
-            found[i] = single.found[0];
+            if (!take(i, env, param.default_value, env, false)) return false;
+            spans[i] = use;
         }
         if (!found[i]) {
             if (!quiet) {

@@ -14,11 +14,19 @@ struct Arguments {
     Span use;                                ///< where the arguments are given or inferred
     std::vector<std::optional<Meta>> found;  ///< for each generic parameter its argument, if there is one yet
     std::vector<Span> spans;                 ///< for each generic parameter where errors in its argument are reported
+    struct Named {
+        const Env* user = nullptr;
+        ast::ExprId argument;
+    };
+    /// For each generic parameter its argument if that is written with its name. finish() evaluates it, since its type
+    /// may depend on arguments that are inferred.
+    std::vector<Named> named;
 
     Arguments(Context&, const ast::Decl&, Env&, Span use);
 
-    /// Takes explicit arguments in order, from written[first] on. `user` is the environment in which they are
-    /// evaluated. False after an error, and if a type is given for a value; that is reported unless `quiet`.
+    /// Takes explicit arguments, from written[first] on: those without a name in order. `user` is the environment in
+    /// which they are evaluated. False after an error, and if a type is given for a value; that is reported unless
+    /// `quiet`.
     bool give(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first = 0, bool quiet = false);
     bool give(std::vector<Meta> metas);
     /// As give(), for unnamed parameters, too: they come after those with names.
@@ -40,9 +48,11 @@ struct Arguments {
     void locate(ast::ExprId type, Span);
 
 private:
-    bool take(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first, bool quiet);
+    bool take_all(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first, bool quiet);
     bool report_count(std::size_t most, std::size_t found) const;
     bool finish_unnamed(std::size_t index, bool quiet);
+    bool take(std::size_t i, const Env& user, ast::ExprId argument, const Env& known, bool quiet);
+    bool take_named(const Env& user, const ast::Expr& argument, bool quiet);
 };
 
 /// Binds a generic parameter by the default type of a literal argument. To be called after all other inference, since

@@ -32,6 +32,7 @@ bool is_same_node(const ast::Expr& a, const ast::Expr& b) {
     if (a.kind != b.kind || a.operands.size() != b.operands.size()) return false;
     switch (a.kind) {
     case ast::ExprKind::name:
+    case ast::ExprKind::named:
     case ast::ExprKind::member: return a.name == b.name;
     case ast::ExprKind::int_literal: return a.value == b.value;
     case ast::ExprKind::unary: return a.unary == b.unary;

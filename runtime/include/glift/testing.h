@@ -93,12 +93,14 @@ public:
 
     /// `text` is the condition as it is written.
     GLIFT_API void expect(bool condition, const char* place, const char* text);
-    /// The same for a condition that compares a and b: if it is false, their values are in the message.
-    template <class A, class B>
-    void expect(bool condition, const char* place, const char* text, const A& a, const char* sign, const B& b) {
+    /// The same for a condition that compares a, written as `left`, and b: if it is false, their values are in the
+    /// message.
+    template <class A, class B> void expect(bool condition, const char* place, const char* text, const char* left,
+                                            const A& a, const char* sign, const B& b) {
         if (condition) return;
         expect(false, place, text);
-        failures.back() += ": " + detail::value_text(a) + " " + sign + " " + detail::value_text(b);
+        failures.back() += std::string(": ") + left + " is " + detail::value_text(a) + ", expected " + sign + " " +
+                           detail::value_text(b);
     }
 
     template <class T> void expect_near(const T& a, const T& b, double tolerance, const char* place) {

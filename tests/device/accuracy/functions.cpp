@@ -4,8 +4,6 @@ namespace accuracy {
 
 namespace {
 
-double length(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }
-
 const Exact exact[] = {
     {"x + y", sums},
     {"x - y", differences},
@@ -28,6 +26,9 @@ const Exact exact[] = {
     {"round(x)", rounded},
     {"mix(x, y, 0.25)", mixed},
     {"dot", of_dot},
+    {"length", of_length},
+    {"distance", of_distance},
+    {"normalize", of_normalize},
     {"float(int(x))", through_int},
     {"float(uint(x))", through_uint},
 };
@@ -49,9 +50,6 @@ const Near near[] = {
     {"cosh", of_cosh, [](double x, double) { return std::cosh(x); }, -80, 80, 1, 64},
     {"tanh", of_tanh, [](double x, double) { return std::tanh(x); }, -80, 80, 1, 2},
     {"inversesqrt", of_inversesqrt, [](double x, double) { return 1 / std::sqrt(x); }, 1e-30, 1e30, 0, 2},
-    {"length", of_length, [](double x, double y) { return length(x, y, 1); }, -1e6, 1e6, 0, 2},
-    {"distance", of_distance, [](double x, double y) { return length(x - 1, 2 - y, -2); }, -1e6, 1e6, 0, 2},
-    {"normalize", of_normalize, [](double x, double y) { return x / length(x, y, 1); }, -1e6, 1e6, 1, 2},
     {"fma", of_fma, [](double x, double y) { return x * y + 1; }, -100, 100, 1e4, 1},
     {"determinant", of_determinant, [](double x, double y) { return x * y - 6; }, -100, 100, 1e4, 1},
     {"inverse", of_inverse, [](double x, double y) { return y / (x * y + 1); }, 1, 100, 0, 4},

@@ -14,9 +14,14 @@ vec3 cross_product(vec3 a, vec3 b) {
     return a.yzx * b.zxy - a.zxy * b.yzx;
 }
 
+float ordered_dot(vec3 a, vec3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
 void main() {
     // draws.glift:25
-    vec3 normal = normalize(cross_product(dFdxFine(world), dFdyFine(world)));
+    vec3 v = cross_product(dFdxFine(world), dFdyFine(world));
+    vec3 normal = v * vec3(1.0 / sqrt(ordered_dot(v, v)));
     // draws.glift:26
     if (normal.z < 0.0) {
         // draws.glift:27

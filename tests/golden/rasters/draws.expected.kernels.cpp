@@ -72,8 +72,8 @@ static void draw_mesh_general_fragment(const void* pointer, const glift::host::F
     // All pixels of each quad have computed the value whose derivative follows.
     for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
         [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
-        const float3 normal = glift::normalize(glift::cross(glift::host::dFdx(derived, pixel),
-            glift::host::dFdy(derived, pixel)));
+        const float3 v = glift::cross(glift::host::dFdx(derived, pixel), glift::host::dFdy(derived, pixel));
+        const float3 normal = v * float3(1.0f / glift::sqrt(glift::dot(v, v)));
         // draws.glift:26
         if (normal.z < 0.0f) {
             // draws.glift:27

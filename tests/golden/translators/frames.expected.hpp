@@ -64,7 +64,7 @@ public:
     static constexpr const char* type_name = "Pool";
 
     Pool() = default;
-    Pool(const glift::Commands& commands, glift::uint pages, glift::uint capacity);
+    Pool(const glift::Commands& commands, glift::uint pages, glift::uint capacity = 8u);
     /// Makes the structure with the given nested structures and memory.
     Pool(const glift::Commands& commands, glift::uint pages, glift::uint capacity, Frames frames, glift::Memory data);
 
