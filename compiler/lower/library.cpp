@@ -5,6 +5,8 @@
 #include "lower/lower.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace gliftc::lower {
 
@@ -112,6 +114,13 @@ void add_sample(Maker& k) {
     k.add("sample", s.element, {point}, k.param(k.library.name, Pattern::any, Direction::in), {std::move(stmt)});
 }
 
+/// The functions by which elements are reached. Others, such as those that say what is resident, would make the shader
+/// bind all memories of a container.
+bool is_access(std::string_view name) {
+    constexpr std::array<std::string_view, 4> names{"sample", "gather", "compare", "contains"};
+    return std::ranges::find(names, name) != names.end();
+}
+
 /// A function that the structure declares itself.
 void add_method(Maker& k, FunctionId id) {
     const Function function = k.program.functions[id];
@@ -145,11 +154,12 @@ Library library_of(Program& program, StructureId structure, const Alias& alias, 
     add_translate(k);
     k.add_value("read", k.make(Op::read, s.element, k.use(k.address)));
     const bool is_written = s.kind == StructureKind::stored && root_memory(program, s).format != Format::d32;
-    const auto is_sample = [&](const Method& method) {
-        return (*program.names)[program.functions[method.function].name] == "sample";
+    const auto name_of = [&](const Method& method) -> std::string_view {
+        return (*program.names)[program.functions[method.function].name];
     };
-    if (std::ranges::none_of(s.methods, is_sample)) add_sample(k);
-    for (const Method& method : std::vector(program.structures[structure].methods)) add_method(k, method.function);
+    if (std::ranges::find(s.methods, "sample", name_of) == s.methods.end()) add_sample(k);
+    for (const Method& method : std::vector(s.methods))
+        if (is_access(name_of(method))) add_method(k, method.function);
     if (is_written) add_write(k);
     // Without a `write` function, images are sampled images: these can be filtered, and devices need not have storage
     // images of depths.

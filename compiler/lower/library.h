@@ -2,7 +2,7 @@
 // `write`, unless a view computes the elements or an image of depths (d32) has them. It has `translate`, if it has a
 // translator or its memory is a structure; then it has `is_mapped`, too, unless its memory is no structure, no
 // translator is partial, and no address leads outside the memory. It has `sample` if elements can be filtered without a
-// sampler, and the public functions of its own that C++ programs can call.
+// sampler, or the structure's own one, and with this its own `gather`, `compare` and `contains`.
 #pragma once
 
 #include "diag/diagnostics.h"

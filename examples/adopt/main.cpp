@@ -1,10 +1,10 @@
 // Glift inside a program that has its own Vulkan device, its own shader, its own image and its own command buffer: the
 // program's compute shader writes a picture into a Glift structure, Glift's passes blur it in the same command buffer,
 // and Glift draws it into the program's image, which the program has cleared before and copies afterwards.
+#include "../common/plain_vulkan.h"
 #include "../common/png.h"
 #include "adopt.glift.hpp"
 #include "checkerboard.h"
-#include "plain_vulkan.h"
 
 #include <glift/vulkan.h>
 

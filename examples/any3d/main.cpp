@@ -1,16 +1,23 @@
-// any3d [--device NAME]: shades 64 x 64 places by six kinds of structures, with one kernel. Prints for each structure the
-// element at {51, 20, 7}, and the largest difference between the filtered value at an element's centre and the element.
+// any3d [--device NAME | --own-shader]: shades 64 x 64 places by six kinds of structures, with one kernel. Prints for
+// each structure the element at {51, 20, 7}, and the largest difference between the filtered value at an element's
+// centre and the element. With --own-shader a fragment shader of the program's own reads the octree, on a device of its
+// own.
 #include "any3d.glift.hpp"
+#include "own_shader.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 namespace {
 
 using glift::uint2;
 using glift::uint3;
+
+constexpr std::uint32_t side = 64;
+constexpr uint2 size{side, side};
 
 class Shader {
 public:
@@ -31,8 +38,6 @@ public:
     }
 
 private:
-    static constexpr uint2 size{64, 64};
-
     glift::Device device_;
     any3d::Places places_;
     any3d::Picture picture_;
@@ -59,13 +64,20 @@ void run(const glift::Device& device) {
     shader.show("layers", layers);
 }
 
+void run_own_shader() {
+    const std::vector<glift::float4> pixels = own_shader::draw_octree(side);
+    const glift::float4 element = pixels[51 + 20 * side];
+    std::printf("octree, by octree.frag  %.4f %.4f %.4f\n", element.x, element.y, element.z);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     try {
+        if (argc == 2 && std::string(argv[1]) == "--own-shader") return run_own_shader(), 0;
         const bool names_device = argc == 3 && std::string(argv[1]) == "--device";
         if (argc != 1 && !names_device) {
-            std::fprintf(stderr, "usage: any3d [--device NAME]\n");
+            std::fprintf(stderr, "usage: any3d [--device NAME | --own-shader]\n");
             return 2;
         }
         run(glift::Device::open(names_device ? argv[2] : ""));

@@ -18,6 +18,12 @@ TEST_P(Any3d, EachStructureHasTheSameElements) {
                           "layers         0.2000 0.0784 0.0275   0.000000\n");
 }
 
+TEST(OwnShader, AShaderOfTheProgramReadsTheOctree) {
+    const auto result = run_example(GLIFT_ANY3D, {"--own-shader"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out, "octree, by octree.frag  0.2000 0.0784 0.0275\n");
+}
+
 INSTANTIATE_TEST_SUITE_P(Devices, Any3d, testing::Values("host", "lavapipe"));
 
 }  // namespace
