@@ -84,7 +84,7 @@ class Structure:
     """A structure type: how to construct it for an extent, and what kernels may do with it."""
 
     def __init__(self, name, axes, element, extra="", each=True, is_dense=True, capacity=None, buffer=True, block=None, folds=False,
-                 owns=True):
+                 owns=True, renews=False):
         self.name, self.axes, self.element, self.extra = name, axes, element, extra
         self.block = block        # the size of a block; None: the whole domain is one
         self.each = each          # allows `out each`
@@ -92,6 +92,7 @@ class Structure:
         self.capacity = capacity  # structures with a page table: the page's size along each axis; else None
         self.buffer = buffer
         self.folds = folds  # an address outside the domain leads to an element: by an edge mode
+        self.renews = renews  # a container with a pipeline `renew`, which gives it other memory
         self.owns = owns    # with `each`: no two addresses of the domain lead to one element, not even by the memory's edge mode
 
     def make(self, extent):
@@ -211,6 +212,15 @@ class Structures:
         found = [s for s in self.all if s.axes == axes and not s.extra and not s.capacity and not s.block]
         return self.random.choice(found) if found else None
 
+    def container_items(self, memory, made):
+        """Items that make a structure a container, and whether they do: host state, and a pipeline that gives it other memory."""
+        if not self.random.chance(40):
+            return "", False
+        return (f"    host rounds: uint = 1u;\n    structure extra = Line(2u);\n"
+                f"    fn last() -> uint {{ return extra.domain() + rounds; }}\n"
+                f"    pipeline renew() {{\n        temp other = {made};\n        {memory} = other;\n"
+                f"        rounds = rounds + 1u;\n    }}\n"), True
+
     def over(self, name, axes, t):
         """A structure whose memory is another structure, with or without a translator."""
         inner = self.inner(axes)
@@ -220,10 +230,11 @@ class Structures:
         via, extent = self.random.choice([("", "extent"), (f"    via Exchanged<{axes}>(extent);\n", "exchanged(extent)"),
                                           (f"    via Shifted<{axes}>(extent);\n", "extent")]) if axes > 1 else ("", "extent")
         outside = f"    otherwise made_{self.made_name(inner.element)}(5u);\n" if via and self.random.chance(40) else ""
-        text = f"structure {name}(extent: {address}) {{\n    memory inner = {inner.name}({extent});\n{via}{outside}}}"
+        items, renews = self.container_items("inner", f"{inner.name}({extent})")
+        text = f"structure {name}(extent: {address}) {{\n    memory inner = {inner.name}({extent});\n{via}{outside}{items}}}"
         is_shifted = "Shifted" in via
         return Structure(name, axes, inner.element, each=inner.each, is_dense=inner.is_dense and not is_shifted, buffer=inner.buffer,
-                         folds=not via and inner.folds, owns=inner.owns and not (is_shifted and inner.folds)), text
+                         folds=not via and inner.folds, owns=inner.owns and not (is_shifted and inner.folds), renews=renews), text
 
     def blocks(self, name, axes, t):
         """A structure over another one, of which kernels visit the listed blocks; their number lies on the device."""
@@ -231,14 +242,15 @@ class Structures:
         made, t = (f"{inner.name}(extent)", inner.element) if inner else (f"Array<{axes}, {t.text()}>(extent)", t)
         sides = self.random.choice({1: [[64], [7], [1], [40]], 2: [[8, 8], [8, 4], [3, 2], [5, 7]], 3: [[4, 4, 4], [2, 3, 2]]}[axes])
         page, address = extent_text(sides), vector(axes, UINT).text()
-        text = (f"structure {name}(extent: {address}) {{\n    memory elements = {made};\n"
+        items, renews = self.container_items("elements", made)
+        text = (f"structure {name}(extent: {address}) {{\n    memory elements = {made};\n{items}"
                 f"    structure list = Blocks(1u + volume(div_ceil(extent, {page})));\n"
                 f"    blocks() {{ return min(list[0], volume(div_ceil(extent, {page}))); }}\n"
                 f"    block(i) {{\n        let number = list[1u + i];\n        if number == 100000u {{ return none; }}\n"
                 f"        return delinearize(number, div_ceil(extent, {page})) * {page};\n    }}\n"
                 f"    block_size() {{ return {page}; }}\n}}")
         return Structure(name, axes, t, each=not inner or inner.each, is_dense=False, buffer=not inner or inner.buffer,
-                         block=sides, folds=bool(inner) and inner.folds, owns=not inner or inner.owns), text
+                         block=sides, folds=bool(inner) and inner.folds, owns=not inner or inner.owns, renews=renews), text
 
     def zero(self, t):
         """A default for an argument of the type: its zero, where it has one."""
@@ -256,6 +268,8 @@ class Structures:
     def prepared(self, name, structure, extent, seed):
         """Statements of a test that construct a structure, and fill it if it allows `out each`."""
         lines = [f"temp {name} = {structure.make(extent)};"]
+        if structure.renews:
+            lines.append(f"{name}.renew();")
         if structure.capacity:
             step = next(s for s in range(3, 100, 2) if coprime(s, pages_of(extent, structure.capacity)))
             pages = extent_text([-(-size // side) for size, side in zip(extent, structure.capacity)])
