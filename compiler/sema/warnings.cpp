@@ -73,6 +73,7 @@ bool always_leaves(const Context& c, const ast::Stmt& stmt) {
     case ast::StmtKind::break_:
     case ast::StmtKind::continue_:
     case ast::StmtKind::discard: return true;
+    case ast::StmtKind::switch_:
     case ast::StmtKind::block: return always_leaves(c, stmt.body);
     case ast::StmtKind::if_: return stmt.has_else && always_leaves(c, stmt.body) && always_leaves(c, stmt.otherwise);
     case ast::StmtKind::error:

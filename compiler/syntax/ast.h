@@ -108,6 +108,7 @@ enum class StmtKind : std::uint8_t {
     if_,         // if value body [else otherwise]; `if let name = value` where `name` is set
     for_,        // for name in value [while condition] body
     while_,      // while value body
+    switch_,  // switch value { case, case: { … } else: { … } }: an if_ over a variable `name` with its value in `body`
     break_,
     continue_,
     return_,  // return [value];
@@ -121,16 +122,17 @@ struct Stmt {
     StmtKind kind = StmtKind::error;
     Span span;
     Binding binding = Binding::let;
-    Identifier name;             ///< let, shared, temp, for_, `if let`
+    Identifier name;             ///< let, shared, temp, for_, `if let`; switch_: a name that programs cannot write
     ExprId type;                 ///< let, shared, temp: as written, or absent
     ExprId target;               ///< assign
     std::optional<BinaryOp> op;  ///< assign: the operator of `+=` and the like
     Span op_span;
     ExprId value;
     ExprId condition;               ///< for_: what follows `while`, or absent
-    std::vector<StmtId> body;       ///< if_, for_, while_, block
+    std::vector<StmtId> body;       ///< if_, for_, while_, block, switch_
     std::vector<StmtId> otherwise;  ///< if_: the else part (one if_ statement for `else if`)
-    bool has_else = false;
+    bool has_else = false;          ///< if_, switch_
+    std::uint32_t branches = 0;     ///< switch_: how many ifs, each the `else` of the one before, are its branches
     bool is_uninitialized = false;  ///< temp: written with `uninitialized`
 };
 

@@ -39,7 +39,8 @@ private:
             if (!piece.opens_block()) continue;
             std::uint32_t next = i + 1;
             while (next < limit && pieces_[next].is_comment()) ++next;
-            if (next >= limit || !pieces_[next].is(TokenKind::kw_else)) return i + 1;
+            const bool is_case = next + 1 < limit && pieces_[next + 1].is(TokenKind::colon);
+            if (next >= limit || !pieces_[next].is(TokenKind::kw_else) || is_case) return i + 1;
         }
         return limit;
     }

@@ -184,7 +184,8 @@ std::string Parser::habit(std::string_view wanted) const {
         return "braces are needed: 'if x { … }'";
     if (wanted == "'{'" && (head().kind == kw_fn || head().kind == kw_pub)) return "a result is written '-> float'";
     if (at(open_brace) && first == "do") return "there is no 'do': write 'while true { …; if !x { break; } }'";
-    if (at(open_brace) && first == "switch") return "there is no 'switch': write 'if … else if …'";
+    if (before(1).kind == identifier && text_of(before(1)) == "case")
+        return "there is no 'case': write '1: { … }', and 'else: { … }' for other values";
     if (at(open_brace) && last == identifier && wanted == "';'")
         return "structs are made by their name, '" + std::string(text_of(before(1))) +
                "(…)', or by braces where the type is known";

@@ -59,7 +59,7 @@ std::vector<ast::StmtId> Parser::parse_block() {
     return body;
 }
 
-/// statement = let | shared | temp | if | for | while | jump | return | block | expression-statement ;
+/// statement = let | shared | temp | if | for | while | switch | jump | return | block | expression-statement ;
 ast::StmtId Parser::parse_statement() {
     using enum TokenKind;
     Nesting nesting(*this);
@@ -68,6 +68,7 @@ ast::StmtId Parser::parse_statement() {
     if (at(kw_if)) return parse_if();
     if (at(kw_for)) return parse_for();
     if (at(kw_while)) return parse_while();
+    if (at(kw_switch)) return parse_switch();
     if (at(kw_return)) return parse_return();
     if (at(kw_break)) return parse_jump(StmtKind::break_);
     if (at(kw_continue)) return parse_jump(StmtKind::continue_);
@@ -183,6 +184,79 @@ ast::StmtId Parser::parse_while() {
     loop.value = parse_expression();
     loop.body = parse_block();
     return finish(std::move(loop), first);
+}
+
+ast::ExprId Parser::compare(BinaryOp op, ExprId left, ExprId right) {
+    ast::Expr expr;
+    expr.kind = ast::ExprKind::binary;
+    expr.binary = op;
+    expr.span = expr.name_span = tree_.exprs[right].span;
+    expr.operands = {left, right};
+    return add(std::move(expr));
+}
+
+/// case = conditional [ ".." conditional ] ;      as a condition on the variable `name`
+ast::ExprId Parser::parse_case(ast::Identifier name) {
+    const ExprId value = parse_range();
+    ast::Expr variable;
+    variable.kind = ast::ExprKind::name;
+    variable.name = name.name;
+    variable.span = name.span;
+    const ExprId tested = add(std::move(variable));
+    const ast::Expr written = tree_.exprs[value];
+    if (written.kind != ast::ExprKind::range) return compare(BinaryOp::equal, tested, value);
+    const ExprId inside = compare(BinaryOp::logical_and, compare(BinaryOp::greater_equal, tested, written.operands[0]),
+                                  compare(BinaryOp::less, tested, written.operands[1]));
+    tree_.exprs[inside].span = written.span;
+    return inside;
+}
+
+/// branch = ( case { "," case } | "else" ) ":" block ;      as an `if`; of `else` without a condition
+ast::Stmt Parser::parse_branch(ast::Stmt& of) {
+    Stmt branch;
+    branch.kind = StmtKind::if_;
+    branch.span = here();
+    of.has_else = accept(TokenKind::kw_else);
+    const bool was_before_colon = std::exchange(is_before_colon_, true);
+    if (!of.has_else) branch.value = parse_case(of.name);
+    while (!of.has_else && !lost_ && accept(TokenKind::comma))
+        branch.value = compare(BinaryOp::logical_or, branch.value, parse_case(of.name));
+    is_before_colon_ = was_before_colon;
+    if (!lost_) expect(TokenKind::colon);
+    branch.body = parse_block();
+    return branch;
+}
+
+/// switch = "switch" expression "{" { branch } "}" ;
+ast::StmtId Parser::parse_switch() {
+    const std::uint32_t first = cursor_;
+    Stmt chosen;
+    chosen.kind = StmtKind::switch_;
+    advance();
+    chosen.value = parse_expression();
+    chosen.name = {names_.intern("switch value"), tree_.exprs[chosen.value].span};
+    const std::uint32_t open = cursor_;
+    std::vector<Stmt> branches;
+    if (!lost_ && expect(TokenKind::open_brace)) {
+        while (!list_ends()) {
+            const std::uint32_t before = cursor_;
+            if (accept(TokenKind::semicolon)) continue;
+            if (chosen.has_else) fail_expected("'}'", "'else' comes last");
+            if (!lost_) branches.push_back(parse_branch(chosen));
+            if (lost_) recover_in_list();
+            if (cursor_ == before) advance();
+        }
+        close_list(open);
+    }
+    if (chosen.has_else) chosen.body = std::move(branches.back().body), branches.pop_back();
+    chosen.branches = static_cast<std::uint32_t>(branches.size());
+    bool has_else = chosen.has_else;
+    for (; !branches.empty(); branches.pop_back()) {
+        branches.back().otherwise = std::exchange(chosen.body, {});
+        branches.back().has_else = std::exchange(has_else, true);
+        chosen.body = {tree_.stmts.add(std::move(branches.back()))};
+    }
+    return finish(std::move(chosen), first);
 }
 
 /// jump = ( "break" | "continue" | "discard" ) ";" ;

@@ -136,6 +136,10 @@ private:
     StmtId parse_if();
     StmtId parse_for();
     StmtId parse_while();
+    StmtId parse_switch();
+    ast::Stmt parse_branch(ast::Stmt& of);
+    ExprId parse_case(ast::Identifier name);
+    ExprId compare(ast::BinaryOp op, ExprId left, ExprId right);
     StmtId parse_jump(ast::StmtKind kind);
     StmtId parse_return();
     StmtId parse_block_statement();

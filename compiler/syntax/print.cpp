@@ -212,6 +212,7 @@ private:
         case StmtKind::continue_: return line("(continue)");
         case StmtKind::discard: return line("(discard)");
         case StmtKind::return_: return line("(return" + (s.value ? " " + expr(s.value) : "") + ")");
+        case StmtKind::switch_: line("(switch " + expr(s.value)); break;
         case StmtKind::block: line("(block"); break;
         }
         block(s.body);

@@ -8,8 +8,8 @@ namespace {
 constexpr int deepest = 256;
 
 using enum TokenKind;
-constexpr TokenSet statement_keywords{kw_let,   kw_var,   kw_const,    kw_if,     kw_for,
-                                      kw_while, kw_break, kw_continue, kw_return, kw_fn};
+constexpr TokenSet statement_keywords{kw_let,    kw_var,   kw_const,    kw_if,     kw_for, kw_while,
+                                      kw_switch, kw_break, kw_continue, kw_return, kw_fn};
 constexpr WordSet item_words{Word::memory,        Word::via,    Word::structure, Word::translator,
                              Word::pipeline,      Word::host,   Word::shared,    Word::temp,
                              Word::uninitialized, Word::vertex, Word::fragment};

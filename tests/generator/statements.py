@@ -31,7 +31,7 @@ class Statements:
     def statement(self, scope, size, depth, jumps, result):
         makers = [(8, self.declaration), (9, self.assignment)]
         if depth > 0:
-            makers += [(4, self.condition), (2, self.optional_condition), (3, self.counted_loop), (1, self.open_loop), (1, self.nested)]
+            makers += [(4, self.condition), (1, self.selection), (2, self.optional_condition), (3, self.counted_loop), (1, self.open_loop), (1, self.nested)]
         if jumps:
             makers.append((1, self.jump))
         if result is not None and depth < 3:
@@ -101,6 +101,22 @@ class Statements:
         if self.random.chance(50):
             parts += [" else", *self.braced(scope, self.inner_size(), depth - 1, jumps, result)]
         return Node(*parts)
+
+    def selection(self, scope, size, depth, jumps, result):
+        """A `switch` over an enumerator, whose cases are complete without an `else`, or over an integer."""
+        kind = self.random.choice(self.types.enums)
+        if self.random.chance(40) and (not scope.evaluable or self.types.is_evaluable(kind)):
+            value = self.expressions.of(kind, scope, 3)
+            names = [f"{kind.name}.{name}" for name in kind.enumerators]
+            cases, has_else = [", ".join(names[:2]), *names[2:]], False
+        else:
+            value = Node("(", self.expressions.of(UINT, scope, 3), " % 8u)")
+            cases = self.random.shuffled(["0", "1..4", "4, 6u", "7"])[:self.random.between(1, 4)]
+            has_else = self.random.chance(60)
+        branches = []
+        for case in cases + ["else"] * has_else:
+            branches += [f"\n{case}:", *self.braced(scope, self.inner_size(), depth - 1, jumps, result)]
+        return Node("switch ", value, " {", *branches, "\n}")
 
     def optional_condition(self, scope, size, depth, jumps, result):
         found = [(name, t) for name, t, _ in scope.variables if isinstance(t, Optional)]

@@ -3,7 +3,7 @@ import random
 import re
 
 # Words that are never tried, since they cannot be identifiers: Glift's keywords and literals.
-LANGUAGE = set("""module use pub extern fn struct enum interface let var const if else for in while break continue return
+LANGUAGE = set("""module use pub extern fn struct enum interface let var const if else for in while switch break continue return
 true false none await then""".split())
 
 CPP = """alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t char32_t char8_t class co_await

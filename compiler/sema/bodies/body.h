@@ -260,6 +260,7 @@ void check_block(Body&, const std::vector<ast::StmtId>&);
 void check_statement(Body&, ast::StmtId);
 void check_for(Body&, const ast::Stmt&);
 void check_while(Body&, const ast::Stmt&);
+void check_switch(Body&, const ast::Stmt&);
 /// Checks `statements` in a new scope; returns the statements of the IR that they emit.
 std::vector<ir::StmtId> check_nested(Body&, const std::vector<ast::StmtId>&);
 /// Whether every path through the list ends in a return. Conditions and loops count as unknown: a return inside a loop,

@@ -369,6 +369,7 @@ void check_statement(Body& body, ast::StmtId id) {
     case ast::StmtKind::if_: check_if(body, stmt); break;
     case ast::StmtKind::for_: check_for(body, stmt); break;
     case ast::StmtKind::while_: check_while(body, stmt); break;
+    case ast::StmtKind::switch_: check_switch(body, stmt); break;
     case ast::StmtKind::break_:
     case ast::StmtKind::continue_: check_jump(body, stmt); break;
     case ast::StmtKind::return_: check_return(body, stmt); break;

@@ -39,6 +39,23 @@ TEST(Format, lays_bare_patterns_out) {
               "module m;\nkernel k(a: at, f: in near<1>, g: out each, c: out scatter<_, add>) { g = f[0]; }\n");
 }
 
+TEST(Format, lays_cases_out) {
+    EXPECT_EQ(
+        formatted("module m;\nfn f(x: int) -> int {\nswitch x {\n1 :{ return 1; } 2,-4 .. 5: {\nreturn 2; } // two\n"
+                  "else :{ return 3; }}\n}\nfn g(p: Pair<A : int,B:uint>){ }\n"),
+        "module m;\n"
+        "fn f(x: int) -> int {\n"
+        "    switch x {\n"
+        "        1: { return 1; }\n"
+        "        2, -4 .. 5: {\n"
+        "            return 2;\n"
+        "        }  // two\n"
+        "        else: { return 3; }\n"
+        "    }\n"
+        "}\n"
+        "fn g(p: Pair<A: int, B: uint>) { }\n");
+}
+
 TEST(Format, keeps_short_blocks_and_breaks_long_lines) {
     std::string text =
         "module m;\nfn f(first_parameter: vec<3, float>, second_parameter: vec<3, float>, third_parameter: float, "
