@@ -5,15 +5,62 @@
 #include <glift/range.h>
 
 #include <algorithm>
+#include <compare>
+#include <cstddef>
 #include <cstring>
+#include <iterator>
 #include <numeric>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace glift {
 
+/// An element of a Resident. `value` refers to its list.
+template <class A, class T> struct ResidentElement {
+    A address;
+    T& value;
+};
+
+namespace detail {
+
+/// A random-access iterator over the elements of a Resident. T is const where the lists are.
+template <class A, class T> class ResidentIterator {
+public:
+    using value_type = ResidentElement<A, T>;
+    using difference_type = std::ptrdiff_t;
+    using iterator_concept = std::random_access_iterator_tag;
+
+    ResidentIterator() = default;
+    ResidentIterator(const A* address, T* value) : address_(address), value_(value) {}
+
+    value_type operator*() const { return {*address_, *value_}; }
+    value_type operator[](difference_type n) const { return *(*this + n); }
+    ResidentIterator& operator+=(difference_type n) { return address_ += n, value_ += n, *this; }
+    ResidentIterator& operator-=(difference_type n) { return *this += -n; }
+    ResidentIterator& operator++() { return *this += 1; }
+    ResidentIterator& operator--() { return *this -= 1; }
+    ResidentIterator operator++(int) { return std::exchange(*this, *this + 1); }
+    ResidentIterator operator--(int) { return std::exchange(*this, *this - 1); }
+    friend ResidentIterator operator+(ResidentIterator it, difference_type n) { return it += n; }
+    friend ResidentIterator operator+(difference_type n, ResidentIterator it) { return it += n; }
+    friend ResidentIterator operator-(ResidentIterator it, difference_type n) { return it -= n; }
+    friend difference_type operator-(const ResidentIterator& a, const ResidentIterator& b) {
+        return a.value_ - b.value_;
+    }
+    friend bool operator==(const ResidentIterator& a, const ResidentIterator& b) { return a.value_ == b.value_; }
+    friend auto operator<=>(const ResidentIterator& a, const ResidentIterator& b) { return a.value_ <=> b.value_; }
+
+private:
+    const A* address_ = nullptr;
+    T* value_ = nullptr;
+};
+
+}  // namespace detail
+
 /// Resident elements, in the order of their addresses, x running fastest. Entries i of the lists belong to one element.
+/// It is a random-access range of ResidentElements: `for (const auto& [address, value] : grid.read_resident())`.
 template <class A, class P, class T> struct Resident {
     std::vector<A> addresses;
     /// The physical addresses in the structure's own memory that `addresses` are translated to; empty for structures
@@ -23,6 +70,11 @@ template <class A, class P, class T> struct Resident {
 
     std::size_t size() const { return addresses.size(); }
     bool empty() const { return addresses.empty(); }
+
+    auto begin() { return detail::ResidentIterator<A, T>(addresses.data(), values.data()); }
+    auto end() { return begin() + static_cast<std::ptrdiff_t>(size()); }
+    auto begin() const { return detail::ResidentIterator<A, const T>(addresses.data(), values.data()); }
+    auto end() const { return begin() + static_cast<std::ptrdiff_t>(size()); }
 };
 
 namespace detail {

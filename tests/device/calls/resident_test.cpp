@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <map>
+#include <ranges>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -61,6 +63,25 @@ TEST_P(Resident, PagesOfAField) {
     }
     EXPECT_EQ(places.size(), found.size());
     EXPECT_EQ(std::ranges::count(all, -1.0f), static_cast<std::ptrdiff_t>(all.size() - found.size()));
+}
+
+TEST_P(Resident, IsARange) {
+    resident::Grid grid = grid_with(device(), {{1, 0, 2}, {0, 0, 0}});
+    number(grid);
+    auto found = grid.read_resident();
+    static_assert(std::ranges::random_access_range<decltype(found)>);
+    static_assert(std::ranges::random_access_range<const decltype(found)>);
+    std::size_t elements = 0;
+    for (const auto& [address, value] : found) {
+        EXPECT_EQ(value, static_cast<float>((address.z * 9 + address.y) * 18 + address.x));
+        ++elements;
+    }
+    EXPECT_EQ(elements, found.size());
+    const auto last = std::ranges::max_element(found, {}, [](const auto& element) { return element.value; });
+    EXPECT_EQ(last - found.begin(), static_cast<std::ptrdiff_t>(found.size()) - 1);
+    EXPECT_EQ(std::ranges::count_if(std::as_const(found), [](const auto& e) { return e.address.z == 0; }), 8);
+    for (const auto& [address, value] : found) value = 1.0f;
+    EXPECT_EQ(found.values, std::vector<float>(found.size(), 1.0f));
 }
 
 TEST_P(Resident, BlocksAndBoxes) {
