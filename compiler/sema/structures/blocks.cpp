@@ -208,6 +208,16 @@ std::vector<std::uint32_t> deciding(const ir::Kernel& kernel) {
     return found;
 }
 
+/// The kernel writes structures with blocks and others without: it visits the whole domain, which may be large.
+void warn_of_whole_domain(Context& c, const ir::Kernel& kernel, const std::vector<std::uint32_t>& params) {
+    const auto has_blocks = [&](std::uint32_t param) { return bool(owner_of(c.program, kernel.params[param])); };
+    const ir::KernelParam& sparse = kernel.params[*std::ranges::find_if(params, has_blocks)];
+    const ir::KernelParam& dense = kernel.params[*std::ranges::find_if_not(params, has_blocks)];
+    if (sparse.pattern != ir::Pattern::each || sparse.direction == ir::Direction::in) return;
+    note(c.error(Diag::whole_domain, dense.span, {kernel.display, c.text(dense.name), c.text(sparse.name)}), sparse.span,
+         "to visit the blocks alone, write '" + c.text(dense.name) + "' by 'scatter', at the address that 'at' gives");
+}
+
 }  // namespace
 
 void find_space(Context& c, ir::Kernel& kernel) {
@@ -216,8 +226,11 @@ void find_space(Context& c, ir::Kernel& kernel) {
     if (kernel.raster || kernel.grouped() || kernel.items != 1) return;
     const std::vector<std::uint32_t> params = deciding(kernel);
     if (params.empty()) return;
-    for (std::uint32_t param : params)
-        if (!owner_of(c.program, kernel.params[param])) return;
+    const auto has_blocks = [&](std::uint32_t param) { return bool(owner_of(c.program, kernel.params[param])); };
+    if (!std::ranges::all_of(params, has_blocks)) {
+        if (std::ranges::any_of(params, has_blocks)) warn_of_whole_domain(c, kernel, params);
+        return;
+    }
     const ir::KernelParam& first = kernel.params[params[0]];
     const ir::StructureId owner = owner_of(c.program, first);
     for (std::uint32_t param : params) {
