@@ -2,7 +2,7 @@
 // Define FIELD_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at FIELD_BINDING + 1 + k.
 // Optional: FIELD_SET (the descriptor set, else 0), FIELD_STATE (see below), FIELD_READONLY (nothing is written).
 #ifndef GLIFT_FIELD
-#define GLIFT_FIELD 2086711081
+#define GLIFT_FIELD 929683000
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef FIELD_SET
@@ -25,6 +25,29 @@ layout(scalar, set = FIELD_SET, binding = FIELD_BINDING) readonly buffer Field_s
 
 layout(scalar, set = FIELD_SET, binding = FIELD_BINDING + 1) FIELD_ACCESS buffer Field_data_memory { float Field_data[]; };
 
+#ifndef GLIFT_HELPER_722867247
+#define GLIFT_HELPER_722867247
+// Saturates; not-a-number gives 0.
+int to_int(float x) {
+    float safe = x >= -2147483648.0 && x < 2147483648.0 ? x : 0.0;
+    return x >= 2147483648.0 ? 2147483647 : x < -2147483648.0 ? int(0x80000000u) : int(safe);
+}
+#endif
+
+#ifndef GLIFT_HELPER_2079582615
+#define GLIFT_HELPER_2079582615
+ivec2 to_int(vec2 a) {
+    return ivec2(to_int(a.x), to_int(a.y));
+}
+#endif
+
+#ifndef GLIFT_HELPER_204653774
+#define GLIFT_HELPER_204653774
+float blend(float x, float y, float a) {
+    return x * (float(1.0) - a) + y * a;
+}
+#endif
+
 uint Field_translate(uvec2 address) {
     return address.y * Field_extent.x + address.x;
 }
@@ -36,6 +59,32 @@ float Field_read(uvec2 address) {
     return Field_value_inside ? Field_value : 0.0;
 }
 
+float Field_sample(vec2 point) {
+    vec2 Field_lower = point - vec2(0.5);
+    vec2 Field_corner = floor(Field_lower);
+    vec2 Field_weight = Field_lower - Field_corner;
+    uvec2 Field_base = uvec2(to_int(Field_corner));
+    bool Field_corner0_value_inside = all(lessThan(Field_base, Field_extent));
+    uint Field_corner0_value_at = Field_base.y * Field_extent.x + Field_base.x;
+    float Field_corner0_value = Field_data[Field_corner0_value_inside ? Field_corner0_value_at : 0u];
+    uvec2 Field_corner1_address = Field_base + uvec2(1u, 0u);
+    bool Field_corner1_value_inside = all(lessThan(Field_corner1_address, Field_extent));
+    uint Field_corner1_value_at = Field_corner1_address.y * Field_extent.x + Field_corner1_address.x;
+    float Field_corner1_value = Field_data[Field_corner1_value_inside ? Field_corner1_value_at : 0u];
+    uvec2 Field_corner2_address = Field_base + uvec2(0u, 1u);
+    bool Field_corner2_value_inside = all(lessThan(Field_corner2_address, Field_extent));
+    uint Field_corner2_value_at = Field_corner2_address.y * Field_extent.x + Field_corner2_address.x;
+    float Field_corner2_value = Field_data[Field_corner2_value_inside ? Field_corner2_value_at : 0u];
+    uvec2 Field_corner3_address = Field_base + uvec2(1u, 1u);
+    bool Field_corner3_value_inside = all(lessThan(Field_corner3_address, Field_extent));
+    uint Field_corner3_value_at = Field_corner3_address.y * Field_extent.x + Field_corner3_address.x;
+    float Field_corner3_value = Field_data[Field_corner3_value_inside ? Field_corner3_value_at : 0u];
+    return blend(blend(Field_corner0_value_inside ? Field_corner0_value : 0.0, Field_corner1_value_inside
+        ? Field_corner1_value : 0.0, Field_weight.x),
+        blend(Field_corner2_value_inside ? Field_corner2_value : 0.0, Field_corner3_value_inside
+        ? Field_corner3_value : 0.0, Field_weight.x), Field_weight.y);
+}
+
 #ifndef FIELD_READONLY
 void Field_write(uvec2 address, float value) {
     if (all(lessThan(address, Field_extent))) {
@@ -43,6 +92,6 @@ void Field_write(uvec2 address, float value) {
     }
 }
 #endif
-#elif GLIFT_FIELD != 2086711081
+#elif GLIFT_FIELD != 929683000
 #error the functions of another structure called Field are included already
 #endif
