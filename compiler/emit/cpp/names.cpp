@@ -45,7 +45,7 @@ void Scopes::leave() {
 void Scopes::reserve(std::initializer_list<const char*> names) { reserved_.insert(names.begin(), names.end()); }
 
 bool Scopes::is_kept(const std::string& name) const {
-    return reserved_.contains(name) ||
+    return reserved_.contains(name) || is_word(name) || is_macro(name) ||
            std::ranges::any_of(avoided_, [&](const NameSet* names) { return names->contains(name); });
 }
 
