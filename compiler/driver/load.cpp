@@ -14,8 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 4> library_folders{"math", "translators", "structures",
-                                                          "algorithms"};
+constexpr std::array<std::string_view, 4> library_folders{"math", "translators", "structures", "algorithms"};
 constexpr std::string_view library_prefix = "std.", extension = ".glift";
 
 std::string as_path(std::string_view dotted) {

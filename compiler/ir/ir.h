@@ -433,10 +433,10 @@ struct Structure {
     /// memory along that axis, so that accesses need no test. Computed by lower/analysis/contained.cpp.
     std::uint8_t contained_axes = 0;
     std::vector<Method> methods;  ///< of a container: its public functions that C++ calls
-    /// It has pipelines or host state, or no elements: its own members may be replaced, so that copies of it hold them by
-    /// a handle.
+    /// It has pipelines or host state, or no elements: its own members may be replaced, so that copies of it hold them
+    /// by a handle.
     bool is_container = false;
-    bool copyable = true;         ///< its elements are stored, so that the host can copy them; false: view or container
+    bool copyable = true;  ///< its elements are stored, so that the host can copy them; false: view or container
     std::string doc;
 };
 

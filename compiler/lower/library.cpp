@@ -131,7 +131,8 @@ void add_method(Maker& k, FunctionId id) {
     call.places = {Place{}};
     std::vector<LocalId> params;
     for (LocalId param : function.params) {
-        params.push_back(k.local((*k.program.names)[k.program.locals[param].name].c_str(), k.program.locals[param].type));
+        params.push_back(
+            k.local((*k.program.names)[k.program.locals[param].name].c_str(), k.program.locals[param].type));
         call.operands.push_back(k.use(params.back()));
     }
     const LocalId result = k.local("result", function.result);

@@ -278,8 +278,8 @@ struct Item {
     std::string doc;
 };
 
-/// `structure Name<…>(constructor parameters) [: virtual -> element] { items }`. The types are those of a structure that
-/// computes its elements.
+/// `structure Name<…>(constructor parameters) [: virtual -> element] { items }`. The types are those of a structure
+/// that computes its elements.
 struct Structure {
     std::vector<Param> constructor;
     ExprId virtual_type, element_type;

@@ -10,9 +10,9 @@ using ast::Decl;
 
 namespace {
 
-const std::vector<std::string_view> declaration_spellings{
-    "fn",     "struct", "enum",     "interface", "const", "type", "structure", "translator",
-    "kernel", "raster", "pipeline", "test",      "pub",   "use",  "extern"};
+const std::vector<std::string_view> declaration_spellings{"fn",       "struct",    "enum",       "interface", "const",
+                                                          "type",     "structure", "translator", "kernel",    "raster",
+                                                          "pipeline", "test",      "pub",        "use",       "extern"};
 
 }  // namespace
 

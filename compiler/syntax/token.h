@@ -48,7 +48,7 @@ enum class Role : std::uint8_t {
     optional,       // the `?` of a type
     open_tuple,
     close_tuple,  // the braces of `{ 1, 2 }`
-    spaced,       // the `?` and `:` of a conditional; the `:` before `uint2 -> uint`, the types of a translator or structure
+    spaced,  // the `?` and `:` of a conditional; the `:` before `uint2 -> uint`, the types of a translator or structure
 };
 
 struct Token {

@@ -62,7 +62,7 @@ void print_draw_arguments(const Unit& unit, Writer& out, const Kernel& kernel) {
         const KernelParam& param = kernel.params[i];
         const bool is_depth = kernel.raster->depth && kernel.raster->depth->param == i;
         const bool is_whole = param.pattern != Pattern::value &&
-                                unit.program.structures[param.structure].kind == ir::StructureKind::no_elements;
+                              unit.program.structures[param.structure].kind == ir::StructureKind::no_elements;
         if (param.pattern == Pattern::each) out.line("iteration.corners" + argument(param) + ");");
         if (param.pattern == Pattern::instance) out.line("iteration.instances" + argument(param) + ");");
         if (param.pattern == Pattern::at) out.line("iteration.pixels" + argument(param) + ");");

@@ -370,9 +370,8 @@ std::string param_type(const Unit& unit, const ir::PipelineParam& param, bool qu
     case ir::HostPattern::value: return unit.type(type, qualified) + " ";
     case ir::HostPattern::range: return "const " + unit.type(type, qualified) + "& ";
     case ir::HostPattern::structure: {
-        const bool changes =
-            unit.program.structures[unit.program.types[type].structure].is_container &&
-            param.direction != ir::Direction::in;
+        const bool changes = unit.program.structures[unit.program.types[type].structure].is_container &&
+                             param.direction != ir::Direction::in;
         return (changes ? "" : "const ") + unit.type(type, qualified) + "& ";
     }
     }

@@ -1,4 +1,4 @@
-// Structures as classes.
+// Structures as classes. long: the members of a class, in their order
 #include "emit/cpp/translators.h"
 #include "emit/cpp/unit.h"
 #include "ir/chain.h"

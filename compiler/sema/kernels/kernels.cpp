@@ -85,7 +85,8 @@ bool is_touched(Context& c, const ast::Param& param, ir::Pattern pattern, ir::Ty
         return false;
     }
     const ir::Structure& structure = c.program.structures[c.types()[type].structure];
-    if (structure.kind != ir::StructureKind::no_elements || pattern == ir::Pattern::any || pattern == ir::Pattern::calls)
+    if (structure.kind != ir::StructureKind::no_elements || pattern == ir::Pattern::any ||
+        pattern == ir::Pattern::calls)
         return true;
     c.error(Diag::no_elements_in_kernel, c[param.type].span, {structure.display});
     return false;

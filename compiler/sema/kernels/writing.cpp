@@ -189,13 +189,13 @@ void declare_writing(Body& body, const ast::Param& param, ir::KernelParam made, 
 
 namespace {
 
-/// The member named in a `with`; null, after an error, if the name is no structure among the members, or has no elements
-/// and the pattern is not `calls`.
+/// The member named in a `with`; null, after an error, if the name is no structure among the members, or has no
+/// elements and the pattern is not `calls`.
 Symbol* written_member(Body& body, const ast::MemberPattern& pattern) {
     Context& c = body.context;
     Symbol* symbol = body.container ? find_symbol(body, pattern.member.name) : nullptr;
     const bool is_whole = symbol != nullptr && symbol->kind == SymbolKind::structure &&
-                            c.program.structures[symbol->structure].kind == ir::StructureKind::no_elements;
+                          c.program.structures[symbol->structure].kind == ir::StructureKind::no_elements;
     const bool is_member = symbol != nullptr && symbol->kind == SymbolKind::structure &&
                            (!is_whole || pattern.pattern == ast::Pattern::calls);
     if (is_member) return symbol;
@@ -204,7 +204,8 @@ Symbol* written_member(Body& body, const ast::MemberPattern& pattern) {
         note(diagnostic, pattern.pattern_span,
              "'with' names members of the structure that the function is declared in; parameters say for "
              "themselves how they are written: 'out scatter<S, op>', 'inout coherent<S>', 'calls<S>'");
-    else if (is_whole) note(diagnostic, pattern.pattern_span, "it has no elements, only functions that are called: 'calls<…>'");
+    else if (is_whole)
+        note(diagnostic, pattern.pattern_span, "it has no elements, only functions that are called: 'calls<…>'");
     else note(diagnostic, pattern.pattern_span, "name a 'structure' of it, or its memory where that is a structure");
     return nullptr;
 }

@@ -86,8 +86,8 @@ void require_transfers(Context& c, ir::StructureId index, Span use) {
     for (const auto& transfer : c.program.transfers)
         if (transfer.structure == index) return;
     const ir::Structure structure = c.program.structures[index];
-    bool addressed =
-        structure.kind == ir::StructureKind::stored || (structure.kind == ir::StructureKind::computed && structure.domain);
+    bool addressed = structure.kind == ir::StructureKind::stored ||
+                     (structure.kind == ir::StructureKind::computed && structure.domain);
     if (structure.kind == ir::StructureKind::no_elements) {
         for (const ir::MemberStructure& member : structure.members) require_transfers(c, member.structure, use);
         return;

@@ -214,7 +214,8 @@ void warn_of_whole_domain(Context& c, const ir::Kernel& kernel, const std::vecto
     const ir::KernelParam& sparse = kernel.params[*std::ranges::find_if(params, has_blocks)];
     const ir::KernelParam& dense = kernel.params[*std::ranges::find_if_not(params, has_blocks)];
     if (sparse.pattern != ir::Pattern::each || sparse.direction == ir::Direction::in) return;
-    note(c.error(Diag::whole_domain, dense.span, {kernel.display, c.text(dense.name), c.text(sparse.name)}), sparse.span,
+    note(c.error(Diag::whole_domain, dense.span, {kernel.display, c.text(dense.name), c.text(sparse.name)}),
+         sparse.span,
          "to visit the blocks alone, write '" + c.text(dense.name) + "' by 'scatter', at the address that 'at' gives");
 }
 

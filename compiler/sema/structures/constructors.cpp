@@ -43,9 +43,7 @@ const std::vector<ast::Param>* constructor_of(const ast::Decl& decl) {
     return structure != nullptr ? &structure->constructor : nullptr;
 }
 
-const std::vector<ast::Item>& items_of(const ast::Decl& decl) {
-    return std::get<ast::Structure>(decl.body).items;
-}
+const std::vector<ast::Item>& items_of(const ast::Decl& decl) { return std::get<ast::Structure>(decl.body).items; }
 
 std::vector<const ast::Item*> items_of(Context& c, ir::StructureId structure) {
     std::vector<const ast::Item*> items;

@@ -645,8 +645,7 @@ void finish_computed(Body& body, ir::StructureId index, const Declared& declared
         return;
     }
     if (declared.domain) {
-        const ir::ExprId extent =
-            domain_from_item(body, *declared.domain, c.program.structures[index].domain_type);
+        const ir::ExprId extent = domain_from_item(body, *declared.domain, c.program.structures[index].domain_type);
         c.program.structures[index].domain = extent;
     }
     const ir::FunctionId function = make_at(c, declared.at, body.env, index);

@@ -35,8 +35,8 @@ struct Passed {
     bool on_device = false;
 };
 
-/// `passed` has an entry for each parameter. `owner`: the structure that declares the pipeline, if one does. Empty after
-/// an error.
+/// `passed` has an entry for each parameter. `owner`: the structure that declares the pipeline, if one does. Empty
+/// after an error.
 ir::PipelineId instantiate_pipeline(Context&, ast::DeclId, const Env&, const std::vector<Passed>& passed,
                                     ir::StructureId owner, Span use);
 

@@ -54,8 +54,8 @@ template <class S> [[gnu::noinline]] Box box_of(const char* name, const Range<S>
 
 /// The range that a call gives to one parameter.
 struct Footprint {
-    /// For parameters that have no range to compare: values on the device, containers, and structures of which the kernel
-    /// calls functions. Their bindings may reach all elements.
+    /// For parameters that have no range to compare: values on the device, containers, and structures of which the
+    /// kernel calls functions. Their bindings may reach all elements.
     Footprint() = default;
     template <class S> [[gnu::noinline]] Footprint(const Range<S>& range)
         : structure(&range.structure()), table(&structure_table<S>), is_whole(range.is_whole()),

@@ -89,8 +89,7 @@ std::string reflection_of_file(const std::string& path) {
 /// The modules whose reflections are checked: those of structures and of a few examples, draws among them.
 std::vector<std::string> modules() {
     std::vector<std::string> found;
-    for (const char* folder :
-         {"/stdlib/structures", "/examples/laplacian", "/examples/mesh", "/examples/narrow_band"})
+    for (const char* folder : {"/stdlib/structures", "/examples/laplacian", "/examples/mesh", "/examples/narrow_band"})
         for (const auto& entry : std::filesystem::recursive_directory_iterator(GLIFT_SOURCE_DIR + std::string(folder)))
             if (entry.path().extension() == ".glift")
                 found.push_back(entry.path().lexically_relative(GLIFT_SOURCE_DIR).string());

@@ -108,18 +108,19 @@ TEST(Views, compute_elements) {
 }
 
 TEST(Adaptors, have_host_state_and_pipelines) {
-    EXPECT_EQ(declarations(
-                  "structure Stack<T: type>(n: uint) {\n    structure items = Array<1, T>(n);\n    host top: uint = 0;\n"
-                  "    pub pipeline push(values: in range<1, T>) { copy(values, items[top .. top + n]); top += n; }\n"
-                  "    pipeline pop() -> range<1, T> { return items[0..n]; }\n}"),
-              "  (structure Stack <T:type> ((n uint))\n"
-              "    (member items (call (generic Array 1 T) n))\n"
-              "    (host top:uint 0)\n"
-              "    (pub pipeline push ((values in range 1 T))\n"
-              "      (do (call copy values (index items (.. top (+ top n)))))\n"
-              "      (+= top n))\n"
-              "    (pipeline pop () -> range 1 T\n"
-              "      (return (index items (.. 0 n)))))");
+    EXPECT_EQ(
+        declarations(
+            "structure Stack<T: type>(n: uint) {\n    structure items = Array<1, T>(n);\n    host top: uint = 0;\n"
+            "    pub pipeline push(values: in range<1, T>) { copy(values, items[top .. top + n]); top += n; }\n"
+            "    pipeline pop() -> range<1, T> { return items[0..n]; }\n}"),
+        "  (structure Stack <T:type> ((n uint))\n"
+        "    (member items (call (generic Array 1 T) n))\n"
+        "    (host top:uint 0)\n"
+        "    (pub pipeline push ((values in range 1 T))\n"
+        "      (do (call copy values (index items (.. top (+ top n)))))\n"
+        "      (+= top n))\n"
+        "    (pipeline pop () -> range 1 T\n"
+        "      (return (index items (.. 0 n)))))");
 }
 
 TEST(Enums, may_have_an_enumerator_none) {
