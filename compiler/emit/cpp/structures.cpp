@@ -1,4 +1,5 @@
-// Structures as classes. long: the members of a class, in their order
+// long: the parts of a class, in their order
+// Structures as classes.
 #include "emit/cpp/translators.h"
 #include "emit/cpp/unit.h"
 #include "ir/chain.h"
