@@ -45,7 +45,7 @@ void Scopes::leave() {
 void Scopes::reserve(std::initializer_list<const char*> names) { reserved_.insert(names.begin(), names.end()); }
 
 bool Scopes::is_kept(const std::string& name) const {
-    return reserved_.contains(name) || is_word(name) || is_macro(name) ||
+    return reserved_.contains(name) ||
            std::ranges::any_of(avoided_, [&](const NameSet* names) { return names->contains(name); });
 }
 
@@ -58,7 +58,9 @@ std::string Scopes::declare(std::string_view wanted) {
     std::string name = identifier(wanted);
     if (is_kept(name)) name = stem_of(name);
     const std::string stem = stem_of(name);
-    for (int i = 2; used_.contains(name) || is_kept(name); ++i) name = stem + std::to_string(i);
+    const bool is_plain = !is_macro(stem);  // else each name that begins so counts as a macro
+    const auto is_free = [&] { return !used_.contains(name) && !is_kept(name) && !(is_plain && is_macro(name)); };
+    for (int i = 2; !is_free(); ++i) name = stem + std::to_string(i);
     take(name);
     return name;
 }
