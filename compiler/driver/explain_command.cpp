@@ -128,7 +128,8 @@ private:
     /// The container's members, and its public functions with what they write.
     void explain_parts(const ir::Structure& container, ExplainedStructure& shown) const {
         for (const ir::MemberStructure& member : container.members)
-            shown.parts.emplace_back("member " + c_.names[member.name], program_.structures[member.structure].display +
+            if (!member.is_component)
+                shown.parts.emplace_back("member " + c_.names[member.name], program_.structures[member.structure].display +
                                                                             (member.by_reference ? ", given" : ""));
         const auto index = program_.structures.id_of(container);
         for (ir::FunctionId id : ir::public_functions(program_, index)) {

@@ -67,6 +67,19 @@ const Memory& root_memory(const Program& program, const Structure& structure) {
     return root.memories[root.via_memory];
 }
 
+const Structure& whole_of(const Program& program, const Structure& structure) {
+    const Structure* whole = &structure;
+    while (whole->field) whole = &structure_at(program, *whole, whole->base);
+    return *whole;
+}
+
+std::vector<std::uint32_t> fields_in(const Program& program, const Structure& structure, const Structure& link) {
+    std::vector<std::uint32_t> fields;
+    for (const Structure* at = &structure; at != &link; at = &structure_at(program, *at, at->base))
+        if (at->field) fields.insert(fields.begin(), *at->field);
+    return fields;
+}
+
 std::optional<Place> blocks_of(const Program& program, const Structure& structure, const Place& place) {
     Place at = place;
     const Structure* link = &structure;
@@ -222,6 +235,7 @@ bool stays_inside(const Program& program, const Structure& structure) {
 }
 
 bool makes_memory(const Program& program, const Structure& structure) {
+    if (structure.field) return false;
     return structure.kind != StructureKind::computed ||
            std::ranges::any_of(structure.members, [&](const MemberStructure& member) {
                return !member.by_reference && makes_memory(program, program.structures[member.structure]);

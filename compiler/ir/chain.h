@@ -26,6 +26,14 @@ const Structure& root_structure(const Program& program, const Structure& structu
 /// The buffer or image of the root. Only for structures whose root is not a view: is_computed() is false.
 const Memory& root_memory(const Program& program, const Structure& structure);
 
+/// The structure that the structure is a component of, or a component of such a component; the structure itself if it is
+/// none.
+const Structure& whole_of(const Program& program, const Structure& structure);
+
+/// The fields by which the elements of `structure` lie in those of `link`, one of the structures of its chain, outermost
+/// first: of components (Structure::field). Empty: they are those elements.
+std::vector<std::uint32_t> fields_in(const Program& program, const Structure& structure, const Structure& link);
+
 /// The place of the first link that declares blocks, in the chain of `structure`, which is at `place`; only if no link
 /// before it has a `via`: addresses are then the same. Absent: the whole domain is one block.
 std::optional<Place> blocks_of(const Program& program, const Structure& structure, const Place& place);
@@ -75,8 +83,8 @@ bool is_contained(const Program& program, const Structure& structure);
 /// to be missing.
 bool stays_inside(const Program& program, const Structure& structure);
 
-/// Whether making the structure may allocate memory. False for views all of whose members are given to them, or are
-/// themselves views for which it is false.
+/// Whether making the structure may allocate memory. False for components, and for views all of whose members are given to
+/// them, or are themselves views for which it is false.
 bool makes_memory(const Program& program, const Structure& structure);
 
 /// The place of the first link with an `otherwise`, the value of reads at unmapped addresses; absent: none has one.

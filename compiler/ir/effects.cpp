@@ -19,14 +19,15 @@ const PatternTraits& traits_of(Pattern pattern) {
 bool is_addressed(const Program& program, const Kernel& kernel, const PassBinding& binding) {
     if (binding.is_workspace) return false;
     const Structure& structure = program.structures[kernel.params[binding.place.root].structure];
+    const Structure& root = root_structure(program, structure);
     return binding.place == root_of(program, structure, {binding.place.root, {}}) &&
-           binding.memory == root_structure(program, structure).via_memory;
+           (root.apart || binding.memory == root.via_memory);
 }
 
 bool may_be_one_place(const Program& program, const Kernel& kernel, const PassBinding& one, const PassBinding& other) {
     if (one.is_workspace || other.is_workspace) return false;
     const KernelParam &param = kernel.params[one.place.root], &other_param = kernel.params[other.place.root];
-    return param.structure == other_param.structure && traits_of(param.pattern).reach == Reach::element &&
+    return param.structure == other_param.structure && one.memory == other.memory && traits_of(param.pattern).reach == Reach::element &&
            traits_of(other_param.pattern).reach == Reach::element && is_addressed(program, kernel, one) &&
            is_addressed(program, kernel, other);
 }

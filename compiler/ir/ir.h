@@ -337,6 +337,10 @@ struct ImagePart {
 
 struct Memory {
     Name name;
+    /// Of a buffer for one field alone of elements that are structs (declared with `apart`): the field, as a path from
+    /// the element. The structure's memories are then one such buffer for each field that is no struct, in their order.
+    std::vector<std::uint32_t> fields;
+    Name declared;  ///< as in the source: `name`, or of such buffers what all names begin with; only the first one has it
     MemoryShape shape = MemoryShape::buffer;
     TypeId element;  ///< the value type that loads give (float for r8, float4 for rgba8)
     Format format = Format::none;
@@ -356,6 +360,9 @@ struct MemberStructure {
         arguments;  ///< values for its constructor, as expressions over the owner (root 0); empty if by_reference
     std::vector<Place> structures;  ///< structures for its constructor, as seen from the owner (root 0)
     bool by_reference = false;      ///< the owner's constructor is given this structure, and does not make it
+    /// It is a component of the owner, which is what its own constructor is given (ir/component.h). Objects of the owner
+    /// do not hold it: it is made where it is asked for.
+    bool is_component = false;
     Span span;
 };
 
@@ -415,12 +422,15 @@ struct Structure {
     /// For each of `constructor` its default, over the arguments before it, or absent.
     std::vector<ExprId> defaults;
     std::vector<Memory> memories;
+    TypeId apart;  ///< the struct whose fields lie in memories of their own (Memory::fields); absent: none is kept so
     std::vector<MemberStructure> members;  ///< Place::members are indices here
     std::vector<Stage> via;        ///< the first stage takes the virtual address; the last gives the physical one
     std::uint32_t via_memory = 0;  ///< the index in `memories` of the memory that `via` addresses, if `base` is empty
     /// The structure that is the memory, as a path of members; empty if the memory is one of `memories`. Without `via`
     /// both have the same addresses. See ir/chain.h.
     RareVector<std::uint32_t> base;
+    /// Of a component (ir/component.h): the field of the elements of its memory that its elements are.
+    std::optional<std::uint32_t> field;
     Name base_name;  ///< the name that the declaration gives to the memory that `base` leads to
     Span base_span;
     ExprId otherwise;                   ///< value of reads at unmapped addresses; absent: see says_otherwise()

@@ -26,6 +26,7 @@ struct PassBinding {
     std::uint32_t memory = 0;  ///< index among that structure's memories
     MemoryShape shape = MemoryShape::buffer;
     TypeId element;  ///< type that a load gives
+    std::vector<std::uint32_t> fields;  ///< the path of fields to the part of each element that alone is accessed
     Format format = Format::none;
     Access access = Access::read;
     bool sampled = false;  ///< images: a combined image sampler (read only), else a storage image

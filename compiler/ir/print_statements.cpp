@@ -58,7 +58,7 @@ void Printer::stmt(const Stmt& stmt) {
     case StmtOp::evaluate: line(expr(stmt.value) + ";"); break;
     case StmtOp::barrier: line("barrier();"); break;
     case StmtOp::subgroup_barrier: line("subgroupBarrier();"); break;
-    case StmtOp::set_element: line(place(stmt.place) + " = " + expr(stmt.value) + ";"); break;
+    case StmtOp::set_element: line(place(stmt.place) + field(stmt) + " = " + expr(stmt.value) + ";"); break;
     case StmtOp::write:
         line(place(stmt.place) + "[" + expr(stmt.target) + "] = " + expr(stmt.value) + ";" +
              (stmt.combine == Combine::replace ? "" : "  // " + std::string(spelling(stmt.combine))));
@@ -89,6 +89,19 @@ void Printer::stmt(const Stmt& stmt) {
 }
 
 /// The member of an element that a store changes, as it stands behind the element; nothing if it changes all of it.
+/// The fields that a set_element writes, if it does not write whole elements.
+std::string Printer::field(const Stmt& stmt) const {
+    if (stmt.path.empty()) return "";
+    std::string text;
+    TypeId type = p.structures[kernel_->params[stmt.place.root].structure].element;
+    for (std::uint32_t slot : stmt.path) {
+        const StructField& field = p.structs[p.types[type].struct_].fields[slot];
+        text += "." + name(field.name);
+        type = field.type;
+    }
+    return text;
+}
+
 std::string Printer::member(const Stmt& stmt) const {
     std::string text;
     for_each_step(p, *pass_, stmt,

@@ -49,6 +49,7 @@ private:
     void let(const Stmt& stmt);
     void host_stmt(const Stmt& stmt);
     std::string member(const Stmt& stmt) const;
+    std::string field(const Stmt& stmt) const;
     void cpu_stmt(const Stmt& stmt);
     std::string declaration(LocalId local);
 

@@ -47,6 +47,7 @@ struct Env {
     ir::ModuleId module;
     std::vector<std::pair<Name, Meta>> bindings;  ///< generic arguments of an instance; names in scope in a body
     ir::TypeId self;                              ///< in interfaces: the type `Self`
+    std::size_t shown = SIZE_MAX;  ///< of an instance: the arguments in its name; the others are the defaults
 
     const Meta* find(Name name) const {
         for (const auto& [bound, meta] : bindings)

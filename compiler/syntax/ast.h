@@ -253,7 +253,7 @@ struct Translator {
 };
 
 enum class ItemKind : std::uint8_t {
-    memory,     // memory name = buffer<T>[n] | image2d<F>(extent) | … [mips(n)] [filter linear] [compare less];
+    memory,     // memory name = buffer<T>[n] | image2d<F>(extent) | … [mips(n)] [filter linear] [compare less] [apart(b)];
     member,     // structure name = Type(arguments…);
     via,        // via A<…>(…) then B<…>(…);
     otherwise,  // otherwise value;         the value of reads at unmapped addresses
@@ -271,6 +271,7 @@ struct Item {
     ExprId type;           ///< host
     ExprId value;          ///< memory, member, via, otherwise, host, condition
     ExprId mips;           ///< memory: the number in `mips(n)`, or absent
+    ExprId apart;          ///< memory: the condition in `apart(condition)`, or absent
     Name filter, compare;  ///< memory: the words after `filter` and `compare`; empty: not written
     Span filter_span, compare_span;
     std::vector<Item> body, alternative;  ///< condition

@@ -80,8 +80,8 @@ Item Parser::parse_nested_declaration() {
     return item;
 }
 
-/// memory = "memory" name "=" expression { "mips" "(" expression ")" | "filter" name | "compare" name } ";" ;
-/// `mips`, `filter` and `compare` must not be the first word on their line.
+/// memory = "memory" name "=" expression { "mips" "(" expression ")" | "filter" name | "compare" name | "apart" "(" expression ")" } ";" ;
+/// `mips`, `filter`, `compare` and `apart` must not be the first word on their line.
 Item Parser::parse_memory() {
     Item item = new_item(ItemKind::memory);
     advance();
@@ -89,10 +89,12 @@ Item Parser::parse_memory() {
     expect(TokenKind::equal);
     item.value = lost_ ? error_expr() : parse_expression();
     while (!lost_ && at(TokenKind::identifier) && !peek().first_on_line) {
-        if (accept_word(Word::mips)) {
+        const bool is_mips = peek().word == Word::mips;
+        if (is_mips || peek().word == Word::apart) {
+            advance();
             std::uint32_t open = cursor_;
             expect(TokenKind::open_paren);
-            item.mips = lost_ ? error_expr() : parse_expression();
+            (is_mips ? item.mips : item.apart) = lost_ ? error_expr() : parse_expression();
             expect_close(TokenKind::close_paren, open);
         } else if (accept_word(Word::filter)) {
             auto name = parse_name("'linear' or 'nearest'");
@@ -103,7 +105,7 @@ Item Parser::parse_memory() {
             item.compare = name.name;
             item.compare_span = name.span;
         } else {
-            fail_expected("';', 'mips', 'filter' or 'compare'");
+            fail_expected("';', 'mips', 'filter', 'compare' or 'apart'");
         }
     }
     end_statement();

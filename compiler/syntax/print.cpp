@@ -228,6 +228,7 @@ private:
             if (i.mips) text += " mips " + expr(i.mips);
             if (i.filter) text += " filter " + names_[i.filter];
             if (i.compare) text += " compare " + names_[i.compare];
+            if (i.apart) text += " apart " + expr(i.apart);
             return line(text + doc(i.doc) + ")");
         }
         case ItemKind::member: return line("(member " + names_[i.name.name] + " " + expr(i.value) + doc(i.doc) + ")");

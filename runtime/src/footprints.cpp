@@ -232,7 +232,7 @@ Sharing compare_footprints(const Kernel& kernel, std::span<const Memory> memorie
             if (!writes(one) && !writes(other)) continue;
             if (!shares_texels(memories[j].object(), memories[k].object())) continue;
             if (one.combine != Combine::none && one.combine == other.combine) continue;
-            if (one.is_apart_from(other.parameter)) continue;
+            if (one.is_apart_from(other.parameter) || one.has_other_fields(other)) continue;
             const Pair pair{kernel, memories, one, other, footprints[one.parameter], footprints[other.parameter],
                             visited};
             if (pair.is_one_place()) sharing = Sharing::one_place;

@@ -24,6 +24,7 @@ void print_description(const Unit& unit, Writer& out, ir::StructureId index) {
         part("memory", structure.memories[i].name, names.memories[i] + "()");
     if (structure.base.size() > 1) part("memory", structure.base_name, names.base + "()");
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
+        if (structure.members[i].is_component) continue;
         const bool is_memory = structure.base.size() == 1 && structure.base[0] == i;
         const char* const what = is_memory ? "memory" : structure.members[i].by_reference ? "given" : "member";
         part(what, structure.members[i].name, names.members[i] + "()");

@@ -234,7 +234,7 @@ std::string memories_of(const Unit& unit, const std::string& object, ir::Structu
     for (std::size_t i = 0; i < structure.memories.size(); ++i)
         if (!structure.memories[i].part) also(object + "." + names.memories[i] + "()");
     for (std::size_t i = 0; i < structure.members.size(); ++i)
-        if (!structure.members[i].by_reference)
+        if (is_held(structure.members[i]))
             also(memories_of(unit, object + "." + names.members[i] + "()", structure.members[i].structure));
     return text;
 }
@@ -268,7 +268,7 @@ void PipelinePrinter::keep(const std::string& shown, const std::string& object, 
     }
     for (std::size_t i = 0; i < made.members.size(); ++i) {
         const ir::Structure& member = unit.program.structures[made.members[i].structure];
-        if (member.kind == ir::StructureKind::stored && member.copyable)
+        if (!made.members[i].is_component && member.kind == ir::StructureKind::stored && member.copyable)
             keep(shown + "." + unit.name(made.members[i].name), object + "." + names.members[i] + "()",
                  made.members[i].structure);
     }
@@ -300,7 +300,7 @@ void PipelinePrinter::check_with_members(const std::string& object, ir::Structur
     check_as_made(object, index);
     const ir::Structure& structure = unit.program.structures[index];
     for (std::size_t m = structure.members.size(); m-- > 0;)
-        if (!structure.members[m].by_reference)
+        if (is_held(structure.members[m]))
             check_with_members(object + "." + unit.globals.class_names[index].members[m] + "()",
                                structure.members[m].structure);
 }

@@ -69,6 +69,9 @@ struct ProgramNames {
 
 ProgramNames program_names(const ir::Program& program);
 
+/// Whether objects of the class make the member, and hold it: it is neither given to them nor a component.
+inline bool is_held(const ir::MemberStructure& member) { return !member.by_reference && !member.is_component; }
+
 /// Whether the class holds the member in a glift::Shared, so that all copies of an object share it: true of the members
 /// that a container makes, since these can be replaced.
 bool is_held_by_handle(const ir::Structure& structure, std::size_t member);

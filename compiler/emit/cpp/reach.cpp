@@ -203,7 +203,8 @@ void Collector::structure(ir::StructureId index, bool visible) {
     const ir::Structure& structure = program.structures[index];
     const bool newly_visible = visible && reach.in_header.insert(index).second;
     if (!seen.insert(index).second && !newly_visible) return;
-    for (const ir::MemberStructure& member : structure.members) this->structure(member.structure, visible);
+    for (const ir::MemberStructure& member : structure.members)
+        if (!member.is_component) this->structure(member.structure, visible);
     // The class declares its pipelines, so that the structures in their signatures come before it.
     for (ir::PipelineId pipeline : structure.pipelines) signature(program.pipelines[pipeline], visible);
     if (std::ranges::find(reach.structures, index) == reach.structures.end()) reach.structures.push_back(index);

@@ -1,6 +1,7 @@
 #include "emit/cpp/sharing.h"
 
 #include "ir/effects.h"
+#include "layout/layout.h"
 
 #include <algorithm>
 
@@ -51,6 +52,18 @@ const char* combine_text(ir::Combine combine) {
     return "none";
 }
 
+/// Where the binding's fields lead to within an element, and how many bytes that part has.
+std::pair<std::uint32_t, std::uint32_t> part_of_element(const ir::Program& program, const ir::PassBinding& binding) {
+    std::uint32_t offset = 0;
+    ir::TypeId type = binding.element;
+    for (std::uint32_t field : binding.fields) {
+        const ir::Struct& of = program.structs[program.types[type].struct_];
+        offset += layout::offsets_of(program, of)[field];
+        type = of.fields[field].type;
+    }
+    return {offset, layout::size_of(program, type).size};
+}
+
 }  // namespace
 
 bool may_share(const ir::Pass& pass) {
@@ -71,6 +84,10 @@ std::string sharing_fields(const ir::Program& program, const ir::Kernel& kernel,
     if (binding.is_workspace) return "";
     const ir::KernelParam& param = kernel.params[binding.place.root];
     std::string text;
+    if (!binding.fields.empty()) {
+        const auto [offset, bytes] = part_of_element(program, binding);
+        text += ", .field_offset = " + std::to_string(offset) + ", .field_bytes = " + std::to_string(bytes);
+    }
     if (const std::size_t number = structure_number(kernel, binding.place.root))
         text += ", .parameter = " + std::to_string(number);
     if (ir::is_addressed(program, kernel, binding))

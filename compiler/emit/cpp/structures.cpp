@@ -126,6 +126,10 @@ void print_accessors(Unit& unit, Writer& out, ir::StructureId index, const Class
                  "() const { return " + names.argument_fields[i] + "; }");
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         const std::string type = unit.class_name(structure.members[i].structure);
+        if (structure.members[i].is_component) {
+            out.line(type + " " + names.members[i] + "() const;");
+            continue;
+        }
         const std::string field = names.member_fields[i] + (is_held_by_handle(structure, i) ? ".get()" : "");
         out.line("const " + type + "& " + names.members[i] + "() const { return " + field + "; }");
         if (structure.is_container || is_written_as(structure, i))
@@ -155,7 +159,8 @@ void print_fields(Unit& unit, Writer& out, ir::StructureId index, const ClassNam
         out.line(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " +
                  names.argument_fields[i] + "{};");
     for (std::size_t i = 0; i < structure.members.size(); ++i)
-        out.line(field_type(unit, structure, i) + " " + names.member_fields[i] + ";");
+        if (!structure.members[i].is_component)
+            out.line(field_type(unit, structure, i) + " " + names.member_fields[i] + ";");
     for (std::size_t i = 0; i < structure.memories.size(); ++i) {
         out.line(extent_type(unit, structure.memories[i], qualified) + " " + names.extent_fields[i] + "{};");
         out.line("glift::Memory " + names.memory_fields[i] + ";");
@@ -168,7 +173,7 @@ std::string memory_parameters(const Unit& unit, ir::StructureId index, const Cla
     std::string text;
     const Structure& structure = unit.program.structures[index];
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
-        if (structure.members[i].by_reference) continue;
+        if (!is_held(structure.members[i])) continue;
         text += ", " + unit.class_name(structure.members[i].structure) + " " + names.members[i];
     }
     for (std::size_t i = 0; i < structure.memories.size(); ++i)
@@ -181,8 +186,7 @@ bool is_own(const ir::Memory& memory) { return !memory.part; }
 bool has_own_memory(const Structure& structure) { return std::ranges::any_of(structure.memories, is_own); }
 
 bool has_own_member(const Structure& structure) {
-    return std::ranges::any_of(structure.members,
-                               [](const ir::MemberStructure& member) { return !member.by_reference; });
+    return std::ranges::any_of(structure.members, is_held);
 }
 
 bool has_parts(const Structure& structure) {
@@ -324,12 +328,14 @@ void print_constructors(Unit& unit, Writer& out, ir::StructureId index, const Cl
     Printer p = own_printer(unit, index);
     const auto head = [&](const std::string& more, bool adopts) {
         std::vector<std::string> initialisers;
-        if (structure.kind == StructureKind::stored) initialisers.push_back("Structure(commands.device())");
+        const std::string device = structure.field ? names.members[0] + ".device()" : "commands.device()";
+        if (structure.kind == StructureKind::stored) initialisers.push_back("Structure(" + device + ")");
         if (has_device_field(structure)) initialisers.push_back("device_(commands.device())");
         for (std::size_t i = 0; i < names.arguments.size(); ++i)
             initialisers.push_back(names.argument_fields[i] + "(" + names.arguments[i] + ")");
         for (std::size_t i = 0; i < structure.members.size(); ++i) {
             const ir::MemberStructure& member = structure.members[i];
+            if (member.is_component) continue;
             const std::string value = member.by_reference ? names.members[i]
                                       : adopts            ? adopted_part(unit, p, index, i, names)
                                                           : member_value(unit, p, structure.display, member);
@@ -362,8 +368,9 @@ void print_same_state(Unit& unit, Writer& out, ir::StructureId index, const Clas
     const auto also = [&](const std::string& text) { condition += (condition.empty() ? "" : " && ") + text; };
     for (const std::string& field : names.argument_fields) also(field + " == other." + field);
     for (std::size_t i = 0; i < names.member_fields.size(); ++i) {
-        const bool is_held = is_held_by_handle(unit.program.structures[index], i);
-        const std::string field = names.member_fields[i] + (is_held ? ".get()" : "");
+        if (unit.program.structures[index].members[i].is_component) continue;
+        const bool is_handle = is_held_by_handle(unit.program.structures[index], i);
+        const std::string field = names.member_fields[i] + (is_handle ? ".get()" : "");
         also(field + ".same_state(other." + field + ")");
     }
     const std::string& type = unit.own_name(index);
@@ -372,6 +379,22 @@ void print_same_state(Unit& unit, Writer& out, ir::StructureId index, const Clas
     out.line(condition.empty() ? "return this == &other || true;" : "return " + condition + ";");
     out.close();
     out.gap();
+}
+
+/// Prints the functions that make the components which this module's code knows.
+void print_components(Unit& unit, Writer& out, ir::StructureId index, const ClassNames& names) {
+    const Structure& structure = unit.program.structures[index];
+    for (std::size_t i = 0; i < structure.members.size(); ++i) {
+        const ir::StructureId component = structure.members[i].structure;
+        const auto& known = unit.reach.structures;
+        if (!structure.members[i].is_component || std::ranges::find(known, component) == known.end()) continue;
+        const std::string& type = unit.own_name(component);
+        out.open(unit.linkage(structure.key) + type + " " + unit.own_name(index) + "::" + names.members[i] +
+                 "() const");
+        out.line("return " + type + "(*this);");
+        out.close();
+        out.gap();
+    }
 }
 
 }  // namespace
@@ -411,6 +434,8 @@ void print_class(Unit& unit, Writer& out, ir::StructureId index) {
     const ClassNames& names = unit.globals.class_names[index];
     const std::string& type = unit.own_name(index);
     const bool is_instance = structure.display != unit.name(structure.name);
+    for (const ir::MemberStructure& member : structure.members)
+        if (member.is_component) out.line("class " + unit.own_name(member.structure) + ";");
     if (structure.doc.empty())
         out.line("/// " + structure.display + ", " + place_text(unit.sources, structure.span) + ".");
     else write_doc(out, is_instance ? structure.display + ". " + structure.doc : structure.doc);
@@ -495,6 +520,7 @@ void print_class_members(Unit& unit, Writer& out, ir::StructureId index) {
         out.gap();
     }
     print_same_state(unit, out, index, names);
+    print_components(unit, out, index, names);
     if (has_rows(unit.program, structure)) print_place(unit, out, index);
     print_methods(unit, out, index);
 }

@@ -10,7 +10,7 @@ std::string visible(const Printer& p, const std::string& name) {
 }
 
 bool is_held_by_handle(const ir::Structure& structure, std::size_t member) {
-    return structure.is_container && !structure.members[member].by_reference;
+    return structure.is_container && is_held(structure.members[member]);
 }
 
 // long: a case for each operation
@@ -21,8 +21,9 @@ Text structure_property(const Globals& globals, const ir::Expr& expr, ir::Struct
     bool own = object.empty();  // the fields themselves, not their accessors
     for (std::uint32_t member : expr.place.members) {
         const ClassNames& names = globals.class_names[structure];
-        const bool is_held = own && is_held_by_handle(globals.program.structures[structure], member);
-        prefix += own ? names.member_fields[member] + (is_held ? ".get()." : ".") : names.members[member] + "().";
+        own = own && !globals.program.structures[structure].members[member].is_component;
+        const bool is_handle = own && is_held_by_handle(globals.program.structures[structure], member);
+        prefix += own ? names.member_fields[member] + (is_handle ? ".get()." : ".") : names.members[member] + "().";
         own = false;
         structure = globals.program.structures[structure].members[member].structure;
     }

@@ -73,7 +73,7 @@ static bool is_plain_map(const ir::Program& program, const ir::Translator& trans
 }
 
 bool has_rows(const ir::Program& program, const ir::Structure& structure) {
-    if (structure.kind != ir::StructureKind::stored || structure.via.size() > 1) return false;
+    if (structure.kind != ir::StructureKind::stored || structure.via.size() > 1 || structure.field) return false;
     if (!ir::is_contained(program, structure)) return false;
     if (!structure.via.empty() && !is_plain_map(program, program.translators[structure.via[0].translator]))
         return false;

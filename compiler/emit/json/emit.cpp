@@ -173,7 +173,9 @@ void Writer::structure(ir::StructureId index) {
              [&](ir::LocalId id) { named(name(program.locals[id].name), type(program.locals[id].type)); });
         list("memories", s.memories, [&](const ir::Memory& m) { memory(m, self); });
         if (!s.base.empty()) out.field("memory", place_text(program, self, {0, s.base}));
-        list("members", s.members, [&](const ir::MemberStructure& m) { member(m, self); });
+        std::vector<ir::MemberStructure> members = s.members;
+        std::erase_if(members, [](const ir::MemberStructure& m) { return m.is_component; });
+        list("members", members, [&](const ir::MemberStructure& m) { member(m, self); });
         stages(s, self);
         if (s.blocks) {
             out.key("blocks");

@@ -31,7 +31,8 @@ struct Walk {
         type(s.element);
         for (ir::LocalId local : s.constructor) type(program.locals[local].type);
         for (const ir::Memory& memory : s.memories) type(memory.element);
-        for (const ir::MemberStructure& member : s.members) structure(member.structure);
+        for (const ir::MemberStructure& member : s.members)
+            if (!member.is_component) structure(member.structure);
         for (const ir::HostField& field : s.host) type(field.type);
         for (const ir::Stage& stage : s.via)
             for (const ir::StructField& field : program.translators[stage.translator].scalars) type(field.type);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <ranges>
 
 namespace gliftc::lower {
 
@@ -15,9 +16,22 @@ using namespace ir;
 
 std::uint32_t Expander::binding(const Place& of_structure, Access access, std::optional<Compare> compare,
                                 bool by_direction) {
+    const Structure& structure = cx.structure_at(of_structure);
+    const Structure& root = root_structure(p, structure);
+    const std::vector<std::uint32_t> fields = fields_in(p, structure, root);
+    if (!root.apart) return bound(of_structure, root.via_memory, fields, access, compare, by_direction);
+    const auto own = std::ranges::find(root.memories, fields, &Memory::fields);
+    return bound(of_structure, static_cast<std::uint32_t>(own - root.memories.begin()), {}, access);
+}
+
+/// The binding of one of the memories of the root of the structure at the place; `fields` lead to the part of each
+/// element that is accessed.
+std::uint32_t Expander::bound(const Place& of_structure, std::uint32_t memory,
+                              const std::vector<std::uint32_t>& fields, Access access, std::optional<Compare> compare,
+                              bool by_direction) {
     auto& bindings = cx.pass.bindings;
-    const Place place = root_of(p, cx.structure_at(of_structure), of_structure);
-    const std::uint32_t memory = cx.structure_at(place).via_memory;
+    Place place = root_of(p, cx.structure_at(of_structure), of_structure);
+    place.members = made_at(p, cx.structure_at({place.root, {}}), {place.members.begin(), place.members.end()});
     const Memory& of = cx.structure_at(place).memories[memory];
     const MemoryShape shape =
         of.shape == MemoryShape::imagecube && !by_direction ? MemoryShape::image2darray : of.shape;
@@ -25,6 +39,8 @@ std::uint32_t Expander::binding(const Place& of_structure, Access access, std::o
         if (bindings[i].place != place || bindings[i].memory != memory) continue;
         if (bindings[i].compare != compare || bindings[i].shape != shape) continue;
         if (bindings[i].access != access) bindings[i].access = Access::read_write;
+        auto& known = bindings[i].fields;  // what both accesses have in common
+        known.erase(std::ranges::mismatch(known, fields).in1, known.end());
         return i;
     }
     PassBinding made;
@@ -33,6 +49,7 @@ std::uint32_t Expander::binding(const Place& of_structure, Access access, std::o
     made.memory = memory;
     made.shape = shape;
     made.element = of.element;
+    made.fields = fields;
     made.format = of.format;
     made.coherent = is_coherent(of_structure);
     made.access = made.coherent ? Access::read_write : access;
@@ -97,7 +114,7 @@ Pair Expander::atomic(const Expr& node) {
     ExprId inside = build.both(inside_domain(place, address), physical.has);
     const std::uint32_t slot = binding(place, Access::read_write);
     cx.pass.bindings[slot].atomic = true;
-    made.operands[0] = part_of(node.operands[0], load_from(cx, slot, physical.value));
+    made.operands[0] = part_of(node.operands[0], projected(place, load_from(cx, slot, physical.value)));
     if (node.type == p.types.void_) {
         Stmt stmt = statement(StmtOp::evaluate, node.span);
         stmt.value = p.exprs.add(std::move(made));
@@ -111,19 +128,68 @@ Pair Expander::atomic(const Expr& node) {
     return {build.local(before), {}};
 }
 
+/// The element of a structure, made of its fields.
+template <class FieldOf> ExprId Expander::gathered(const Place& place, FieldOf&& field_of) {
+    const Structure& structure = cx.structure_at(place);
+    return gathered_fields(place, structure.element, fields_in(p, structure, root_structure(p, structure)), field_of);
+}
+
 /// An element of a structure whose chain of memories (ir/chain.h) ends in a view: evaluates the view at `address` if
 /// `condition` holds (absent: always), else gives `otherwise`.
 ExprId Expander::computed(const Place& place, ExprId address, ExprId condition, ExprId otherwise,
                           const std::string& name) {
     const Place root = root_of(p, cx.structure_at(place), place);
-    if (!condition || build.is_true(condition)) return view(root, address);
+    if (!condition || build.is_true(condition)) return projected(place, view(root, address));
     LocalId value = variable(name, build.type(otherwise), otherwise);
-    append_if(condition, collect([&] { assign(value, view(root, address)); }), {});
+    append_if(condition, collect([&] { assign(value, projected(place, view(root, address))); }), {});
     return build.local(value);
 }
 
+/// What the structure at the place has of an element of `link`, a structure of its chain: that element or, if there are
+/// components, a field of it.
+ExprId Expander::projected(const Place& place, const Structure& link, ExprId element) {
+    for (std::uint32_t field : fields_in(p, cx.structure_at(place), link)) element = build.field(element, field);
+    return element;
+}
+
+ExprId Expander::projected(const Place& place, ExprId element) {
+    return projected(place, root_structure(p, cx.structure_at(place)), element);
+}
+
 ExprId Expander::load(const Place& place, ExprId physical) {
-    return load_from(cx, binding(place, Access::read), physical);
+    if (!is_apart(place)) return projected(place, load_from(cx, binding(place, Access::read), physical));
+    return gathered(place, [&](std::uint32_t memory, const std::string&, const auto&) {
+        return load_from(cx, bound(place, memory, {}, Access::read), physical);
+    });
+}
+
+/// Whether the fields of the elements lie in memories of their own.
+bool Expander::is_apart(const Place& place) const {
+    return bool(root_structure(p, cx.structure_at(place)).apart);
+}
+
+/// An element, or the part of it that the fields `above` lead to, made of its fields, which lie in memories of their own.
+/// field_of(memory, name, path) gives the field in that memory: `path` leads to it from the part, `name` is its name behind the
+/// part's.
+template <class FieldOf>
+ExprId Expander::gathered_fields(const Place& place, TypeId whole, const std::vector<std::uint32_t>& above,
+                                 FieldOf&& field_of) {
+    const Structure& root = root_structure(p, cx.structure_at(place));
+    std::uint32_t next = 0;
+    while (!std::ranges::equal(above, root.memories[next].fields | std::views::take(above.size()))) ++next;
+    std::vector<std::uint32_t> path;
+    const auto gather = [&](auto&& self, TypeId type, const std::string& name) -> ExprId {
+        if (p.types.kind(type) != TypeKind::struct_) return field_of(next++, name, path);
+        const std::vector<StructField> fields = p.structs[p.types[type].struct_].fields;
+        Operands parts;
+        for (std::uint32_t i = 0; i < fields.size(); ++i) {
+            path.push_back(i);
+            parts.push_back(self(self, fields[i].type, name + "_" + (*p.names)[fields[i].name]));
+            path.pop_back();
+        }
+        return build.construct(type, std::move(parts));
+    };
+    return gather(gather, whole, "");
 }
 
 /// The value of reads at unmapped addresses: that of the first structure with an `otherwise` in the chain of memories
@@ -133,7 +199,8 @@ ExprId Expander::otherwise_of(const Place& place) {
     if (!says) return build.zero(cx.structure_at(place).element);
     Frame frame;
     frame.places = {canonical(*says)};
-    return inside(std::move(frame), [&] { return value_of(cx.structure_at(*says).otherwise); });
+    const Structure& link = cx.structure_at(*says);
+    return projected(place, link, inside(std::move(frame), [&] { return value_of(link.otherwise); }));
 }
 
 /// As otherwise_of, for reads of the current element and its neighbours. In kernels with a group, invocations beyond
@@ -156,12 +223,37 @@ ExprId Expander::guarded_load(const Place& place, const Pair& physical, ExprId g
     const ExprId at =
         is_trivial(cx, physical.value) ? physical.value : build.local(let(name + "_at", physical.value, span_));
     const Structure& structure = cx.structure_at(place);
-    Expr node;
-    node.op = Op::guarded_load;
-    node.type = structure.element;
-    node.slot = binding(place, Access::read);
-    node.operands = {condition, at, safe_address ? safe_address : build.zero(build.type(at)), otherwise};
-    return build.local(let(name, p.exprs.add(std::move(node)), span_));
+    const ExprId safe = safe_address ? safe_address : build.zero(build.type(at));
+    const auto guarded = [&](std::uint32_t slot, ExprId else_value, const std::string& called) {
+        Expr node;
+        node.op = Op::guarded_load;
+        node.type = cx.pass.bindings[slot].element;
+        node.slot = slot;
+        node.operands = {condition, at, safe, else_value};
+        return build.local(let(called, p.exprs.add(std::move(node)), span_));
+    };
+    if (is_apart(place))
+        return gathered(place, [&](std::uint32_t memory, const std::string& field, const auto& path) {
+            ExprId else_value = otherwise;
+            for (std::uint32_t each : path) else_value = build.field(else_value, each);
+            return guarded(bound(place, memory, {}, Access::read), else_value, name + field);
+        });
+    if (!fields_in(p, structure, root_structure(p, structure)).empty())
+        return guarded_field(place, {at, condition}, safe, otherwise, name);
+    return guarded(binding(place, Access::read), otherwise, name);
+}
+
+/// As guarded_load, of a field of what the memory holds (a component): as the pass "guard" does it for whole elements.
+ExprId Expander::guarded_field(const Place& place, const Pair& at, ExprId safe, ExprId otherwise,
+                               const std::string& name) {
+    const TypeId type = cx.structure_at(place).element;
+    if (cx.kernel.grouped() || !(p.types.is_scalar(type) || p.types.is_vector(type))) {
+        const LocalId value = variable(name, type, otherwise);
+        append_if(at.has, collect([&] { assign(value, load(place, at.value)); }), {});
+        return build.local(value);
+    }
+    const ExprId there = build.local(let(name, load(place, build.select(at.has, at.value, safe)), span_));
+    return build.select(at.has, there, otherwise);
 }
 
 ExprId Expander::view(const Place& place, ExprId address) {
@@ -326,25 +418,46 @@ void Expander::store(const Place& place, const Pair& physical, ExprId guard, con
     const Structure& structure = cx.structure_at(place);
     const bool is_buffer = root_memory(p, structure).shape == MemoryShape::buffer;
     const bool is_atomic = stmt.combine != Combine::replace;
-    Stmt made = statement(is_atomic ? StmtOp::atomic : is_buffer ? StmtOp::store : StmtOp::image_store, stmt.span);
-    made.slot = binding(place, is_atomic ? Access::read_write : Access::write);
-    if (is_atomic) {
-        PassBinding& of = cx.pass.bindings[made.slot];
-        of.atomic = true;
-        of.ordered = of.ordered || (of.element == p.types.float_ && stmt.combine != Combine::add);
-    }
-    made.target = index_of(cx, made.slot, physical.value);
-    made.value = value;
-    made.combine = stmt.combine;
-    ExprId condition = build.both(guard, physical.has);
+    const Access access = is_atomic ? Access::read_write : Access::write;
+    const auto stored_to = [&](std::uint32_t slot, ExprId what) {
+        Stmt made = statement(is_atomic ? StmtOp::atomic : is_buffer ? StmtOp::store : StmtOp::image_store, stmt.span);
+        made.slot = slot;
+        if (is_atomic) {
+            PassBinding& of = cx.pass.bindings[made.slot];
+            of.atomic = true;
+            of.ordered = of.ordered || (of.element == p.types.float_ && stmt.combine != Combine::add);
+        }
+        made.target = index_of(cx, made.slot, physical.value);
+        made.value = what;
+        made.combine = stmt.combine;
+        return made;
+    };
+    const ExprId condition = build.both(guard, physical.has);
     if (condition && build.is_false(condition)) return;
-    if (!condition || build.is_true(condition)) return append(std::move(made));
-    append_if(condition, collect([&] { append(std::move(made)); }), {});
+    std::vector<std::uint32_t> written = fields_in(p, structure, root_structure(p, structure));
+    written.insert(written.end(), stmt.path.begin(), stmt.path.end());
+    const Block stores = collect([&] {
+        if (is_apart(place)) {
+            const ExprId whole = named(cx.name_of(place) + "_stored", value);
+            gathered_fields(place, build.type(whole), written, [&](std::uint32_t memory, const std::string&, const auto& path) {
+                ExprId field = whole;
+                for (std::uint32_t each : path) field = build.field(field, each);
+                append(stored_to(bound(place, memory, {}, access), field));
+                return field;
+            });
+            return;
+        }
+        Stmt made = stored_to(binding(place, access), value);
+        made.path = written;
+        append(std::move(made));
+    });
+    append_where(condition, stores);
 }
 
 void Expander::set_element(const Stmt& stmt) {
     Place place = resolved(stmt.place);
     TypeId type = cx.structure_at(place).element;
+    for (std::uint32_t field : stmt.path) type = p.structs[p.types[type].struct_].fields[field].type;
     ExprId value = stored(expand(stmt.value), type);
     ExprId guard = cx.kernel.grouped() ? build.local(cx.pass.in_range) : ExprId{};
     store(place, written_centre(place.root), guard, stmt, value);

@@ -266,6 +266,15 @@ private:
     ExprId view_around(const ir::Place& place, ExprId address);
     ExprId guarded_load(const ir::Place& place, const Pair& physical, ExprId guard, ExprId safe_address,
                         ExprId otherwise, const std::string& name);
+    ExprId guarded_field(const ir::Place& place, const Pair& at, ExprId safe, ExprId otherwise,
+                         const std::string& name);
+    bool is_apart(const ir::Place& place) const;
+    template <class FieldOf>
+    ExprId gathered_fields(const ir::Place& place, TypeId whole, const std::vector<std::uint32_t>& above,
+                           FieldOf&& field_of);
+    template <class FieldOf> ExprId gathered(const ir::Place& place, FieldOf&& field_of);
+    ExprId projected(const ir::Place& place, const ir::Structure& link, ExprId element);
+    ExprId projected(const ir::Place& place, ExprId element);
     ExprId load(const ir::Place& place, ExprId physical);
     ExprId computed(const ir::Place& place, ExprId address, ExprId condition, ExprId otherwise,
                     const std::string& name);
@@ -281,6 +290,8 @@ private:
     /// sampled by a direction, instead of as an array of six images.
     std::uint32_t binding(const ir::Place& place, ir::Access access, std::optional<ir::Compare> compare = {},
                           bool by_direction = false);
+    std::uint32_t bound(const ir::Place& place, std::uint32_t memory, const std::vector<std::uint32_t>& fields,
+                        ir::Access access, std::optional<ir::Compare> compare = {}, bool by_direction = false);
     std::optional<std::vector<std::int64_t>> offset_of(const ir::Expr& node);
     ExprId near_guard(std::uint32_t root, const std::vector<std::int64_t>& offset);
     void note_near_guard(std::uint32_t root);
@@ -411,6 +422,7 @@ private:
     Around around(const ir::Place& place, ExprId at);
     Around gathered(const ir::Place& place, ExprId at);
     ExprId mixed(Around found);
+    ExprId mixed(ExprId one, ExprId other, ExprId weight);
     bool is_gathered(const ir::Place& place);
     bool is_texel_address(const ir::Place& place);
     ExprId of_floats(TypeId type, double number);

@@ -1,3 +1,4 @@
+#include "ir/chain.h"
 #include "ir/levels.h"
 #include "ir/walk.h"
 #include "lower/expand/expand.h"
@@ -18,7 +19,10 @@ std::uint32_t Expander::canonical_root(std::uint32_t root) const {
     return cx.is_direct() ? cx.kernel.params[root].alike : root;
 }
 
-Place Expander::canonical(const Place& place) const { return {canonical_root(place.root), place.members}; }
+Place Expander::canonical(const Place& place) const {
+    const Structure& whole = cx.structure_at({place.root, {}});
+    return {canonical_root(place.root), made_at(p, whole, {place.members.begin(), place.members.end()})};
+}
 
 std::string Expander::prefixed(std::string_view name) const {
     return frame_->prefix.empty() ? std::string(name) : frame_->prefix + "_" + std::string(name);

@@ -198,13 +198,22 @@ Expander::Around Expander::around(const Place& place, ExprId at) {
     return found;
 }
 
+/// Between two values, field by field.
+ExprId Expander::mixed(ExprId one, ExprId other, ExprId weight) {
+    const TypeId type = build.type(one);
+    if (p.types.kind(type) != TypeKind::struct_) return build.intrinsic(Intrinsic::mix, type, {one, other, weight});
+    Operands fields;
+    const std::size_t count = p.structs[p.types[type].struct_].fields.size();
+    for (std::uint32_t i = 0; i < count; ++i) fields.push_back(mixed(build.field(one, i), build.field(other, i), weight));
+    return build.construct(type, std::move(fields));
+}
+
 ExprId Expander::mixed(Around found) {
     for (std::uint32_t axis = 0; axis < found.axes; ++axis) {
         Operands mixed;
         ExprId t = build.component(found.weight, axis);
         for (std::size_t i = 0; i < found.values.size(); i += 2)
-            mixed.push_back(build.intrinsic(Intrinsic::mix, build.type(found.values[i]),
-                                            {found.values[i], found.values[i + 1], t}));
+            mixed.push_back(this->mixed(found.values[i], found.values[i + 1], t));
         found.values = std::move(mixed);
     }
     return found.values[0];

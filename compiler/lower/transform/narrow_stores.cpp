@@ -51,6 +51,12 @@ private:
         std::vector<std::uint64_t> times;  ///< when each leaf may have changed last
     };
 
+    /// The leaves of an element that a store writes.
+    struct Stored {
+        std::uint32_t first = 0, count = 0;
+    };
+
+    Stored stored_by(const Stmt& store) const;
     bool takes_part(const PassBinding& binding) const;
     Memory* memory_of(const Stmt& store);
     void learn_values(const std::vector<StmtId>& body);
@@ -78,6 +84,17 @@ private:
     std::map<LocalId, Holder> holders_;
     std::map<std::uint32_t, Memory> memories_;  ///< by PassBinding::one_place
 };
+
+Narrowing::Stored Narrowing::stored_by(const Stmt& store) const {
+    Stored stored;
+    TypeId type = cx.pass.bindings[store.slot].element;
+    for (std::uint32_t slot : store.path) {
+        stored.first += first_leaf(p, type, slot);
+        type = p.structs[p.types[type].struct_].fields[slot].type;
+    }
+    stored.count = leaves_in(p, type);
+    return stored;
+}
 
 bool Narrowing::takes_part(const PassBinding& binding) const {
     return binding.shape == MemoryShape::buffer && is_struct(p, binding.element) && !binding.coherent &&
@@ -192,8 +209,9 @@ void Narrowing::learn_store(const Stmt& stmt) {
     const std::uint32_t count = leaves_in(p, binding.element);
     Memory& memory = memories_.try_emplace(binding.one_place, Memory{Leaves(count, true), {}}).first->second;
     memory.times.resize(count);
-    for (std::uint32_t leaf = 0; leaf < count; ++leaf)
-        if (!is_own(stmt, origin(stmt.value, leaf), leaf)) memory.constant[leaf] = false;
+    const Stored stored = stored_by(stmt);
+    for (std::uint32_t leaf = 0; leaf < stored.count; ++leaf)
+        if (!is_own(stmt, origin(stmt.value, leaf), stored.first + leaf)) memory.constant[stored.first + leaf] = false;
 }
 
 void Narrowing::learn_stores(const std::vector<StmtId>& body) {
@@ -228,7 +246,7 @@ bool Narrowing::holds(ExprId condition) {
 /// between the two, nor does the guard: is_fixed() leaves the locals that they use no values but one for each iteration
 /// of the loop around their `let`s, and these lets are around the holder's, too.
 bool Narrowing::is_own(const Stmt& store, const std::optional<Origin>& origin, std::uint32_t leaf) {
-    if (!origin || origin->leaf != leaf || !store.path.empty()) return false;
+    if (!origin || origin->leaf != leaf) return false;
     if (origin->guard && !holds(origin->guard)) return false;
     const Expr& load = p.exprs[origin->load];
     if (load.slot != store.slot || !takes_part(cx.pass.bindings[store.slot])) return false;
@@ -238,9 +256,10 @@ bool Narrowing::is_own(const Stmt& store, const std::optional<Origin>& origin, s
 
 /// The leaves that the store may change. Notes when they changed.
 Leaves Narrowing::changed_by(const Stmt& store, Memory& memory) {
-    Leaves changed(memory.constant.size(), true);
-    for (std::uint32_t leaf = 0; leaf < changed.size(); ++leaf) {
-        const std::optional<Origin> from = origin(store.value, leaf);
+    Leaves changed(memory.constant.size());
+    const Stored stored = stored_by(store);
+    for (std::uint32_t leaf = stored.first; leaf < stored.first + stored.count; ++leaf) {
+        const std::optional<Origin> from = origin(store.value, leaf - stored.first);
         const auto is_current = [&] {
             return !from->holder || memory.constant[leaf] || memory.times[leaf] < holders_.at(from->holder).time;
         };
@@ -292,9 +311,10 @@ void Narrowing::store(StmtId id, std::vector<StmtId>& result) {
     Memory* memory = memory_of(stmt);
     if (memory == nullptr) return result.push_back(id);
     const Leaves changed = changed_by(stmt, *memory);
-    if (std::ranges::find(changed, false) == changed.end()) return result.push_back(id);
+    const Stored stored = stored_by(stmt);
+    if (std::ranges::count(changed, true) == stored.count) return result.push_back(id);
     const std::size_t before = result.size();
-    store_members(stmt, changed, 0, result);
+    store_members(stmt, changed, stored.first, result);
     if (result.size() - before < 2) return;
     // The members are computed before the first of them is stored, and the address is computed once.
     std::vector<StmtId> stores(result.begin() + static_cast<std::ptrdiff_t>(before), result.end());

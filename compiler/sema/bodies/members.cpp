@@ -3,6 +3,7 @@
 
 #include "sema/names/unknown_names.h"
 #include "sema/pipelines/values.h"
+#include "sema/structures/projection.h"
 #include "sema/types/instances.h"
 #include "sema/types/typing.h"
 
@@ -298,8 +299,10 @@ Operand structure_member(Body& body, const Operand& left, ast::Identifier member
         if (structure.base_name == member.name) return member_at(body, left, structure.base, member.span);
     }
     for (std::uint32_t i = 0; i < structure.memories.size(); ++i) {
-        known.push_back(c.text(structure.memories[i].name));
-        if (structure.memories[i].name != member.name) continue;
+        const Name name = structure.memories[i].declared;
+        if (!name) continue;
+        known.push_back(c.text(name));
+        if (name != member.name) continue;
         Operand memory = left;
         memory.kind = OperandKind::memory;
         memory.span = member.span;
@@ -313,7 +316,10 @@ Operand structure_member(Body& body, const Operand& left, ast::Identifier member
         body.program().exprs[value].slot = i;
         return value_operand(body, value, member.span);
     }
-    return unknown_member(body, structure.display, member, known);
+    for (std::string_view field : component_names(c, left.structure)) known.push_back(field);
+    if (const auto component = component_of(c, left.structure, member))
+        return member_at(body, left, {*component}, member.span);
+    return unknown_member(body, body.program().structures[left.structure].display, member, known);
 }
 
 Operand check_member(Body& body, ast::ExprId id) {

@@ -10,6 +10,17 @@ namespace gliftc::sema {
 
 namespace {
 
+/// The fields of elements of the root that a structure of its chain has as its elements (ir::fields_in).
+std::vector<std::uint32_t> fields_of(const ir::Program& p, const ir::Structure& structure) {
+    return ir::fields_in(p, structure, ir::root_structure(p, structure));
+}
+
+/// Whether two such paths lead to different fields, neither of which contains the other.
+bool are_other_fields(const std::vector<std::uint32_t>& one, const std::vector<std::uint32_t>& other) {
+    const auto [a, b] = std::mismatch(one.begin(), one.end(), other.begin(), other.end());
+    return a != one.end() && b != other.end();
+}
+
 /// A structure as a Glift pipeline (a host function that calls kernels) names it: a local, then a path of members from
 /// it.
 struct Whole {
@@ -84,12 +95,13 @@ bool may_meet_through_two(const ir::KernelParam& one, const ir::KernelParam& oth
 }
 
 /// A structure that a kernel accesses, as its root (root_of), and the parameter that leads to it, whose argument has
-/// the index `argument`. `is_member`: the parameter has the pattern `calls` (the kernel calls functions of its
+/// the index `argument`. `fields` are those of the root's elements that it accesses. `is_member`: the parameter has the pattern `calls` (the kernel calls functions of its
 /// structure), and the structure is a member that those functions write; `param` then has the pattern by which they
 /// write it.
 struct Touched {
     Whole root;
     ir::KernelParam param;
+    std::vector<std::uint32_t> fields;
     std::uint32_t argument = 0;
     bool is_member = false;
 };
@@ -101,7 +113,8 @@ std::vector<Touched> touched_by(Body& body, const ir::Kernel& kernel, const ir::
         const ir::Expr& argument = p.exprs[arguments[i]];
         const ir::KernelParam& param = kernel.params[i];
         if (param.pattern != ir::Pattern::calls) {
-            if (auto root = root_of(body, argument)) touched.push_back({std::move(*root), param, i});
+            if (auto root = root_of(body, argument))
+                touched.push_back({std::move(*root), param, fields_of(p, p.structures[param.structure]), i});
             continue;
         }
         for (const ir::Effect& effect : kernel.effects) {
@@ -111,7 +124,7 @@ std::vector<Touched> touched_by(Body& body, const ir::Kernel& kernel, const ir::
             member.place.members.append(effect.place.members);
             member.place = ir::root_of(p, written, member.place);
             while (follow_given(body, member)) {}
-            Touched made{std::move(member), param, i, true};
+            Touched made{std::move(member), param, fields_of(p, written), i, true};
             made.param.pattern = effect.pattern;
             made.param.combine = effect.combine;
             made.param.direction = ir::Direction::inout;
@@ -131,6 +144,7 @@ void check_one_memory(Body& body, const ir::Kernel& kernel, const ir::Operands& 
         for (std::size_t i = 0; i < k; ++i) {
             const Touched &a = touched[i], &b = touched[k];
             if (a.root != b.root || a.argument == b.argument) continue;
+            if (are_other_fields(a.fields, b.fields)) continue;
             if (ir::is_promised_apart(kernel, a.argument, b.argument)) continue;
             if (a.is_member || b.is_member) {
                 if (may_meet_through_two(a.param, b.param))

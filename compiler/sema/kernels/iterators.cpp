@@ -4,6 +4,8 @@
 #include "sema/bodies/body.h"
 #include "sema/kernels/raster.h"
 
+#include <algorithm>
+
 namespace gliftc::sema {
 
 namespace {
@@ -38,12 +40,38 @@ void assign_element(Body& body, const ast::Stmt& stmt, const Symbol& symbol) {
     if (!is_error(body, value)) emit_set_element(body, symbol.slot, value, stmt.span);
 }
 
+/// `g.x = v`, where g is an element that is 'out', and x a field, or a field of a field: writes that alone. False: it is
+/// something else.
+bool assign_field(Body& body, const ast::Stmt& stmt, Symbol& symbol, ast::ExprId root) {
+    Context& c = body.context;
+    const ir::KernelParam& param = body.kernel->params[symbol.slot];
+    if (param.direction != ir::Direction::out || stmt.op) return false;
+    std::vector<ast::ExprId> steps;
+    for (ast::ExprId at = stmt.target; at != root; at = c[at].operands[0]) steps.insert(steps.begin(), at);
+    ir::TypeId type = c.program.structures[param.structure].element;
+    std::vector<std::uint32_t> path;
+    for (ast::ExprId step : steps) {
+        if (c[step].kind != ast::ExprKind::member || c.types().kind(type) != ir::TypeKind::struct_) return false;
+        const std::vector<ir::StructField>& fields = c.program.structs[c.types()[type].struct_].fields;
+        const auto field = std::ranges::find(fields, c[step].name, &ir::StructField::name);
+        if (field == fields.end()) return false;
+        path.push_back(static_cast<std::uint32_t>(field - fields.begin()));
+        type = field->type;
+    }
+    const ir::ExprId value = check_value(body, stmt.value, type);
+    if (is_error(body, value)) return true;
+    emit_set_element(body, symbol.slot, value, stmt.span);
+    c.program.stmts[body.block->back()].path = std::move(path);
+    return true;
+}
+
 /// `g.x = v` and `g[i] = v`, where g is the current element: reads it, modifies the copy, writes it back.
 void assign_part(Body& body, const ast::Stmt& stmt, Symbol& symbol, ast::ExprId root) {
     const ir::KernelParam& param = body.kernel->params[symbol.slot];
+    if (assign_field(body, stmt, symbol, root)) return;
     if (param.direction != ir::Direction::inout) {
         note(body.context.error(Diag::out_read, stmt.span, {body.context.text(param.name)}), param.span,
-             "changing a part keeps the rest, which must be read: 'inout' reads and writes");
+             "'inout' reads and writes; of what is 'out', '=' may give fields of structs their values");
         return;
     }
     ir::LocalId copy =

@@ -5,6 +5,8 @@
 #include "sema/structures/components.h"
 #include "sema/structures/image_parts.h"
 
+#include <algorithm>
+
 namespace gliftc::sema {
 
 namespace {
@@ -52,6 +54,15 @@ bool fits_cube(Body& body, std::string_view name, const ir::Structure& structure
     return false;
 }
 
+/// Whether the type is of floats: a number, a vector, or a struct of them.
+bool is_interpolated(Body& body, ir::TypeId type) {
+    const ir::Types& types = body.types();
+    if (types.is_scalar(type) || types.is_vector(type)) return types.is_floating(types.scalar_of(type));
+    if (types.kind(type) != ir::TypeKind::struct_) return false;
+    return std::ranges::all_of(body.program().structs[types[type].struct_].fields,
+                               [&](const ir::StructField& field) { return is_interpolated(body, field.type); });
+}
+
 /// `s.sample(x)`, or `s.sample(x, level)` of an image with levels.
 Operand sample(Body& body, const Operand& self, const std::vector<ast::ExprId>& arguments, const ast::Expr& call) {
     Context& c = body.context;
@@ -59,7 +70,7 @@ Operand sample(Body& body, const Operand& self, const std::vector<ast::ExprId>& 
     const ir::TypeId element = structure.element;
     if (arguments.size() != 1 && arguments.size() != 2)
         return wrong_count(body, "sample", "1 or 2", arguments.size(), call.span);
-    if (!body.types().is_floating(body.types().scalar_of(element))) {
+    if (!is_interpolated(body, element)) {
         c.error(Diag::sample_element, call.span, {structure.display, c.text(element)});
         return error_operand(call.span);
     }

@@ -106,11 +106,17 @@ void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made)
 
 namespace {
 
-/// Reports an image as the target of combined writes if devices have no atomic operations on its texels.
-void check_combined_image(Context& c, const ast::Expr& op, ir::StructureId index) {
+/// Reports as the target of combined writes an image, if devices have no atomic operations on its texels, and a field of
+/// elements that are kept whole.
+void check_combined_memory(Context& c, const ast::Expr& op, ir::StructureId index) {
     const ir::Structure& structure = c.program.structures[index];
     if (structure.kind != ir::StructureKind::stored) return;  // a view: check_stored() reports it
     const ir::Memory& memory = ir::root_memory(c.program, structure);
+    const ir::Structure& root = ir::root_structure(c.program, structure);
+    if (!root.apart && !ir::fields_in(c.program, structure, root).empty())
+        note(c.error(Diag::scatter_component, op.span, {c.text(op.name), structure.display, root.display}), op.span,
+             "keep each field in memory of its own (layout: apart), or take the component as 'inout coherent' and "
+             "use an atomic function");
     if (memory.shape == ir::MemoryShape::buffer || has_atomics(memory.format)) return;
     note(c.error(Diag::scatter_image, op.span,
                  {c.text(op.name), structure.display, std::string(ir::spelling(memory.format))}),
@@ -131,7 +137,7 @@ ir::Combine check_combine(Context& c, ast::ExprId operation, ir::StructureId str
     const bool bits = *combine >= ir::Combine::bit_and;
     const bool fits = element == c.types().int_ || element == c.types().uint || (element == c.types().float_ && !bits);
     if (!fits) c.error(Diag::scatter_element, op.span, {c.text(op.name), c.text(element)});
-    else check_combined_image(c, op, structure);
+    else check_combined_memory(c, op, structure);
     return *combine;
 }
 
@@ -139,6 +145,11 @@ void check_coherent(Context& c, ast::Identifier name, ir::StructureId index) {
     const ir::Structure& structure = c.program.structures[index];
     if (structure.kind != ir::StructureKind::stored) return;  // a view: check_stored() reports it
     const ir::Memory& memory = ir::root_memory(c.program, structure);
+    const bool is_gathered =
+        ir::root_structure(c.program, structure).apart && c.types().kind(structure.element) == ir::TypeKind::struct_;
+    if (is_gathered)
+        note(c.error(Diag::coherent_apart, name.span, {structure.display}), name.span,
+             "take the components that are shared, one by one");
     if (memory.shape == ir::MemoryShape::buffer || memory.format == ir::Format::r32i ||
         memory.format == ir::Format::r32ui)
         return;
@@ -364,7 +375,8 @@ void check_effects(Context& c, const ir::Kernel& kernel) {
     const ir::Program& p = c.program;
     const auto memory_of = [&](const ir::Place& place) {
         const ir::Structure& whole = p.structures[kernel.params[place.root].structure];
-        return ir::root_of(p, ir::structure_at(p, whole, place.members), place);
+        const ir::Place root = ir::root_of(p, ir::structure_at(p, whole, place.members), place);
+        return ir::Place{root.root, ir::made_at(p, whole, {root.members.begin(), root.members.end()})};
     };
     const auto text_of = [&](const ir::Place& place) {
         const ir::KernelParam& param = kernel.params[place.root];

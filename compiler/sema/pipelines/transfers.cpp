@@ -8,8 +8,6 @@
 
 namespace gliftc::sema {
 
-namespace {
-
 std::optional<ast::DeclId> find_transfer(Context& c, std::string_view name) {
     for (ir::ModuleId i : c.modules.ids()) {
         if (c.text(c.modules[i].tree->name.name) != transfer_module) continue;
@@ -18,6 +16,8 @@ std::optional<ast::DeclId> find_transfer(Context& c, std::string_view name) {
     }
     return std::nullopt;
 }
+
+namespace {
 
 Meta of_structure(Context& c, ir::StructureId index) {
     Meta meta;
@@ -89,7 +89,8 @@ void require_transfers(Context& c, ir::StructureId index, Span use) {
     bool addressed = structure.kind == ir::StructureKind::stored ||
                      (structure.kind == ir::StructureKind::computed && structure.domain);
     if (structure.kind == ir::StructureKind::no_elements) {
-        for (const ir::MemberStructure& member : structure.members) require_transfers(c, member.structure, use);
+        for (const ir::MemberStructure& member : structure.members)
+            if (!member.is_component) require_transfers(c, member.structure, use);
         return;
     }
     if (!addressed) return;
@@ -119,7 +120,8 @@ void require_transfers(Context& c, ir::StructureId index, Span use) {
     if (!c.settings.looks_into_tables) list_of(c, transfer, use);
     c.program.transfers.push_back(transfer);
     // C++ programs reach the structure's members by name, and read and write them, too.
-    for (const ir::MemberStructure& member : structure.members) require_transfers(c, member.structure, use);
+    for (const ir::MemberStructure& member : structure.members)
+        if (!member.is_component) require_transfers(c, member.structure, use);
 }
 
 }  // namespace gliftc::sema

@@ -41,6 +41,9 @@ ir::ExprId substitute_state(Context&, ir::ExprId, const ir::Stage&);
 /// The value returned by a function that is a single `return`; else absent.
 ir::ExprId single_return(const ir::Program&, ir::FunctionId);
 
+/// The declaration of that name in std.transfer; absent if the module is not loaded.
+std::optional<ast::DeclId> find_transfer(Context&, std::string_view name);
+
 /// The instance of std.transfer's structure Box that holds a box of elements of that type, with that many dimensions,
 /// in a buffer. Empty after an error, or if std.transfer is not loaded.
 ir::StructureId box_of(Context&, std::uint32_t dimensions, ir::TypeId element, Span use);

@@ -104,11 +104,14 @@ bool has_filtered_levels(const Context& c, const ir::Structure& structure) {
 void declare_memory(Body& body, ir::StructureId index, const ir::Memory& memory) {
     ir::Structure& structure = body.program().structures[index];
     structure.memories.push_back(memory);
+    if (memory.fields.empty()) structure.memories.back().declared = memory.name;
+    const Name declared = structure.memories.back().declared;
+    if (!declared) return;
     Symbol symbol;
     symbol.kind = SymbolKind::memory;
     symbol.structure = index;
     symbol.slot = static_cast<std::uint32_t>(structure.memories.size() - 1);
-    declare(body, {memory.name, memory.span}, symbol);
+    declare(body, {declared, memory.span}, symbol);
 }
 
 }  // namespace gliftc::sema

@@ -84,6 +84,34 @@ ir::Compare comparison(Context& c, const ast::Item& item) {
     return found.value_or(ir::Compare::less_equal);
 }
 
+/// Whether the memory is declared with `apart(true)`, and its elements are structs: of others it keeps one buffer.
+bool is_kept_apart(Body& body, const ast::Item& item, ir::TypeId element) {
+    Context& c = body.context;
+    const auto condition = constant_of(c, body.env, item.apart, c.types().bool_);
+    return condition && condition->bits() && c.types().kind(element) == ir::TypeKind::struct_;
+}
+
+/// Adds a buffer for each field that is no struct, at any depth. `declared`, the name in the source, is the first one's.
+void add_apart(Body& body, ir::StructureId index, const ir::Memory& like, const std::vector<std::uint32_t>& path,
+               ir::TypeId type, const std::string& name, Name& declared) {
+    Context& c = body.context;
+    if (c.types().kind(type) == ir::TypeKind::struct_) {
+        const std::vector<ir::StructField> fields = c.program.structs[c.types()[type].struct_].fields;
+        for (std::uint32_t i = 0; i < fields.size(); ++i) {
+            std::vector<std::uint32_t> longer = path;
+            longer.push_back(i);
+            add_apart(body, index, like, longer, fields[i].type, name + "_" + c.text(fields[i].name), declared);
+        }
+        return;
+    }
+    ir::Memory memory = like;
+    memory.name = c.names.intern(name);
+    memory.fields = path;
+    memory.declared = std::exchange(declared, {});
+    memory.element = type;
+    declare_memory(body, index, memory);
+}
+
 // long: all checks of one declaration
 void add_memory(Body& body, ir::StructureId index, const ast::Item& item) {
     Context& c = body.context;
@@ -102,6 +130,7 @@ void add_memory(Body& body, ir::StructureId index, const ast::Item& item) {
              "layers are those of a 2-D image: image2d<F>(extent, layers)");
         return;
     }
+    bool is_apart = false;
     ir::Memory memory;
     memory.name = item.name.name;
     memory.shape = shape.shape;
@@ -136,7 +165,11 @@ void add_memory(Body& body, ir::StructureId index, const ast::Item& item) {
             return;
         }
         memory.element = element.type;
+        is_apart = item.apart && is_kept_apart(body, item, element.type);
     } else {
+        if (item.apart)
+            note(c.error(Diag::memory_form, item.name.span), c[item.apart].span,
+                 "'apart' is for the fields of structs in a buffer: images hold no structs");
         memory.format = element.kind == MetaKind::format ? element.format
                         : element.kind == MetaKind::type ? format_of(c.types(), element.type)
                                                          : ir::Format::none;
@@ -159,7 +192,10 @@ void add_memory(Body& body, ir::StructureId index, const ast::Item& item) {
                             {memory.extent, layers});
     }
     if (item.mips) memory.mips = check_value(body, item.mips, c.types().uint);
-    declare_memory(body, index, memory);
+    if (!is_apart) return declare_memory(body, index, memory);
+    body.program().structures[index].apart = memory.element;
+    Name declared = memory.name;
+    add_apart(body, index, memory, {}, memory.element, c.text(memory.name), declared);
 }
 
 void declare_member(Body& body, ir::StructureId index, std::uint32_t member, ast::Identifier name) {
@@ -406,6 +442,11 @@ bool check_addresses(Context& c, ir::StructureId index) {
     return false;
 }
 
+/// The type of the elements in a structure's own memory; of buffers for single fields, the struct that has the fields.
+ir::TypeId element_of(const ir::Structure& structure) {
+    return structure.apart ? structure.apart : structure.memories[0].element;
+}
+
 void finish_structure(Body& body, ir::StructureId index, const ast::Item* domain, const ast::Item* otherwise) {
     Context& c = body.context;
     Span at = c.program.structures[index].span;
@@ -422,7 +463,7 @@ void finish_structure(Body& body, ir::StructureId index, const ast::Item* domain
     if (!check_addresses(c, index) || !check_own_memory(c, index)) return;
     ir::Structure& structure = c.program.structures[index];
     const ir::TypeId element =
-        has_base ? ir::structure_at(c.program, structure, structure.base).element : structure.memories[0].element;
+        has_base ? ir::structure_at(c.program, structure, structure.base).element : element_of(structure);
     structure.element = element;
     if (ir::is_computed(c.program, structure)) structure.kind = ir::StructureKind::computed, structure.copyable = false;
     ir::ExprId extent = domain_of(body, index, domain);
@@ -529,11 +570,12 @@ void bring_members_into_scope(Body& body, ir::StructureId index) {
         declare_member(body, index, i, {structure.members[i].name, structure.members[i].span});
     declare_base(body, index);
     for (std::uint32_t i = 0; i < structure.memories.size(); ++i) {
+        if (!structure.memories[i].declared) continue;
         Symbol symbol;
         symbol.kind = SymbolKind::memory;
         symbol.structure = index;
         symbol.slot = i;
-        declare(body, {structure.memories[i].name, structure.memories[i].span}, symbol);
+        declare(body, {structure.memories[i].declared, structure.memories[i].span}, symbol);
     }
     for (std::uint32_t i = 0; i < structure.host.size(); ++i) {
         Symbol symbol;

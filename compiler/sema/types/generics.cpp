@@ -448,7 +448,24 @@ bool Arguments::finish(bool quiet) {
         }
         env.bindings.emplace_back(param.name.name, *found[i]);
     }
+    env.shown = decl.generics.size();
+    while (env.shown > 0 && is_default(env.shown - 1)) --env.shown;
     return true;
+}
+
+/// Whether the argument is the parameter's default. Defaults that are longer than a name or a number count as others.
+bool Arguments::is_default(std::size_t i) {
+    const ast::GenericParam& param = decl.generics[i];
+    if (!param.default_value || param.is_unnamed()) return false;
+    using enum ast::ExprKind;
+    const ast::ExprKind kind = context[param.default_value].kind;
+    const bool is_short = kind == name || kind == member || kind == generic || kind == int_literal ||
+                          kind == bool_literal || kind == none_literal;
+    if (!is_short) return false;
+    const Meta given = *found[i];
+    const bool is_it = take(i, env, param.default_value, env, true) && same(*found[i], given);
+    found[i] = given;
+    return is_it;
 }
 
 void infer_from_literal(Arguments& arguments, ast::ExprId pattern, ast::ExprId literal) {
@@ -457,9 +474,10 @@ void infer_from_literal(Arguments& arguments, ast::ExprId pattern, ast::ExprId l
 
 std::string display_of(const Context& c, const ast::Decl& decl, const Env& env) {
     std::string text = c.text(decl.name.name);
-    if (decl.generics.empty()) return text;
+    const std::size_t shown = std::min(decl.generics.size(), env.shown);
+    if (shown == 0) return text;
     text += "<";
-    for (std::size_t i = 0; i < decl.generics.size(); ++i) {
+    for (std::size_t i = 0; i < shown; ++i) {
         const Meta* meta = env.find(decl.generics[i].name.name);
         text += (i ? ", " : "") + (meta ? to_text(c, *meta) : c.text(decl.generics[i].name.name));
     }
@@ -469,9 +487,10 @@ std::string display_of(const Context& c, const ast::Decl& decl, const Env& env) 
 std::string qualified_display_of(const Context& c, ast::DeclId id, const Env& env) {
     const ast::Decl& decl = c[id];
     std::string text = ir::module_text(c.program, c.module_of.at(id)) + c.text(decl.name.name);
-    if (decl.generics.empty()) return text;
+    const std::size_t shown = std::min(decl.generics.size(), env.shown);
+    if (shown == 0) return text;
     text += "<";
-    for (std::size_t i = 0; i < decl.generics.size(); ++i) {
+    for (std::size_t i = 0; i < shown; ++i) {
         const Meta* meta = env.find(decl.generics[i].name.name);
         text += (i ? ", " : "") + (meta ? to_qualified_text(c, *meta) : c.text(decl.generics[i].name.name));
     }

@@ -52,6 +52,7 @@ private:
     bool report_count(std::size_t most, std::size_t found) const;
     bool finish_unnamed(std::size_t index, bool quiet);
     bool take(std::size_t i, const Env& user, ast::ExprId argument, const Env& known, bool quiet);
+    bool is_default(std::size_t i);
     bool take_named(const Env& user, const ast::Expr& argument, bool quiet);
 };
 

@@ -4,6 +4,7 @@
 #include "sema/names/defines.h"
 #include "sema/names/lookup.h"
 #include "sema/names/unknown_names.h"
+#include "sema/structures/projection.h"
 #include "sema/types/generics.h"
 #include "sema/types/instances.h"
 #include "sema/types/type_size.h"
@@ -242,6 +243,40 @@ Meta meta_of_generic(Context& c, const Env& env, const ast::Expr& expr) {
     return meta_of_declaration(c, id, inner, expr.span);
 }
 
+/// `Grid.density`, where `left` means a structure: the type of its component. A structure that is made already is not
+/// made anew.
+Meta meta_of_component(Context& c, const Meta& left, const ast::Expr& expr) {
+    const ir::StructureId whole = c.types()[left.type].structure;
+    const auto is_it = [&](const ir::MemberStructure& member) { return member.name == expr.name; };
+    const auto& members = c.program.structures[whole].members;
+    const auto found = std::ranges::find_if(members, is_it);
+    if (found != members.end()) return of_type(c.types().of_structure(found->structure));
+    if (const auto made = component_of(c, whole, {expr.name, expr.name_span}))
+        return of_type(c.types().of_structure(c.program.structures[whole].members[*made].structure));
+    Diagnostic& diagnostic =
+        c.error(Diag::unknown_member, expr.name_span, {c.program.structures[whole].display, c.text(expr.name)});
+    const std::string_view meant = did_you_mean(c.text(expr.name), component_names(c, whole));
+    if (!meant.empty()) note(diagnostic, expr.name_span, "did you mean '" + std::string(meant) + "'?");
+    return {};
+}
+
+/// The structure that the expression names; a Meta of kind `none`, without an error, if it names anything else.
+Meta owner_named(Context& c, const Env& env, ast::ExprId id) {
+    const ast::Expr& expr = c[id];
+    const bool may_be = expr.kind == ast::ExprKind::generic || expr.kind == ast::ExprKind::member ||
+                        expr.kind == ast::ExprKind::name;
+    if (!may_be) return {};
+    if (expr.kind == ast::ExprKind::name) {
+        const Meta named = find_meta(c, env, {expr.name, expr.span});
+        const bool is_type = named.kind == MetaKind::type ||
+                             (named.kind == MetaKind::declarations && is_type_declaration(c[named.declarations[0]]));
+        if (!is_type) return {};
+    }
+    Meta meta = meta_of(c, env, id);
+    const bool is_structure = meta.kind == MetaKind::type && c.types().kind(meta.type) == ir::TypeKind::structure;
+    return is_structure ? meta : Meta{};
+}
+
 Meta meta_of_array(Context& c, const Env& env, const ast::Expr& expr) {
     ir::TypeId element = type_of(c, env, expr.operands[0]);
     if (element == c.types().error) return {};
@@ -340,6 +375,8 @@ Meta meta_of(Context& c, const Env& env, ast::ExprId id) {
             Meta meta = find_in_module(c, env, module, {expr.name, expr.name_span});
             return without_arguments(c, std::move(meta), expr.span);
         }
+        if (const Meta left = owner_named(c, env, expr.operands[0]); left.kind == MetaKind::type)
+            return meta_of_component(c, left, expr);
         break;
     case ast::ExprKind::binary:
         if (expr.binary == ast::BinaryOp::then) {

@@ -75,6 +75,8 @@ struct Binding {
     bool as_bits = false;              ///< a storage image of floats whose bits are accessed as ints
     std::uint32_t address_offset = 0;  ///< general form, buffers: byte offset of the 64-bit address in the parameters
     std::uint32_t element_bytes = 4;   ///< buffers: bytes of an element
+    std::uint32_t field_offset = 0;    ///< buffers: where the part of each element that alone is accessed begins,
+    std::uint32_t field_bytes = 0;     ///< and its bytes; 0: the whole
     /// Number of the binding's parameter among those that are structures or values on the device.
     std::uint32_t parameter = 0;
     Reach reach = Reach::memory;
@@ -85,6 +87,11 @@ struct Binding {
     std::uint32_t apart_from = 0;
 
     bool is_apart_from(std::uint32_t other) const { return other < 32 && (apart_from >> other & 1) != 0; }
+    /// Whether both access elements of one size, and different fields of them.
+    bool has_other_fields(const Binding& other) const {
+        if (field_bytes == 0 || other.field_bytes == 0 || element_bytes != other.element_bytes) return false;
+        return field_offset + field_bytes <= other.field_offset || other.field_offset + other.field_bytes <= field_offset;
+    }
 };
 
 /// A location in the source.
