@@ -73,6 +73,31 @@ const Structure& whole_of(const Program& program, const Structure& structure) {
     return *whole;
 }
 
+bool have_one_whole(const Program& program, const KernelParam& one, const KernelParam& other) {
+    if (one.structure == other.structure || !one.structure || !other.structure) return false;
+    return &whole_of(program, program.structures[one.structure]) ==
+           &whole_of(program, program.structures[other.structure]);
+}
+
+/// The path from a structure to its whole (whole_of()).
+static RareVector<std::uint32_t> path_to_whole(const Program& program, const Structure& structure) {
+    RareVector<std::uint32_t> path;
+    for (const Structure* at = &structure; at->field; at = &structure_at(program, *at, at->base)) path.append(at->base);
+    return path;
+}
+
+std::optional<Place> seen_from(const Program& program, const Kernel& kernel, const Place& place, std::uint32_t to) {
+    const auto whole_from = [&](std::uint32_t param) {
+        return path_to_whole(program, program.structures[kernel.params[param].structure]);
+    };
+    const RareVector<std::uint32_t> from = whole_from(place.root);
+    if (place.members.size() < from.size() || !std::equal(from.begin(), from.end(), place.members.begin()))
+        return std::nullopt;
+    Place seen{to, whole_from(to)};
+    seen.members.append(place.members.begin() + from.size(), place.members.end());
+    return seen;
+}
+
 std::vector<std::uint32_t> fields_in(const Program& program, const Structure& structure, const Structure& link) {
     std::vector<std::uint32_t> fields;
     for (const Structure* at = &structure; at != &link; at = &structure_at(program, *at, at->base))

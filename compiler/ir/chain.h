@@ -30,6 +30,14 @@ const Memory& root_memory(const Program& program, const Structure& structure);
 /// none.
 const Structure& whole_of(const Program& program, const Structure& structure);
 
+/// Whether one of two parameters has a component of the structure that the other has, or of which the other has another
+/// component.
+bool have_one_whole(const Program& program, const KernelParam& one, const KernelParam& other);
+
+/// Of parameters that have_one_whole(): a place that begins at one of them, within the whole, as a path from the parameter
+/// `to`. Absent: it is not within the whole.
+std::optional<Place> seen_from(const Program& program, const Kernel& kernel, const Place& place, std::uint32_t to);
+
 /// The fields by which the elements of `structure` lie in those of `link`, one of the structures of its chain, outermost
 /// first: of components (Structure::field). Empty: they are those elements.
 std::vector<std::uint32_t> fields_in(const Program& program, const Structure& structure, const Structure& link);

@@ -459,9 +459,10 @@ struct KernelParam {
     std::uint32_t radius = 0;  ///< of near: the largest offset from the current address, along each axis
     Combine combine = Combine::replace;  ///< of scatter
     LocalId local;                       ///< of value and argument: holds the value in the body
-    std::uint32_t alike =
-        0;  ///< the first parameter that the direct form (ir/pass.h) assumes to have the same state (sizes), which is
-            ///< then passed once for both; the parameter itself if there is none before it
+    /// The first parameter that the direct form (ir/pass.h) assumes to have the same state (sizes), which is then passed
+    /// once for both; the parameter itself if there is none before it. If the two have_one_whole() (ir/chain.h), that
+    /// form also assumes that both are of one structure: what translates their addresses is then bound and read once.
+    std::uint32_t alike = 0;
 };
 
 /// A kernel before lowering. Its body uses Place{root = index in params}.

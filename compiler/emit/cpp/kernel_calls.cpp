@@ -194,9 +194,34 @@ void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& p
              (sizes.empty() ? ");" : ", {" + sizes + "});"));
 }
 
+/// Further conditions that the parameter `index` and the one which it is alike are of one structure: the states of the
+/// structures are the same, and the memories that are bound for both.
+std::string of_one_whole(Unit& unit, const Kernel& kernel, const Pass& direct, std::uint32_t index) {
+    const std::uint32_t first = kernel.params[index].alike;
+    const auto whole = [&](std::uint32_t root) {
+        const bool is_component = unit.program.structures[kernel.params[root].structure].field.has_value();
+        std::string text = param_name(unit, kernel.params[root]) + (is_component ? "->" : ".structure()");
+        for (ir::StructureId id = kernel.params[root].structure; unit.program.structures[id].field;) {
+            const std::uint32_t member = unit.program.structures[id].base[0];
+            text += (text.ends_with("->") ? "" : ".") + unit.globals.class_names[id].members[member] + "()";
+            id = unit.program.structures[id].members[member].structure;
+        }
+        return text;
+    };
+    std::string condition = " && " + whole(first) + ".same_state(" + whole(index) + ")";
+    for (const PassBinding& binding : direct.bindings) {
+        if (binding.is_workspace || binding.place.root != first || ir::is_addressed(unit.program, kernel, binding)) continue;
+        const std::optional<ir::Place> other = ir::seen_from(unit.program, kernel, binding.place, index);
+        if (!other) continue;
+        condition += " && " + memory_text(unit, kernel.params[first], binding.place) + " == " +
+                     memory_text(unit, kernel.params[index], *other);
+    }
+    return condition;
+}
+
 /// The condition under which a call takes the direct form: the device can run it for these ranges and memories, and
 /// parameters that the form assumes to have the same state (KernelParam::alike) do.
-std::string direct_condition(const Unit& unit, const Kernel& kernel, const Pass& direct) {
+std::string direct_condition(Unit& unit, const Kernel& kernel, const Pass& direct) {
     std::string condition =
         std::string("iteration.can_be_direct(commands, ") + (direct.bindings.empty() ? "{}" : "memories") + ")";
     for (std::size_t i = 0; i < kernel.params.size(); ++i) {
@@ -204,10 +229,13 @@ std::string direct_condition(const Unit& unit, const Kernel& kernel, const Pass&
         for (std::size_t k = i + 1; k < kernel.params.size(); ++k) {
             if (!ir::is_structure(kernel.params[k])) continue;
             if (kernel.params[k].alike != kernel.params[i].alike) continue;
+            if (kernel.params[k].structure != kernel.params[i].structure) continue;
             condition += " && " + param_name(unit, kernel.params[i]) + "->same_state(" +
                          param_name(unit, kernel.params[k]) + ".structure())";
             break;
         }
+        if (ir::have_one_whole(unit.program, kernel.params[i], kernel.params[kernel.params[i].alike]))
+            condition += of_one_whole(unit, kernel, direct, static_cast<std::uint32_t>(i));
     }
     return condition;
 }

@@ -32,6 +32,9 @@ std::uint32_t Expander::bound(const Place& of_structure, std::uint32_t memory,
     auto& bindings = cx.pass.bindings;
     Place place = root_of(p, cx.structure_at(of_structure), of_structure);
     place.members = made_at(p, cx.structure_at({place.root, {}}), {place.members.begin(), place.members.end()});
+    // Elements have a binding for each parameter; what translates their addresses has one for all that are of one whole.
+    const bool is_of_elements = place == root_of(p, cx.structure_at({place.root, {}}), {place.root, {}});
+    if (!is_of_elements && is_of_one_whole(place.root)) place = canonical(place);
     const Memory& of = cx.structure_at(place).memories[memory];
     const MemoryShape shape =
         of.shape == MemoryShape::imagecube && !by_direction ? MemoryShape::image2darray : of.shape;

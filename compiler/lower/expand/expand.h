@@ -438,6 +438,7 @@ private:
     /// same state (KernelParam::alike). In other forms the place itself.
     ir::Place canonical(const ir::Place& place) const;
     std::uint32_t canonical_root(std::uint32_t root) const;
+    bool is_of_one_whole(std::uint32_t root) const;
     /// Makes a `let` of the value, unless it is trivial (is_trivial) or uniform; gives a uniform value the name.
     ExprId named(const std::string& name, ExprId value);
     void note_name(ExprId value, Name name);  ///< notes the name that the source gives to a value

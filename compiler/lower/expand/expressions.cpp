@@ -21,7 +21,16 @@ std::uint32_t Expander::canonical_root(std::uint32_t root) const {
 
 Place Expander::canonical(const Place& place) const {
     const Structure& whole = cx.structure_at({place.root, {}});
-    return {canonical_root(place.root), made_at(p, whole, {place.members.begin(), place.members.end()})};
+    const std::uint32_t root = canonical_root(place.root);
+    const Place made{place.root, made_at(p, whole, {place.members.begin(), place.members.end()})};
+    if (is_of_one_whole(place.root)) return seen_from(p, cx.kernel, made, root).value_or(made);
+    return {root, made.members};
+}
+
+/// Whether the parameter is assumed to be of the structure that the parameter which represents it is of, too.
+bool Expander::is_of_one_whole(std::uint32_t root) const {
+    const auto& params = cx.kernel.params;
+    return cx.is_direct() && have_one_whole(p, params[root], params[params[root].alike]);
 }
 
 std::string Expander::prefixed(std::string_view name) const {

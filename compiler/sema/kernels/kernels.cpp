@@ -195,18 +195,20 @@ void find_domain(Context& c, const ast::Kernel& written, ir::Kernel& kernel, boo
 
 /// Whether two parameters of one structure type are likely to get arguments of the same size, so that they can share
 /// pass parameters and address arithmetic: both ranges have the size of the visited one, or both are declared by the
-/// same type text (`S` and `S`, not `S` and `D`).
+/// same type text (`S` and `S`, not `S` and `D`). Different components of one structure type, or the structure and a
+/// component, are likely to be of one structure.
 bool are_alike(const Context& c, const ast::Kernel& written, const ir::Kernel& kernel, std::size_t i, std::size_t k) {
     const ir::KernelParam &one = kernel.params[i], &other = kernel.params[k];
     if (one.pattern == ir::Pattern::value || other.pattern == ir::Pattern::value) return false;
-    if (one.structure != other.structure) return false;
+    const bool are_components = ir::have_one_whole(c.program, one, other);
+    if (one.structure != other.structure && !are_components) return false;
     if (one.pattern == ir::Pattern::calls || other.pattern == ir::Pattern::calls) return false;
     if (c.program.structures[one.structure].kind == ir::StructureKind::no_elements) return false;
     // The ranges of corners, instances and pixels of a draw have sizes independent of each other.
     if (kernel.raster && one.pattern != other.pattern && (ir::visits(one.pattern) || ir::visits(other.pattern)))
         return false;
     if (ir::follows_iteration(one.pattern) && ir::follows_iteration(other.pattern)) return true;
-    return print(written.params[i].type, c.tree, c.names) == print(written.params[k].type, c.tree, c.names);
+    return are_components || print(written.params[i].type, c.tree, c.names) == print(written.params[k].type, c.tree, c.names);
 }
 
 void find_alike(const Context& c, const ast::Kernel& written, ir::Kernel& kernel) {
