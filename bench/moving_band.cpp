@@ -50,7 +50,7 @@ std::uint32_t capacity_of(float radius) {
 
 Times measure(const glift::Device& device, const Case& one, const Options& options) {
     const glift::uint3 extent{one.side, one.side, one.side};
-    band::Band band(device, extent, capacity_of(one.radius), 0.0f), nothing(device, extent, 1, 0.0f);
+    band::Band band(device, extent, capacity_of(one.radius)), nothing(device, extent, 1);
     moving_shell::Clock clock(device, 1);
     moving_shell::begin(device, band, clock, one.radius);
     const auto time = [&](const std::function<void(const glift::Commands&)>& work) {

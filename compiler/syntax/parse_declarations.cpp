@@ -32,9 +32,9 @@ std::vector<ast::MemberPattern> Parser::parse_with() {
 }
 
 /// function = "fn" name [ generic-parameters ] parameters [ group ] [ with ] [ "->" type ] ( block | ";" ) ;
-ast::Function Parser::parse_function() {
+ast::Function Parser::parse_function(std::vector<ast::GenericParam>& generics) {
     ast::Function function;
-    function.params = parse_params();
+    function.params = parse_patterned_params(generics);
     function.group = parse_group();
     function.with = parse_with();
     if (accept(TokenKind::arrow)) function.result = parse_type();
@@ -144,7 +144,7 @@ ast::DeclId Parser::parse_method() {
     decl.name = parse_name("a function");
     decl.generics = parse_generic_params();
     if (lost_) return {};
-    decl.body = parse_function();
+    decl.body = parse_function(decl.generics);
     decl.span = since(first);
     return tree_.decls.add(std::move(decl));
 }
@@ -187,7 +187,7 @@ std::vector<ast::ExprId> Parser::parse_group() {
 /// kernel = "kernel" name [ generic-parameters ] parameters [ group ] block ;
 ast::Kernel Parser::parse_kernel(std::vector<ast::GenericParam>& generics) {
     ast::Kernel kernel;
-    kernel.params = parse_kernel_params(generics);
+    kernel.params = parse_patterned_params(generics);
     kernel.group = parse_group();
     if (at(TokenKind::arrow)) fail_expected("'{'", "a kernel returns nothing: it writes through its 'out' parameters");
     kernel.body = parse_block();

@@ -161,7 +161,7 @@ void Parser::parse_declaration_body(Decl& decl) {
 /// Parses what follows the name, depending on the keyword before it.
 void Parser::parse_body_after_name(Decl& decl, const Token& keyword) {
     using enum TokenKind;
-    if (keyword.kind == kw_fn) decl.body = parse_function();
+    if (keyword.kind == kw_fn) decl.body = parse_function(decl.generics);
     if (keyword.kind == kw_struct) decl.body = decl.is_extern ? parse_extern_struct() : parse_struct();
     if (keyword.kind == kw_enum) decl.body = parse_enum();
     if (keyword.kind == kw_interface) decl.body = parse_interface();

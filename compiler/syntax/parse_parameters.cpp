@@ -20,7 +20,7 @@ std::vector<ast::Param> Parser::parse_params(Params kind) {
     std::uint32_t open = cursor_;
     if (!expect(TokenKind::open_paren)) return params;
     while (!at(TokenKind::close_paren) && !at_end() && !lost_) {
-        ast::Param param = parse_param(kind == Params::of_kernel ? Bare::allowed : Bare::refused);
+        ast::Param param = parse_param(kind == Params::patterned ? Bare::allowed : Bare::refused);
         parse_default(param, params, kind);
         params.push_back(std::move(param));
         if (!accept(TokenKind::comma)) break;
@@ -29,10 +29,10 @@ std::vector<ast::Param> Parser::parse_params(Params kind) {
     return params;
 }
 
-/// The parameters of a kernel. Adds the unnamed ones among its generic parameters to `generics`: that of `at` last,
+/// The parameters of a kernel or function. Adds the unnamed ones among its generic parameters to `generics`: that of `at` last,
 /// since its default is the structure that another pattern names.
-std::vector<ast::Param> Parser::parse_kernel_params(std::vector<ast::GenericParam>& generics) {
-    std::vector<ast::Param> params = parse_params(Params::of_kernel);
+std::vector<ast::Param> Parser::parse_patterned_params(std::vector<ast::GenericParam>& generics) {
+    std::vector<ast::Param> params = parse_params(Params::patterned);
     if (lost_) return params;
     for (ast::Param& param : params)
         if (param.pattern != Pattern::at) add_unnamed(param, generics);
@@ -147,7 +147,7 @@ ast::Pattern Parser::pattern_here(Bare bare) const {
 }
 
 /// pattern = ( "each" | "near" | "any" | "at" | "scatter" | "coherent" | "calls" | "target" | "instance" | "range" )
-///           [ "<" generic-argument { "," generic-argument } ">" ] ;      the brackets may be left out in kernels
+///           [ "<" generic-argument { "," generic-argument } ">" ] ;      the brackets may be left out in kernels and functions
 void Parser::parse_pattern(ast::Param& param, Bare bare) {
     const std::string_view word = text_of(peek());
     param.pattern_span = span_of(advance());

@@ -8,7 +8,7 @@ namespace gliftc {
 ast::Kernel Parser::parse_raster(std::vector<ast::GenericParam>& generics) {
     ast::Kernel kernel;
     kernel.raster.emplace();
-    kernel.params = parse_kernel_params(generics);
+    kernel.params = parse_patterned_params(generics);
     if (at(TokenKind::arrow)) fail_expected("'{'", "a raster returns nothing: it writes through its targets");
     std::uint32_t open = cursor_;
     if (lost_ || !expect(TokenKind::open_brace)) return kernel;

@@ -159,7 +159,7 @@ private:
     ast::Alias parse_type_alias();
     std::vector<ast::Attribute> parse_attributes();
     std::vector<ast::MemberPattern> parse_with();
-    ast::Function parse_function();
+    ast::Function parse_function(std::vector<ast::GenericParam>& generics);
     ast::Struct parse_struct();
     ast::Struct parse_extern_struct();
     ast::Field parse_field();
@@ -178,11 +178,11 @@ private:
     DeclId parse_method();
 
     // ---- parameters (parse_parameters.cpp)
-    enum class Params : std::uint8_t { plain, of_kernel, of_constructor };
+    enum class Params : std::uint8_t { plain, patterned, of_constructor };
     enum class Bare : bool { refused, allowed };  ///< whether a pattern may stand without a structure: `in each`
     std::vector<ast::Param> parse_params(Params kind = Params::plain);
     void parse_default(ast::Param& param, const std::vector<ast::Param>& earlier, Params kind);
-    std::vector<ast::Param> parse_kernel_params(std::vector<ast::GenericParam>& generics);
+    std::vector<ast::Param> parse_patterned_params(std::vector<ast::GenericParam>& generics);
     ast::Param parse_param(Bare bare);
     ast::Direction parse_direction();
     ast::Pattern pattern_here(Bare bare = Bare::refused) const;

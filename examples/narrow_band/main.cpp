@@ -76,7 +76,7 @@ class Run {
 public:
     Run(glift::Device device, const Arguments& arguments)
         : arguments_(arguments), device_(std::move(device)),
-          band_(device_, {arguments.extent, arguments.extent, arguments.extent}, arguments.pages, far),
+          band_(device_, {arguments.extent, arguments.extent, arguments.extent}, arguments.pages, {far, far}),
           picture_(device_, {arguments.size, arguments.size}) {
         const std::vector<front::Ball> balls = balls_of(arguments);
         front::Balls given(device_, static_cast<glift::uint>(balls.size()));
@@ -132,11 +132,11 @@ private:
     void draw(std::uint32_t step) {
         char number[16];
         std::snprintf(number, sizeof number, "%04u.png", step);
-        front_picture::shade(device_, band_.now_everywhere(), view_of(arguments_.extent), picture_);
+        front_picture::shade(device_, band_.now(), view_of(arguments_.extent), picture_);
         write(arguments_.out / (std::string("front_") + number));
         const std::uint32_t shown = std::min(arguments_.size, arguments_.extent);
         const uint3 first{(arguments_.extent - shown) / 2, (arguments_.extent - shown) / 2, arguments_.extent / 2};
-        front_picture::slice(device_, band_.now_everywhere(), first,
+        front_picture::slice(device_, band_.now(), first,
                              static_cast<float>(shown) / static_cast<float>(arguments_.size), picture_);
         write(arguments_.out / (std::string("slice_") + number));
     }

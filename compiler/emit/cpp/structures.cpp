@@ -381,20 +381,18 @@ void print_same_state(Unit& unit, Writer& out, ir::StructureId index, const Clas
     out.gap();
 }
 
-/// Prints the functions that make the components which this module's code knows.
-void print_components(Unit& unit, Writer& out, ir::StructureId index, const ClassNames& names) {
-    const Structure& structure = unit.program.structures[index];
-    for (std::size_t i = 0; i < structure.members.size(); ++i) {
-        const ir::StructureId component = structure.members[i].structure;
-        const auto& known = unit.reach.structures;
-        if (!structure.members[i].is_component || std::ranges::find(known, component) == known.end()) continue;
-        const std::string& type = unit.own_name(component);
-        out.open(unit.linkage(structure.key) + type + " " + unit.own_name(index) + "::" + names.members[i] +
-                 "() const");
-        out.line("return " + type + "(*this);");
-        out.close();
-        out.gap();
-    }
+/// Prints the function of the whole's class that makes the component.
+void print_maker(Unit& unit, Writer& out, ir::StructureId component) {
+    const Structure& structure = unit.program.structures[component];
+    const ir::StructureId whole = structure.members[0].structure;
+    const std::vector<ir::MemberStructure>& members = unit.program.structures[whole].members;
+    const auto own = std::ranges::find(members, component, &ir::MemberStructure::structure);
+    const std::string& name = unit.globals.class_names[whole].members[static_cast<std::size_t>(own - members.begin())];
+    const std::string& type = unit.own_name(component);
+    out.open(unit.linkage(structure.key) + type + " " + unit.own_name(whole) + "::" + name + "() const");
+    out.line("return " + type + "(*this);");
+    out.close();
+    out.gap();
 }
 
 }  // namespace
@@ -520,7 +518,7 @@ void print_class_members(Unit& unit, Writer& out, ir::StructureId index) {
         out.gap();
     }
     print_same_state(unit, out, index, names);
-    print_components(unit, out, index, names);
+    if (structure.field) print_maker(unit, out, index);
     if (has_rows(unit.program, structure)) print_place(unit, out, index);
     print_methods(unit, out, index);
 }
