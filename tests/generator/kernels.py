@@ -210,7 +210,7 @@ class Kernels:
 
     def combined_structures(self):
         """Structures in buffers and images whose elements `scatter` can combine: their element is one int, uint or float."""
-        return [s for s in self.structures.all if s.element in (INT, UINT, FLOAT)]
+        return [s for s in self.structures.all if s.element in (INT, UINT, FLOAT) and s.combines]
 
     def add_scatter(self, kernel, name):
         structure = self.random.choice(self.combined_structures())
@@ -531,10 +531,13 @@ class Kernels:
         return p is kernel.bare_address and given and self.random.chance(50)
 
     def test(self, kernel):
-        lines = []
+        lines, self.objects, wholes = [], {}, {}
         for i, p in enumerate(kernel.params):
             if p.structure:
-                lines += self.structures.prepared(p.name, p.structure, p.extent or kernel.extent, 100 * i)
+                extent = p.extent or kernel.extent
+                made = self.made_already(p, extent, wholes)
+                self.objects[p.name] = made or p.name
+                lines += self.structures.prepared(made or p.name, p.structure, extent, 100 * i, bool(made))
                 if p.structure is BAG:
                     lines.append(f"seed_uint({p.name}.given, {i}u, {p.name}.given);")
         values = [f"{self.types.made(p.value, f'{self.random.below(1000)}u')}" for p in kernel.params if p.value]
@@ -548,6 +551,18 @@ class Kernels:
         if on_device:
             calls = self.arms(kernel, values, calls)
         return Node(f'test "{kernel.name}" {{\n', Items([Node(line) for line in lines + calls]), "\n}")
+
+    def made_already(self, p, extent, wholes):
+        """The object of which an earlier parameter has another component; None: this one's is to be made."""
+        if not p.structure.whole:
+            return None
+        known = wholes.setdefault((p.structure.whole, tuple(extent)), [])
+        for name, fields in known:
+            if p.structure.field not in fields and self.random.chance(60):
+                fields.add(p.structure.field)
+                return name
+        known.append((p.name, {p.structure.field}))
+        return None
 
     def on_device(self, t, value):
         """A kernel's argument, often one that the host does not know: made from an element of the structure `d`."""
@@ -576,8 +591,11 @@ class Kernels:
         last = [self.random.between(low, side) for low, side in zip(first, kernel.extent)]
         return f"[{extent_text(first)}..{extent_text(last)}]"
 
+    def argument(self, p):
+        return p.structure.argument(self.objects[p.name]) if p.structure else p.name
+
     def call(self, kernel, values, box):
         values = iter(values)
-        arguments = [next(values) if p.value else p.name + (box if box and p.moves else "") for p in kernel.params
+        arguments = [next(values) if p.value else self.argument(p) + (box if box and p.moves else "") for p in kernel.params
                      if not self.leaves_out(kernel, p)]
         return f"{kernel.name}({', '.join(arguments)});"

@@ -84,7 +84,7 @@ class Structure:
     """A structure type: how to construct it for an extent, and what kernels may do with it."""
 
     def __init__(self, name, axes, element, extra="", each=True, is_dense=True, capacity=None, buffer=True, block=None, folds=False,
-                 owns=True, renews=False):
+                 owns=True, renews=False, whole=None, field=None, combines=True):
         self.name, self.axes, self.element, self.extra = name, axes, element, extra
         self.block = block        # the size of a block; None: the whole domain is one
         self.each = each          # allows `out each`
@@ -93,10 +93,18 @@ class Structure:
         self.buffer = buffer
         self.folds = folds  # an address outside the domain leads to an element: by an edge mode
         self.renews = renews  # a container with a pipeline `renew`, which gives it other memory
+        self.whole, self.field = whole, field  # a component: the structure that it is the field of, which `make` makes; else None
+        self.combines = combines  # `scatter` may combine into its elements
         self.owns = owns    # with `each`: no two addresses of the domain lead to one element, not even by the memory's edge mode
+
+    def argument(self, name):
+        """The structure as an argument, where `name` is what `make` makes."""
+        return f"{name}.{self.field}" if self.field else name
 
     def make(self, extent):
         size = extent_text(extent)
+        if self.whole:
+            return f"{self.whole}({size})"
         if self.capacity:
             return f"{self.name}({size}, {pages_of(extent, self.capacity)}u)"
         return f"{self.name}({size}{self.extra})"
@@ -136,9 +144,27 @@ class Structures:
         maker = self.random.weighted([(3, self.array), (3, self.edged), (2, self.bordered), (3, self.image), (3, self.tiled),
                                       (2, self.morton), (5, self.own), (3, self.composed), (2, self.paged),
                                       (5, self.over), (6, self.blocks)])
+        if self.random.chance(25):
+            return self.components(name, axes)
         structure, text = maker(name, axes, self.random.choice(self.elements))
         self.all.append(structure)
         return Node(text)
+
+    def components(self, name, axes):
+        """A structure of structs, whose fields are kept together or apart, and its components."""
+        fields = {"u": self.random.choice(self.elements), "v": self.random.choice(self.elements), "w": FLOAT}
+        layout = self.random.choice(["together", "apart"])
+        declared = f"struct Of{name} {{ " + " ".join(f"{f}: {t.text()};" for f, t in fields.items()) + " }"
+        if self.random.chance(50):
+            whole = f"structure {name} = Array<{axes}, Of{name}, layout: {layout}>;"
+        else:
+            order = self.random.choice([o for o, (kind, needs, _) in ORDERS.items() if needs in (0, axes) and kind == "one_to_one"])
+            generic = f"<{axes}>" if not ORDERS[order][1] else ""
+            apart = self.random.choice([f" apart({'true' if layout == 'apart' else 'false'})", ""] if layout == "together" else [" apart(true)"])
+            whole = (f"structure {name}(extent: {vector(axes, UINT).text()}) {{\n    memory data = buffer<Of{name}>[volume(extent)]{apart};\n"
+                     f"    via {order}{generic}(extent);\n}}")
+        self.all += [Structure(f"{name}.{f}", axes, t, whole=name, field=f, combines=layout == "apart") for f, t in fields.items()]
+        return Node(declared + "\n" + whole)
 
     def array(self, name, axes, t):
         return Structure(name, axes, t), f"structure {name} = Array<{axes}, {t.text()}>;"
@@ -209,7 +235,7 @@ class Structures:
 
     def inner(self, axes):
         """A structure of the program without blocks whose constructor takes an extent alone; None if there is none."""
-        found = [s for s in self.all if s.axes == axes and not s.extra and not s.capacity and not s.block]
+        found = [s for s in self.all if s.axes == axes and not s.extra and not s.capacity and not s.block and not s.field]
         return self.random.choice(found) if found else None
 
     def container_items(self, memory, made):
@@ -265,9 +291,9 @@ class Structures:
         return Node(f"kernel seed_{name}<D: type, S: Structure<D, {t.text()}>>(a: at<S>, seed: uint, to: out scatter<S>) {{\n"
                     f"to[a] = made_{name}(digest(a) * 7u + seed);\n}}")
 
-    def prepared(self, name, structure, extent, seed):
-        """Statements of a test that construct a structure, and fill it if it allows `out each`."""
-        lines = [f"temp {name} = {structure.make(extent)};"]
+    def prepared(self, name, structure, extent, seed, is_made=False):
+        """Statements of a test that construct a structure, unless it is made already, and fill it if it allows `out each`."""
+        lines = [] if is_made else [f"temp {name} = {structure.make(extent)};"]
         if structure.renews:
             lines.append(f"{name}.renew();")
         if structure.capacity:
@@ -279,7 +305,8 @@ class Structures:
             step = next(s for s in range(3, 100, 2) if coprime(s, number))
             lines.append(f"make_blocks({name}.list, {self.random.between(0, number + 1)}u, {number}u, {step}u);")
         if structure.each:
-            lines.append(f"seed_{self.made_name(structure.element)}({name}, {seed}u, {name});")
+            given = structure.argument(name)
+            lines.append(f"seed_{self.made_name(structure.element)}({given}, {seed}u, {given});")
         return lines
 
 
