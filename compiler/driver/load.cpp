@@ -90,9 +90,18 @@ private:
         under_way_.push_back(use);
         for (const ast::Use& each : module.uses) loaded.uses.push_back(follow(each, shown));
         under_way_.pop_back();
+        if (!names_[module.name.name].starts_with(library_prefix)) loaded.prelude = prelude();
         const ir::ModuleId made = loaded_.modules.add(std::move(loaded));
         known_[files_.identity(shown)] = {false, made};
         return made;
+    }
+
+    std::vector<ir::ModuleId> prelude() {
+        std::vector<ir::ModuleId> modules;
+        for (std::string_view name : sema::prelude_modules)
+            if (const std::string path = find_in_library(name); !path.empty())
+                if (const ir::ModuleId module = load(path, {}, std::string(name))) modules.push_back(module);
+        return modules;
     }
 
     ir::ModuleId follow(const ast::Use& use, const std::string& from) {

@@ -7,6 +7,7 @@
 #include "source/source.h"
 #include "syntax/ast.h"
 
+#include <array>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -34,6 +35,7 @@ struct LoadedModule {
     /// For each tree->uses[i], the module that it names in the table of all modules that check() is given; empty: an
     /// import with an error, which has been reported.
     std::vector<ir::ModuleId> uses;
+    std::vector<ir::ModuleId> prelude;  ///< prelude_modules, for modules that are not of the library
 };
 
 /// All modules of a run, imported ones before those that import them. Their ids are also those of Program::modules.
@@ -42,6 +44,9 @@ using ModuleTable = Table<LoadedModule, ir::Module>;
 /// The module with the structure Box and the kernels by which the host moves, fills and lists elements. The loader
 /// loads it even if no module imports it.
 inline constexpr std::string_view transfer_module = "std.transfer";
+
+/// The modules whose public names are known without an import, where no other declaration has the name.
+inline constexpr std::array<std::string_view, 3> prelude_modules = {"std.address", "std.array", "std.copy"};
 
 /// Checks what the root modules declare without generic parameters: first types, translators, constants and aliases of
 /// all of them, then functions, kernels, pipelines and tests, each time in the order of the list and of the source;

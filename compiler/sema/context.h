@@ -59,6 +59,7 @@ struct Env {
 struct ModuleScope {
     std::unordered_map<Name, std::vector<ast::DeclId>> names;
     std::vector<ir::ModuleId> imports;
+    std::vector<ir::ModuleId> prelude;
 };
 
 /// An instance of a declaration, or a kernel or pipeline that sema generates: complete, in progress or failed. `index`

@@ -83,12 +83,11 @@ bool some_module_has_function(const Context& c, Name name) {
     return false;
 }
 
-Visible look_up(Context& c, ir::ModuleId module, ast::Identifier name) {
-    const ModuleScope& scope = c.scopes[module];
-    if (auto own = scope.names.find(name.name); own != scope.names.end()) return {own->second, {}};
+/// What the modules declare under the name.
+static Visible look_in(Context& c, const std::vector<ir::ModuleId>& modules, ast::Identifier name) {
     Visible visible;
     ir::ModuleId from;
-    for (ir::ModuleId import : scope.imports) {
+    for (ir::ModuleId import : modules) {
         auto names = c.scopes[import].names.find(name.name);
         if (names == c.scopes[import].names.end()) continue;
         for (ast::DeclId decl : names->second) {
@@ -110,6 +109,15 @@ Visible look_up(Context& c, ir::ModuleId module, ast::Identifier name) {
             from = import;
         }
     }
+    return visible;
+}
+
+Visible look_up(Context& c, ir::ModuleId module, ast::Identifier name) {
+    const ModuleScope& scope = c.scopes[module];
+    if (auto own = scope.names.find(name.name); own != scope.names.end()) return {own->second, {}};
+    Visible visible = look_in(c, scope.imports, name);
+    if (visible.found.empty())
+        if (Visible prelude = look_in(c, scope.prelude, name); !prelude.found.empty()) return prelude;
     return visible;
 }
 

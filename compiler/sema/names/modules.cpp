@@ -77,8 +77,9 @@ std::vector<ir::ModuleId> reached_from(const ModuleTable& modules, ir::ModuleId 
     while (!next.empty()) {
         const ir::ModuleId module = next.back();
         next.pop_back();
-        for (ir::ModuleId use : modules[module].uses)
-            if (use && reached.insert(use).second) next.push_back(use);
+        for (const auto* list : {&modules[module].uses, &modules[module].prelude})
+            for (ir::ModuleId use : *list)
+                if (use && reached.insert(use).second) next.push_back(use);
     }
     return {reached.begin(), reached.end()};
 }
@@ -98,6 +99,7 @@ void collect_modules(Context& c) {
         c.program.modules.push_back(std::move(module));
         for (ir::ModuleId use : loaded.uses)
             if (use) c.scopes[i].imports.push_back(use);
+        c.scopes[i].prelude = loaded.prelude;
         for (ast::DeclId decl : loaded.tree->decls) {
             own_members(c, decl, i);
             declare(c, c.scopes[i], decl);

@@ -12,9 +12,11 @@ std::string suggestion_for(Context& c, const Env& env, std::string_view name,
     std::vector<std::string_view> candidates = more;
     for (const auto& [bound, meta] : env.bindings) candidates.push_back(c.text(bound));
     for (const auto& [declared, decls] : c.scopes[env.module].names) candidates.push_back(c.text(declared));
-    for (ir::ModuleId import : c.scopes[env.module].imports)
-        for (const auto& [declared, decls] : c.scopes[import].names)
-            if (c[decls[0]].is_pub) candidates.push_back(c.text(declared));
+    const ModuleScope& scope = c.scopes[env.module];
+    for (const auto* modules : {&scope.imports, &scope.prelude})
+        for (ir::ModuleId import : *modules)
+            for (const auto& [declared, decls] : c.scopes[import].names)
+                if (c[decls[0]].is_pub) candidates.push_back(c.text(declared));
 #define INTRINSIC(name, signature, exactness) candidates.push_back(#name);
 #include "ir/intrinsics.def"
 #undef INTRINSIC
