@@ -38,6 +38,7 @@ public:
     std::vector<StmtId> moved(const std::vector<StmtId>& body, std::size_t place);
 
 private:
+    bool is_field_of_argument(ExprId id) const;
     bool is_leaf(ExprId id) const;
     ExprId base(ExprId id) const;
     bool is_part_of_leaf(ExprId id) const { return is_leaf(base(id)); }
@@ -73,11 +74,21 @@ private:
     NodeMap<ExprId, ExprId> closed_{cx.first_expr};     ///< the results of closed()
 };
 
+/// Whether this is a field of an argument of a structure's constructor, such as the background of a sparse grid: shaders
+/// get the fields that they use. What a user's own shader fills in stays whole.
+bool Uniforms::is_field_of_argument(ExprId id) const {
+    const Expr* node = &cx.p.exprs[id];
+    if (lifted_ == Lifted::state || holds_empty(cx.p, node->type)) return false;
+    while (node->op == Op::field) node = &cx.p.exprs[node->operands[0]];
+    return node->op == Op::member && !holds_empty(cx.p, node->type);
+}
+
 bool Uniforms::is_leaf(ExprId id) const {
     const Expr& node = cx.p.exprs[id];
     // A struct with empty parts cannot be a parameter; its other fields are leaves.
     if (node.op == Op::field)
-        return holds_empty(cx.p, cx.build.type(node.operands[0])) && !holds_empty(cx.p, node.type);
+        return is_field_of_argument(id) ||
+               (holds_empty(cx.p, cx.build.type(node.operands[0])) && !holds_empty(cx.p, node.type));
     return node.op == Op::member || node.op == Op::memory_extent || node.op == Op::host_state ||
            node.op == Op::domain || node.op == Op::local;
 }
