@@ -1,4 +1,4 @@
-// Array<1, float, none, buffer>, array.glift:20.
+// Array<1, float>, array.glift:24.
 // Define LINE_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at LINE_BINDING + 1 + k.
 // Optional: LINE_SET (the descriptor set, else 0), LINE_STATE (see below), LINE_READONLY (nothing is written).
 #ifndef GLIFT_LINE

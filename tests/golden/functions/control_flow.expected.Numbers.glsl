@@ -1,4 +1,4 @@
-// Array<1, uint, none, buffer>, array.glift:20.
+// Array<1, uint>, array.glift:24.
 // Define NUMBERS_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at NUMBERS_BINDING + 1 + k.
 // Optional: NUMBERS_SET (the descriptor set, else 0), NUMBERS_STATE (see below), NUMBERS_READONLY (nothing is written).
 #ifndef GLIFT_NUMBERS

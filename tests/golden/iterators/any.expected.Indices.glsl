@@ -1,4 +1,4 @@
-// Array<1, uint, none, buffer>, array.glift:20.
+// Array<1, uint>, array.glift:24.
 // Define INDICES_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at INDICES_BINDING + 1 + k.
 // Optional: INDICES_SET (the descriptor set, else 0), INDICES_STATE (see below), INDICES_READONLY (nothing is written).
 #ifndef GLIFT_INDICES

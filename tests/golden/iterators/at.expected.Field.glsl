@@ -1,4 +1,4 @@
-// Array<2, float, none, buffer>, array.glift:20.
+// Array<2, float>, array.glift:24.
 // Define FIELD_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at FIELD_BINDING + 1 + k.
 // Optional: FIELD_SET (the descriptor set, else 0), FIELD_STATE (see below), FIELD_READONLY (nothing is written).
 #ifndef GLIFT_FIELD

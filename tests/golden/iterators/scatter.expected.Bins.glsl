@@ -1,4 +1,4 @@
-// Array<1, uint, none, buffer>, array.glift:20.
+// Array<1, uint>, array.glift:24.
 // Define BINS_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at BINS_BINDING + 1 + k.
 // Optional: BINS_SET (the descriptor set, else 0), BINS_STATE (see below), BINS_READONLY (nothing is written).
 #ifndef GLIFT_BINS

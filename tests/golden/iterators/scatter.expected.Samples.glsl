@@ -1,4 +1,4 @@
-// Array<1, uint, none, buffer>, array.glift:20.
+// Array<1, uint>, array.glift:24.
 // Define SAMPLES_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at SAMPLES_BINDING + 1 + k.
 // Optional: SAMPLES_SET (the descriptor set, else 0), SAMPLES_STATE (see below), SAMPLES_READONLY (nothing is written).
 #ifndef GLIFT_SAMPLES

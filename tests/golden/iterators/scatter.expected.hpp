@@ -10,33 +10,33 @@
 
 namespace std_array {
 
-#ifndef GLIFT_std_array_HAS_Array_1_uint_none_buffer
-#define GLIFT_std_array_HAS_Array_1_uint_none_buffer
-/// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element per address; image2d rounds up to whole
-/// rows. `edge` says what reads outside give, by default zero; writes outside are discarded. Lefohn's thesis
-/// (Glift: Generic Data Structures for Graphics Hardware, 2006), section 9.1.
-class Array_1_uint_none_buffer : public glift::Structure<Array_1_uint_none_buffer, glift::uint, glift::uint> {
+#ifndef GLIFT_std_array_HAS_Array_1_uint
+#define GLIFT_std_array_HAS_Array_1_uint
+/// Array<1, uint>. A dense N-D array. Memory: one element per address; image2d rounds up to whole rows. `edge` says
+/// what reads outside give, by default zero; writes outside are discarded. Lefohn's thesis (Glift: Generic Data
+/// Structures for Graphics Hardware, 2006), section 9.1.
+class Array_1_uint : public glift::Structure<Array_1_uint, glift::uint, glift::uint> {
 public:
-    static constexpr const char* type_name = "Array<1, uint, none, buffer>";
+    static constexpr const char* type_name = "Array<1, uint>";
 
-    Array_1_uint_none_buffer() = default;
-    Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent);
+    Array_1_uint() = default;
+    Array_1_uint(const glift::Commands& commands, glift::uint extent);
     /// Makes the structure with the given memory.
-    Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+    Array_1_uint(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     glift::uint domain() const;
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    bool same_state(const Array_1_uint_none_buffer& other) const;
+    bool same_state(const Array_1_uint& other) const;
 
     void fill(glift::uint value);
-    void fill(glift::uint value, const glift::Range<Array_1_uint_none_buffer>& range);
+    void fill(glift::uint value, const glift::Range<Array_1_uint>& range);
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_uint>& range,
         const glift::Memory& box) const;
-    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint>& range,
         const glift::Memory& box) const;
 
     template <class See> void describe(See&& see) const {
@@ -55,9 +55,9 @@ private:
 
 namespace scatter {
 
-using Samples = ::std_array::Array_1_uint_none_buffer;
+using Samples = ::std_array::Array_1_uint;
 
-using Bins = ::std_array::Array_1_uint_none_buffer;
+using Bins = ::std_array::Array_1_uint;
 
 void histogram(const glift::Commands& commands, const glift::Range<Samples>& s, const glift::Range<Samples>& bins);
 

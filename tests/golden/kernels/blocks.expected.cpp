@@ -124,10 +124,10 @@ Listed::Listed(const glift::Commands& commands, const Numbers& table, const Numb
       table_(table),
       active_(active),
       state_(state),
-      frames_(::std_array::Array_2_float_none_buffer(commands, uint2(512u, capacity_))) {}
+      frames_(::std_array::Array_2_float(commands, uint2(512u, capacity_))) {}
 
 Listed::Listed(const glift::Commands& commands, const Numbers& table, const Numbers& active, const Numbers& state,
-    uint3 extent, uint capacity, ::std_array::Array_2_float_none_buffer frames)
+    uint3 extent, uint capacity, ::std_array::Array_2_float frames)
     : Structure(commands.device()),
       extent_(extent),
       capacity_(capacity),

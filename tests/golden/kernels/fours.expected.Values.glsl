@@ -1,4 +1,4 @@
-// Array<1, uint, none, buffer>, array.glift:20.
+// Array<1, uint>, array.glift:24.
 // Define VALUES_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at VALUES_BINDING + 1 + k.
 // Optional: VALUES_SET (the descriptor set, else 0), VALUES_STATE (see below), VALUES_READONLY (nothing is written).
 #ifndef GLIFT_VALUES

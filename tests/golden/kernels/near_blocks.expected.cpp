@@ -80,10 +80,10 @@ Listed::Listed(const glift::Commands& commands, const Numbers& table, const Numb
       capacity_(capacity),
       table_(table),
       active_(active),
-      frames_(::std_array::Array_2_float_none_buffer(commands, uint2(64u, capacity_))) {}
+      frames_(::std_array::Array_2_float(commands, uint2(64u, capacity_))) {}
 
 Listed::Listed(const glift::Commands& commands, const Numbers& table, const Numbers& active, uint2 extent,
-    uint capacity, ::std_array::Array_2_float_none_buffer frames)
+    uint capacity, ::std_array::Array_2_float frames)
     : Structure(commands.device()),
       extent_(extent),
       capacity_(capacity),

@@ -1,4 +1,4 @@
-// Array<2, uint, none, image2d>, array.glift:20.
+// Array<2, uint, none, image2d>, array.glift:24.
 // Define MARKS_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at MARKS_BINDING + 1 + k.
 // Optional: MARKS_SET (the descriptor set, else 0), MARKS_STATE (see below), MARKS_READONLY (nothing is written).
 #ifndef GLIFT_MARKS

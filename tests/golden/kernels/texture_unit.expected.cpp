@@ -13,7 +13,7 @@ using namespace glift::types;
 extern const glift::Kernel splat_kernel;
 
 void splat(const glift::Commands& commands, const glift::Range<Points>& p, const glift::Range<Heights>& nearest,
-    const glift::Range<::std_array::Array_1_float_none_buffer>& farthest, const glift::Range<Marks>& marks) {
+    const glift::Range<::std_array::Array_1_float>& farthest, const glift::Range<Marks>& marks) {
     glift::Iteration iteration(splat_kernel);
     iteration.each("p", p);
     iteration.any("nearest", nearest);

@@ -133,33 +133,33 @@ using Marks = ::std_array::Array_2_uint_none_image2d;
 
 namespace std_array {
 
-#ifndef GLIFT_std_array_HAS_Array_1_float3_none_buffer
-#define GLIFT_std_array_HAS_Array_1_float3_none_buffer
-/// Array<1, float3, none, buffer>. A dense N-D array. Memory: one element per address; image2d rounds up to whole
-/// rows. `edge` says what reads outside give, by default zero; writes outside are discarded. Lefohn's thesis
-/// (Glift: Generic Data Structures for Graphics Hardware, 2006), section 9.1.
-class Array_1_float3_none_buffer : public glift::Structure<Array_1_float3_none_buffer, glift::uint, glift::float3> {
+#ifndef GLIFT_std_array_HAS_Array_1_float3
+#define GLIFT_std_array_HAS_Array_1_float3
+/// Array<1, float3>. A dense N-D array. Memory: one element per address; image2d rounds up to whole rows. `edge`
+/// says what reads outside give, by default zero; writes outside are discarded. Lefohn's thesis (Glift: Generic
+/// Data Structures for Graphics Hardware, 2006), section 9.1.
+class Array_1_float3 : public glift::Structure<Array_1_float3, glift::uint, glift::float3> {
 public:
-    static constexpr const char* type_name = "Array<1, float3, none, buffer>";
+    static constexpr const char* type_name = "Array<1, float3>";
 
-    Array_1_float3_none_buffer() = default;
-    Array_1_float3_none_buffer(const glift::Commands& commands, glift::uint extent);
+    Array_1_float3() = default;
+    Array_1_float3(const glift::Commands& commands, glift::uint extent);
     /// Makes the structure with the given memory.
-    Array_1_float3_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+    Array_1_float3(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     glift::uint domain() const;
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    bool same_state(const Array_1_float3_none_buffer& other) const;
+    bool same_state(const Array_1_float3& other) const;
 
     void fill(glift::float3 value);
-    void fill(glift::float3 value, const glift::Range<Array_1_float3_none_buffer>& range);
+    void fill(glift::float3 value, const glift::Range<Array_1_float3>& range);
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float3_none_buffer>& range,
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float3>& range,
         const glift::Memory& box) const;
-    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float3_none_buffer>& range,
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float3>& range,
         const glift::Memory& box) const;
 
     template <class See> void describe(See&& see) const {
@@ -178,39 +178,39 @@ private:
 
 namespace texture_unit {
 
-using Points = ::std_array::Array_1_float3_none_buffer;
+using Points = ::std_array::Array_1_float3;
 
 }  // namespace texture_unit
 
 namespace std_array {
 
-#ifndef GLIFT_std_array_HAS_Array_1_float_none_buffer
-#define GLIFT_std_array_HAS_Array_1_float_none_buffer
-/// Array<1, float, none, buffer>. A dense N-D array. Memory: one element per address; image2d rounds up to whole
-/// rows. `edge` says what reads outside give, by default zero; writes outside are discarded. Lefohn's thesis
-/// (Glift: Generic Data Structures for Graphics Hardware, 2006), section 9.1.
-class Array_1_float_none_buffer : public glift::Structure<Array_1_float_none_buffer, glift::uint, float> {
+#ifndef GLIFT_std_array_HAS_Array_1_float
+#define GLIFT_std_array_HAS_Array_1_float
+/// Array<1, float>. A dense N-D array. Memory: one element per address; image2d rounds up to whole rows. `edge`
+/// says what reads outside give, by default zero; writes outside are discarded. Lefohn's thesis (Glift: Generic
+/// Data Structures for Graphics Hardware, 2006), section 9.1.
+class Array_1_float : public glift::Structure<Array_1_float, glift::uint, float> {
 public:
-    static constexpr const char* type_name = "Array<1, float, none, buffer>";
+    static constexpr const char* type_name = "Array<1, float>";
 
-    Array_1_float_none_buffer() = default;
-    Array_1_float_none_buffer(const glift::Commands& commands, glift::uint extent);
+    Array_1_float() = default;
+    Array_1_float(const glift::Commands& commands, glift::uint extent);
     /// Makes the structure with the given memory.
-    Array_1_float_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+    Array_1_float(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     glift::uint domain() const;
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    bool same_state(const Array_1_float_none_buffer& other) const;
+    bool same_state(const Array_1_float& other) const;
 
     void fill(float value);
-    void fill(float value, const glift::Range<Array_1_float_none_buffer>& range);
+    void fill(float value, const glift::Range<Array_1_float>& range);
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float_none_buffer>& range,
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float>& range,
         const glift::Memory& box) const;
-    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float_none_buffer>& range,
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float>& range,
         const glift::Memory& box) const;
 
     template <class See> void describe(See&& see) const {
@@ -230,7 +230,7 @@ private:
 namespace texture_unit {
 
 void splat(const glift::Commands& commands, const glift::Range<Points>& p, const glift::Range<Heights>& nearest,
-    const glift::Range<::std_array::Array_1_float_none_buffer>& farthest, const glift::Range<Marks>& marks);
+    const glift::Range<::std_array::Array_1_float>& farthest, const glift::Range<Marks>& marks);
 
 void light(const glift::Commands& commands, const glift::Range<Shadows>& shadows, const glift::Range<Heights>& heights,
     const glift::Range<Points>& p);

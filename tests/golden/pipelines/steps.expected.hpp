@@ -10,33 +10,33 @@
 
 namespace std_array {
 
-#ifndef GLIFT_std_array_HAS_Array_1_float_none_buffer
-#define GLIFT_std_array_HAS_Array_1_float_none_buffer
-/// Array<1, float, none, buffer>. A dense N-D array. Memory: one element per address; image2d rounds up to whole
-/// rows. `edge` says what reads outside give, by default zero; writes outside are discarded. Lefohn's thesis
-/// (Glift: Generic Data Structures for Graphics Hardware, 2006), section 9.1.
-class Array_1_float_none_buffer : public glift::Structure<Array_1_float_none_buffer, glift::uint, float> {
+#ifndef GLIFT_std_array_HAS_Array_1_float
+#define GLIFT_std_array_HAS_Array_1_float
+/// Array<1, float>. A dense N-D array. Memory: one element per address; image2d rounds up to whole rows. `edge`
+/// says what reads outside give, by default zero; writes outside are discarded. Lefohn's thesis (Glift: Generic
+/// Data Structures for Graphics Hardware, 2006), section 9.1.
+class Array_1_float : public glift::Structure<Array_1_float, glift::uint, float> {
 public:
-    static constexpr const char* type_name = "Array<1, float, none, buffer>";
+    static constexpr const char* type_name = "Array<1, float>";
 
-    Array_1_float_none_buffer() = default;
-    Array_1_float_none_buffer(const glift::Commands& commands, glift::uint extent);
+    Array_1_float() = default;
+    Array_1_float(const glift::Commands& commands, glift::uint extent);
     /// Makes the structure with the given memory.
-    Array_1_float_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+    Array_1_float(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     glift::uint domain() const;
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    bool same_state(const Array_1_float_none_buffer& other) const;
+    bool same_state(const Array_1_float& other) const;
 
     void fill(float value);
-    void fill(float value, const glift::Range<Array_1_float_none_buffer>& range);
+    void fill(float value, const glift::Range<Array_1_float>& range);
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float_none_buffer>& range,
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float>& range,
         const glift::Memory& box) const;
-    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float_none_buffer>& range,
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float>& range,
         const glift::Memory& box) const;
 
     template <class See> void describe(See&& see) const {
@@ -55,7 +55,7 @@ private:
 
 namespace steps {
 
-using Line = ::std_array::Array_1_float_none_buffer;
+using Line = ::std_array::Array_1_float;
 
 void smoothed(const glift::Commands& commands, const Line& g, glift::uint rounds);
 

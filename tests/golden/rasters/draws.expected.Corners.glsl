@@ -1,4 +1,4 @@
-// Array<1, uint, none, buffer>, array.glift:20.
+// Array<1, uint>, array.glift:24.
 // Define CORNERS_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at CORNERS_BINDING + 1 + k.
 // Optional: CORNERS_SET (the descriptor set, else 0), CORNERS_STATE (see below), CORNERS_READONLY (nothing is written).
 #ifndef GLIFT_CORNERS

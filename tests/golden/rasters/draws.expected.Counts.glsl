@@ -1,4 +1,4 @@
-// Array<2, uint, none, buffer>, array.glift:20.
+// Array<2, uint>, array.glift:24.
 // Define COUNTS_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at COUNTS_BINDING + 1 + k.
 // Optional: COUNTS_SET (the descriptor set, else 0), COUNTS_STATE (see below), COUNTS_READONLY (nothing is written).
 #ifndef GLIFT_COUNTS

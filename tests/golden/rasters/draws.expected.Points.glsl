@@ -1,4 +1,4 @@
-// Array<1, float3, none, buffer>, array.glift:20.
+// Array<1, float3>, array.glift:24.
 // Define POINTS_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at POINTS_BINDING + 1 + k.
 // Optional: POINTS_SET (the descriptor set, else 0), POINTS_STATE (see below), POINTS_READONLY (nothing is written).
 #ifndef GLIFT_POINTS

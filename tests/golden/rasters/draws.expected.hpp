@@ -10,33 +10,33 @@
 
 namespace std_array {
 
-#ifndef GLIFT_std_array_HAS_Array_1_float3_none_buffer
-#define GLIFT_std_array_HAS_Array_1_float3_none_buffer
-/// Array<1, float3, none, buffer>. A dense N-D array. Memory: one element per address; image2d rounds up to whole
-/// rows. `edge` says what reads outside give, by default zero; writes outside are discarded. Lefohn's thesis
-/// (Glift: Generic Data Structures for Graphics Hardware, 2006), section 9.1.
-class Array_1_float3_none_buffer : public glift::Structure<Array_1_float3_none_buffer, glift::uint, glift::float3> {
+#ifndef GLIFT_std_array_HAS_Array_1_float3
+#define GLIFT_std_array_HAS_Array_1_float3
+/// Array<1, float3>. A dense N-D array. Memory: one element per address; image2d rounds up to whole rows. `edge`
+/// says what reads outside give, by default zero; writes outside are discarded. Lefohn's thesis (Glift: Generic
+/// Data Structures for Graphics Hardware, 2006), section 9.1.
+class Array_1_float3 : public glift::Structure<Array_1_float3, glift::uint, glift::float3> {
 public:
-    static constexpr const char* type_name = "Array<1, float3, none, buffer>";
+    static constexpr const char* type_name = "Array<1, float3>";
 
-    Array_1_float3_none_buffer() = default;
-    Array_1_float3_none_buffer(const glift::Commands& commands, glift::uint extent);
+    Array_1_float3() = default;
+    Array_1_float3(const glift::Commands& commands, glift::uint extent);
     /// Makes the structure with the given memory.
-    Array_1_float3_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+    Array_1_float3(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     glift::uint domain() const;
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    bool same_state(const Array_1_float3_none_buffer& other) const;
+    bool same_state(const Array_1_float3& other) const;
 
     void fill(glift::float3 value);
-    void fill(glift::float3 value, const glift::Range<Array_1_float3_none_buffer>& range);
+    void fill(glift::float3 value, const glift::Range<Array_1_float3>& range);
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float3_none_buffer>& range,
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float3>& range,
         const glift::Memory& box) const;
-    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float3_none_buffer>& range,
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float3>& range,
         const glift::Memory& box) const;
 
     template <class See> void describe(See&& see) const {
@@ -55,39 +55,39 @@ private:
 
 namespace draws {
 
-using Points = ::std_array::Array_1_float3_none_buffer;
+using Points = ::std_array::Array_1_float3;
 
 }  // namespace draws
 
 namespace std_array {
 
-#ifndef GLIFT_std_array_HAS_Array_1_uint_none_buffer
-#define GLIFT_std_array_HAS_Array_1_uint_none_buffer
-/// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element per address; image2d rounds up to whole
-/// rows. `edge` says what reads outside give, by default zero; writes outside are discarded. Lefohn's thesis
-/// (Glift: Generic Data Structures for Graphics Hardware, 2006), section 9.1.
-class Array_1_uint_none_buffer : public glift::Structure<Array_1_uint_none_buffer, glift::uint, glift::uint> {
+#ifndef GLIFT_std_array_HAS_Array_1_uint
+#define GLIFT_std_array_HAS_Array_1_uint
+/// Array<1, uint>. A dense N-D array. Memory: one element per address; image2d rounds up to whole rows. `edge` says
+/// what reads outside give, by default zero; writes outside are discarded. Lefohn's thesis (Glift: Generic Data
+/// Structures for Graphics Hardware, 2006), section 9.1.
+class Array_1_uint : public glift::Structure<Array_1_uint, glift::uint, glift::uint> {
 public:
-    static constexpr const char* type_name = "Array<1, uint, none, buffer>";
+    static constexpr const char* type_name = "Array<1, uint>";
 
-    Array_1_uint_none_buffer() = default;
-    Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent);
+    Array_1_uint() = default;
+    Array_1_uint(const glift::Commands& commands, glift::uint extent);
     /// Makes the structure with the given memory.
-    Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+    Array_1_uint(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     glift::uint domain() const;
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    bool same_state(const Array_1_uint_none_buffer& other) const;
+    bool same_state(const Array_1_uint& other) const;
 
     void fill(glift::uint value);
-    void fill(glift::uint value, const glift::Range<Array_1_uint_none_buffer>& range);
+    void fill(glift::uint value, const glift::Range<Array_1_uint>& range);
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
-    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_uint>& range,
         const glift::Memory& box) const;
-    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint>& range,
         const glift::Memory& box) const;
 
     template <class See> void describe(See&& see) const {
@@ -106,7 +106,7 @@ private:
 
 namespace draws {
 
-using Corners = ::std_array::Array_1_uint_none_buffer;
+using Corners = ::std_array::Array_1_uint;
 
 }  // namespace draws
 
@@ -206,33 +206,33 @@ using Depth = ::std_image::Image_d32;
 
 namespace std_array {
 
-#ifndef GLIFT_std_array_HAS_Array_2_uint_none_buffer
-#define GLIFT_std_array_HAS_Array_2_uint_none_buffer
-/// Array<2, uint, none, buffer>. A dense N-D array. Memory: one element per address; image2d rounds up to whole
-/// rows. `edge` says what reads outside give, by default zero; writes outside are discarded. Lefohn's thesis
-/// (Glift: Generic Data Structures for Graphics Hardware, 2006), section 9.1.
-class Array_2_uint_none_buffer : public glift::Structure<Array_2_uint_none_buffer, glift::uint2, glift::uint> {
+#ifndef GLIFT_std_array_HAS_Array_2_uint
+#define GLIFT_std_array_HAS_Array_2_uint
+/// Array<2, uint>. A dense N-D array. Memory: one element per address; image2d rounds up to whole rows. `edge` says
+/// what reads outside give, by default zero; writes outside are discarded. Lefohn's thesis (Glift: Generic Data
+/// Structures for Graphics Hardware, 2006), section 9.1.
+class Array_2_uint : public glift::Structure<Array_2_uint, glift::uint2, glift::uint> {
 public:
-    static constexpr const char* type_name = "Array<2, uint, none, buffer>";
+    static constexpr const char* type_name = "Array<2, uint>";
 
-    Array_2_uint_none_buffer() = default;
-    Array_2_uint_none_buffer(const glift::Commands& commands, glift::uint2 extent);
+    Array_2_uint() = default;
+    Array_2_uint(const glift::Commands& commands, glift::uint2 extent);
     /// Makes the structure with the given memory.
-    Array_2_uint_none_buffer(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
+    Array_2_uint(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     glift::uint2 domain() const;
     glift::uint2 extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
     std::uint64_t data_extent() const { return data_extent_; }
-    bool same_state(const Array_2_uint_none_buffer& other) const;
+    bool same_state(const Array_2_uint& other) const;
 
     void fill(glift::uint value);
-    void fill(glift::uint value, const glift::Range<Array_2_uint_none_buffer>& range);
+    void fill(glift::uint value, const glift::Range<Array_2_uint>& range);
     std::uint64_t place(glift::uint2 address) const;
     const glift::Memory& row_memory() const { return data_; }
-    void copy_out(const glift::Commands& commands, const glift::Range<Array_2_uint_none_buffer>& range,
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_2_uint>& range,
         const glift::Memory& box) const;
-    void copy_in(const glift::Commands& commands, const glift::Range<Array_2_uint_none_buffer>& range,
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_2_uint>& range,
         const glift::Memory& box) const;
 
     template <class See> void describe(See&& see) const {
@@ -251,7 +251,7 @@ private:
 
 namespace draws {
 
-using Counts = ::std_array::Array_2_uint_none_buffer;
+using Counts = ::std_array::Array_2_uint;
 
 /// A mesh, shaded by its flat normals.
 void draw_mesh(const glift::Commands& commands, const glift::Range<Corners>& corner, const glift::Range<Points>& points,
