@@ -1,6 +1,6 @@
-// bench_components [side]: kernels over two of eight components of an array of structs, kept apart (a struct of arrays) and
-// together (an array of structs), beside two arrays of floats alone; dense, and in pages. On the host device and on the
-// Vulkan device. Prints the median time of a call; in brackets the time alone divided by it.
+// bench_components [side]: kernels over two of eight components of an array of structs, kept apart (a struct of arrays)
+// and together (an array of structs), beside two arrays of floats alone; dense, and in pages. On the host device and on
+// the Vulkan device. Prints the median time of a call; in brackets the time alone divided by it.
 #include "components.glift.hpp"
 #include "timing.h"
 

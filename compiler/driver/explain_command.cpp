@@ -129,8 +129,9 @@ private:
     void explain_parts(const ir::Structure& container, ExplainedStructure& shown) const {
         for (const ir::MemberStructure& member : container.members)
             if (!member.is_component)
-                shown.parts.emplace_back("member " + c_.names[member.name], program_.structures[member.structure].display +
-                                                                            (member.by_reference ? ", given" : ""));
+                shown.parts.emplace_back("member " + c_.names[member.name],
+                                         program_.structures[member.structure].display +
+                                             (member.by_reference ? ", given" : ""));
         const auto index = program_.structures.id_of(container);
         for (ir::FunctionId id : ir::public_functions(program_, index)) {
             const ir::Function& function = program_.functions[id];

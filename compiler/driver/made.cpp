@@ -59,7 +59,9 @@ public:
             for (const ir::Place& place : member.structures) {
                 // A component is given its owner, which has it as a member: it does not own the owner.
                 const std::shared_ptr<Instance> given_to = at(made, place);
-                handed.push_back(member.is_component ? std::shared_ptr<Instance>(std::shared_ptr<Instance>{}, given_to.get()) : given_to);
+                handed.push_back(member.is_component
+                                     ? std::shared_ptr<Instance>(std::shared_ptr<Instance>{}, given_to.get())
+                                     : given_to);
             }
             made->members.push_back(make(inside, inner, std::move(values), handed));
         }

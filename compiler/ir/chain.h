@@ -26,20 +26,20 @@ const Structure& root_structure(const Program& program, const Structure& structu
 /// The buffer or image of the root. Only for structures whose root is not a view: is_computed() is false.
 const Memory& root_memory(const Program& program, const Structure& structure);
 
-/// The structure that the structure is a component of, or a component of such a component; the structure itself if it is
-/// none.
+/// The structure that the structure is a component of, or a component of such a component; the structure itself if it
+/// is none.
 const Structure& whole_of(const Program& program, const Structure& structure);
 
 /// Whether one of two parameters has a component of the structure that the other has, or of which the other has another
 /// component.
 bool have_one_whole(const Program& program, const KernelParam& one, const KernelParam& other);
 
-/// Of parameters that have_one_whole(): a place that begins at one of them, within the whole, as a path from the parameter
-/// `to`. Absent: it is not within the whole.
+/// Of parameters that have_one_whole(): a place that begins at one of them, within the whole, as a path from the
+/// parameter `to`. Absent: it is not within the whole.
 std::optional<Place> seen_from(const Program& program, const Kernel& kernel, const Place& place, std::uint32_t to);
 
-/// The fields by which the elements of `structure` lie in those of `link`, one of the structures of its chain, outermost
-/// first: of components (Structure::field). Empty: they are those elements.
+/// The fields by which the elements of `structure` lie in those of `link`, one of the structures of its chain,
+/// outermost first: of components (Structure::field). Empty: they are those elements.
 std::vector<std::uint32_t> fields_in(const Program& program, const Structure& structure, const Structure& link);
 
 /// The place of the first link that declares blocks, in the chain of `structure`, which is at `place`; only if no link
@@ -91,8 +91,8 @@ bool is_contained(const Program& program, const Structure& structure);
 /// to be missing.
 bool stays_inside(const Program& program, const Structure& structure);
 
-/// Whether making the structure may allocate memory. False for components, and for views all of whose members are given to
-/// them, or are themselves views for which it is false.
+/// Whether making the structure may allocate memory. False for components, and for views all of whose members are given
+/// to them, or are themselves views for which it is false.
 bool makes_memory(const Program& program, const Structure& structure);
 
 /// The place of the first link with an `otherwise`, the value of reads at unmapped addresses; absent: none has one.

@@ -27,9 +27,9 @@ bool is_addressed(const Program& program, const Kernel& kernel, const PassBindin
 bool may_be_one_place(const Program& program, const Kernel& kernel, const PassBinding& one, const PassBinding& other) {
     if (one.is_workspace || other.is_workspace) return false;
     const KernelParam &param = kernel.params[one.place.root], &other_param = kernel.params[other.place.root];
-    return param.structure == other_param.structure && one.memory == other.memory && traits_of(param.pattern).reach == Reach::element &&
-           traits_of(other_param.pattern).reach == Reach::element && is_addressed(program, kernel, one) &&
-           is_addressed(program, kernel, other);
+    return param.structure == other_param.structure && one.memory == other.memory &&
+           traits_of(param.pattern).reach == Reach::element && traits_of(other_param.pattern).reach == Reach::element &&
+           is_addressed(program, kernel, one) && is_addressed(program, kernel, other);
 }
 
 bool has_one_place(const Pass& pass) {

@@ -340,7 +340,8 @@ struct Memory {
     /// Of a buffer for one field alone of elements that are structs (declared with `apart`): the field, as a path from
     /// the element. The structure's memories are then one such buffer for each field that is no struct, in their order.
     std::vector<std::uint32_t> fields;
-    Name declared;  ///< as in the source: `name`, or of such buffers what all names begin with; only the first one has it
+    Name declared;  ///< as in the source: `name`, or of such buffers what all names begin with; only the first one has
+                    ///< it
     MemoryShape shape = MemoryShape::buffer;
     TypeId element;  ///< the value type that loads give (float for r8, float4 for rgba8)
     Format format = Format::none;
@@ -360,8 +361,8 @@ struct MemberStructure {
         arguments;  ///< values for its constructor, as expressions over the owner (root 0); empty if by_reference
     std::vector<Place> structures;  ///< structures for its constructor, as seen from the owner (root 0)
     bool by_reference = false;      ///< the owner's constructor is given this structure, and does not make it
-    /// It is a component of the owner, which is what its own constructor is given (ir/component.h). Objects of the owner
-    /// do not hold it: it is made where it is asked for.
+    /// It is a component of the owner, which is what its own constructor is given (ir/component.h). Objects of the
+    /// owner do not hold it: it is made where it is asked for.
     bool is_component = false;
     Span span;
 };
@@ -459,9 +460,10 @@ struct KernelParam {
     std::uint32_t radius = 0;  ///< of near: the largest offset from the current address, along each axis
     Combine combine = Combine::replace;  ///< of scatter
     LocalId local;                       ///< of value and argument: holds the value in the body
-    /// The first parameter that the direct form (ir/pass.h) assumes to have the same state (sizes), which is then passed
-    /// once for both; the parameter itself if there is none before it. If the two have_one_whole() (ir/chain.h), that
-    /// form also assumes that both are of one structure: what translates their addresses is then bound and read once.
+    /// The first parameter that the direct form (ir/pass.h) assumes to have the same state (sizes), which is then
+    /// passed once for both; the parameter itself if there is none before it. If the two have_one_whole() (ir/chain.h),
+    /// that form also assumes that both are of one structure: what translates their addresses is then bound and read
+    /// once.
     std::uint32_t alike = 0;
 };
 

@@ -25,7 +25,7 @@ struct PassBinding {
     Place place;               ///< path from a kernel parameter (Place::root) to the structure that has the memory
     std::uint32_t memory = 0;  ///< index among that structure's memories
     MemoryShape shape = MemoryShape::buffer;
-    TypeId element;  ///< type that a load gives
+    TypeId element;                     ///< type that a load gives
     std::vector<std::uint32_t> fields;  ///< the path of fields to the part of each element that alone is accessed
     Format format = Format::none;
     Access access = Access::read;

@@ -253,7 +253,7 @@ struct Translator {
 };
 
 enum class ItemKind : std::uint8_t {
-    memory,     // memory name = buffer<T>[n] | image2d<F>(extent) | … [mips(n)] [filter linear] [compare less] [apart(b)];
+    memory,  // memory name = buffer<T>[n] | image2d<F>(extent) | … [mips(n)] [filter linear] [compare less] [apart(b)];
     member,     // structure name = Type(arguments…);
     via,        // via A<…>(…) then B<…>(…);
     otherwise,  // otherwise value;         the value of reads at unmapped addresses

@@ -80,8 +80,8 @@ Item Parser::parse_nested_declaration() {
     return item;
 }
 
-/// memory = "memory" name "=" expression { "mips" "(" expression ")" | "filter" name | "compare" name | "apart" "(" expression ")" } ";" ;
-/// `mips`, `filter`, `compare` and `apart` must not be the first word on their line.
+/// memory = "memory" name "=" expression { "mips" "(" expression ")" | "filter" name | "compare" name | "apart" "("
+/// expression ")" } ";" ; `mips`, `filter`, `compare` and `apart` must not be the first word on their line.
 Item Parser::parse_memory() {
     Item item = new_item(ItemKind::memory);
     advance();

@@ -29,8 +29,8 @@ std::vector<ast::Param> Parser::parse_params(Params kind) {
     return params;
 }
 
-/// The parameters of a kernel or function. Adds the unnamed ones among its generic parameters to `generics`: that of `at` last,
-/// since its default is the structure that another pattern names.
+/// The parameters of a kernel or function. Adds the unnamed ones among its generic parameters to `generics`: that of
+/// `at` last, since its default is the structure that another pattern names.
 std::vector<ast::Param> Parser::parse_patterned_params(std::vector<ast::GenericParam>& generics) {
     std::vector<ast::Param> params = parse_params(Params::patterned);
     if (lost_) return params;
@@ -147,7 +147,8 @@ ast::Pattern Parser::pattern_here(Bare bare) const {
 }
 
 /// pattern = ( "each" | "near" | "any" | "at" | "scatter" | "coherent" | "calls" | "target" | "instance" | "range" )
-///           [ "<" generic-argument { "," generic-argument } ">" ] ;      the brackets may be left out in kernels and functions
+///           [ "<" generic-argument { "," generic-argument } ">" ] ;      the brackets may be left out in kernels and
+///           functions
 void Parser::parse_pattern(ast::Param& param, Bare bare) {
     const std::string_view word = text_of(peek());
     param.pattern_span = span_of(advance());

@@ -210,11 +210,12 @@ std::string of_one_whole(Unit& unit, const Kernel& kernel, const Pass& direct, s
     };
     std::string condition = " && " + whole(first) + ".same_state(" + whole(index) + ")";
     for (const PassBinding& binding : direct.bindings) {
-        if (binding.is_workspace || binding.place.root != first || ir::is_addressed(unit.program, kernel, binding)) continue;
+        if (binding.is_workspace || binding.place.root != first || ir::is_addressed(unit.program, kernel, binding))
+            continue;
         const std::optional<ir::Place> other = ir::seen_from(unit.program, kernel, binding.place, index);
         if (!other) continue;
-        condition += " && " + memory_text(unit, kernel.params[first], binding.place) + " == " +
-                     memory_text(unit, kernel.params[index], *other);
+        condition += " && " + memory_text(unit, kernel.params[first], binding.place) +
+                     " == " + memory_text(unit, kernel.params[index], *other);
     }
     return condition;
 }

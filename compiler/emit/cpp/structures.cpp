@@ -185,9 +185,7 @@ bool is_own(const ir::Memory& memory) { return !memory.part; }
 
 bool has_own_memory(const Structure& structure) { return std::ranges::any_of(structure.memories, is_own); }
 
-bool has_own_member(const Structure& structure) {
-    return std::ranges::any_of(structure.members, is_held);
-}
+bool has_own_member(const Structure& structure) { return std::ranges::any_of(structure.members, is_held); }
 
 bool has_parts(const Structure& structure) {
     return structure.kind == StructureKind::stored && (has_own_memory(structure) || has_own_member(structure));

@@ -26,13 +26,13 @@ std::uint32_t Expander::binding(const Place& of_structure, Access access, std::o
 
 /// The binding of one of the memories of the root of the structure at the place; `fields` lead to the part of each
 /// element that is accessed.
-std::uint32_t Expander::bound(const Place& of_structure, std::uint32_t memory,
-                              const std::vector<std::uint32_t>& fields, Access access, std::optional<Compare> compare,
-                              bool by_direction) {
+std::uint32_t Expander::bound(const Place& of_structure, std::uint32_t memory, const std::vector<std::uint32_t>& fields,
+                              Access access, std::optional<Compare> compare, bool by_direction) {
     auto& bindings = cx.pass.bindings;
     Place place = root_of(p, cx.structure_at(of_structure), of_structure);
     place.members = made_at(p, cx.structure_at({place.root, {}}), {place.members.begin(), place.members.end()});
-    // Elements have a binding for each parameter; what translates their addresses has one for all that are of one whole.
+    // Elements have a binding for each parameter; what translates their addresses has one for all that are of one
+    // whole.
     const bool is_of_elements = place == root_of(p, cx.structure_at({place.root, {}}), {place.root, {}});
     if (!is_of_elements && is_of_one_whole(place.root)) place = canonical(place);
     const Memory& of = cx.structure_at(place).memories[memory];
@@ -167,16 +167,13 @@ ExprId Expander::load(const Place& place, ExprId physical) {
 }
 
 /// Whether the fields of the elements lie in memories of their own.
-bool Expander::is_apart(const Place& place) const {
-    return bool(root_structure(p, cx.structure_at(place)).apart);
-}
+bool Expander::is_apart(const Place& place) const { return bool(root_structure(p, cx.structure_at(place)).apart); }
 
-/// An element, or the part of it that the fields `above` lead to, made of its fields, which lie in memories of their own.
-/// field_of(memory, name, path) gives the field in that memory: `path` leads to it from the part, `name` is its name behind the
-/// part's.
-template <class FieldOf>
-ExprId Expander::gathered_fields(const Place& place, TypeId whole, const std::vector<std::uint32_t>& above,
-                                 FieldOf&& field_of) {
+/// An element, or the part of it that the fields `above` lead to, made of its fields, which lie in memories of their
+/// own. field_of(memory, name, path) gives the field in that memory: `path` leads to it from the part, `name` is its
+/// name behind the part's.
+template <class FieldOf> ExprId Expander::gathered_fields(const Place& place, TypeId whole,
+                                                          const std::vector<std::uint32_t>& above, FieldOf&& field_of) {
     const Structure& root = root_structure(p, cx.structure_at(place));
     std::uint32_t next = 0;
     while (!std::ranges::equal(above, root.memories[next].fields | std::views::take(above.size()))) ++next;
@@ -442,12 +439,13 @@ void Expander::store(const Place& place, const Pair& physical, ExprId guard, con
     const Block stores = collect([&] {
         if (is_apart(place)) {
             const ExprId whole = named(cx.name_of(place) + "_stored", value);
-            gathered_fields(place, build.type(whole), written, [&](std::uint32_t memory, const std::string&, const auto& path) {
-                ExprId field = whole;
-                for (std::uint32_t each : path) field = build.field(field, each);
-                append(stored_to(bound(place, memory, {}, access), field));
-                return field;
-            });
+            gathered_fields(place, build.type(whole), written,
+                            [&](std::uint32_t memory, const std::string&, const auto& path) {
+                                ExprId field = whole;
+                                for (std::uint32_t each : path) field = build.field(field, each);
+                                append(stored_to(bound(place, memory, {}, access), field));
+                                return field;
+                            });
             return;
         }
         Stmt made = stored_to(binding(place, access), value);

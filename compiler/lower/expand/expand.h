@@ -269,9 +269,8 @@ private:
     ExprId guarded_field(const ir::Place& place, const Pair& at, ExprId safe, ExprId otherwise,
                          const std::string& name);
     bool is_apart(const ir::Place& place) const;
-    template <class FieldOf>
-    ExprId gathered_fields(const ir::Place& place, TypeId whole, const std::vector<std::uint32_t>& above,
-                           FieldOf&& field_of);
+    template <class FieldOf> ExprId gathered_fields(const ir::Place& place, TypeId whole,
+                                                    const std::vector<std::uint32_t>& above, FieldOf&& field_of);
     template <class FieldOf> ExprId gathered(const ir::Place& place, FieldOf&& field_of);
     ExprId projected(const ir::Place& place, const ir::Structure& link, ExprId element);
     ExprId projected(const ir::Place& place, ExprId element);

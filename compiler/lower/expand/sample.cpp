@@ -204,7 +204,8 @@ ExprId Expander::mixed(ExprId one, ExprId other, ExprId weight) {
     if (p.types.kind(type) != TypeKind::struct_) return build.intrinsic(Intrinsic::mix, type, {one, other, weight});
     Operands fields;
     const std::size_t count = p.structs[p.types[type].struct_].fields.size();
-    for (std::uint32_t i = 0; i < count; ++i) fields.push_back(mixed(build.field(one, i), build.field(other, i), weight));
+    for (std::uint32_t i = 0; i < count; ++i)
+        fields.push_back(mixed(build.field(one, i), build.field(other, i), weight));
     return build.construct(type, std::move(fields));
 }
 

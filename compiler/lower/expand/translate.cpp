@@ -202,8 +202,8 @@ ExprId Expander::centre_address(std::uint32_t root) {
 /// The physical address of a parameter's current element, and the condition that it has one. Both are put into named
 /// locals before the kernel's body, unless they are short or uniform (see named()).
 Pair Expander::centre(std::uint32_t root) {
-    // Structures with equal state share addresses, unless translation reads tables: each may have another table, but for
-    // components of one structure.
+    // Structures with equal state share addresses, unless translation reads tables: each may have another table, but
+    // for components of one structure.
     const std::uint32_t shared = canonical_root(root);
     const bool is_there = !cx.kernel.raster || cx.kernel.params[shared].pattern == cx.kernel.params[root].pattern;
     const bool shares = is_of_one_whole(root) || !translates_by_tables(p, cx.structure_at({root, {}}));

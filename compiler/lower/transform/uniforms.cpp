@@ -74,8 +74,8 @@ private:
     NodeMap<ExprId, ExprId> closed_{cx.first_expr};     ///< the results of closed()
 };
 
-/// Whether this is a field of an argument of a structure's constructor, such as the background of a sparse grid: shaders
-/// get the fields that they use. What a user's own shader fills in stays whole.
+/// Whether this is a field of an argument of a structure's constructor, such as the background of a sparse grid:
+/// shaders get the fields that they use. What a user's own shader fills in stays whole.
 bool Uniforms::is_field_of_argument(ExprId id) const {
     const Expr* node = &cx.p.exprs[id];
     if (lifted_ == Lifted::state || holds_empty(cx.p, node->type)) return false;

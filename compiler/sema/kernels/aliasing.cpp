@@ -95,9 +95,9 @@ bool may_meet_through_two(const ir::KernelParam& one, const ir::KernelParam& oth
 }
 
 /// A structure that a kernel accesses, as its root (root_of), and the parameter that leads to it, whose argument has
-/// the index `argument`. `fields` are those of the root's elements that it accesses. `is_member`: the parameter has the pattern `calls` (the kernel calls functions of its
-/// structure), and the structure is a member that those functions write; `param` then has the pattern by which they
-/// write it.
+/// the index `argument`. `fields` are those of the root's elements that it accesses. `is_member`: the parameter has the
+/// pattern `calls` (the kernel calls functions of its structure), and the structure is a member that those functions
+/// write; `param` then has the pattern by which they write it.
 struct Touched {
     Whole root;
     ir::KernelParam param;

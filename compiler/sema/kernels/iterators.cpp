@@ -40,8 +40,8 @@ void assign_element(Body& body, const ast::Stmt& stmt, const Symbol& symbol) {
     if (!is_error(body, value)) emit_set_element(body, symbol.slot, value, stmt.span);
 }
 
-/// `g.x = v`, where g is an element that is 'out', and x a field, or a field of a field: writes that alone. False: it is
-/// something else.
+/// `g.x = v`, where g is an element that is 'out', and x a field, or a field of a field: writes that alone. False: it
+/// is something else.
 bool assign_field(Body& body, const ast::Stmt& stmt, Symbol& symbol, ast::ExprId root) {
     Context& c = body.context;
     const ir::KernelParam& param = body.kernel->params[symbol.slot];

@@ -208,7 +208,8 @@ bool are_alike(const Context& c, const ast::Kernel& written, const ir::Kernel& k
     if (kernel.raster && one.pattern != other.pattern && (ir::visits(one.pattern) || ir::visits(other.pattern)))
         return false;
     if (ir::follows_iteration(one.pattern) && ir::follows_iteration(other.pattern)) return true;
-    return are_components || print(written.params[i].type, c.tree, c.names) == print(written.params[k].type, c.tree, c.names);
+    return are_components ||
+           print(written.params[i].type, c.tree, c.names) == print(written.params[k].type, c.tree, c.names);
 }
 
 void find_alike(const Context& c, const ast::Kernel& written, ir::Kernel& kernel) {

@@ -106,8 +106,8 @@ void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made)
 
 namespace {
 
-/// Reports as the target of combined writes an image, if devices have no atomic operations on its texels, and a field of
-/// elements that are kept whole.
+/// Reports as the target of combined writes an image, if devices have no atomic operations on its texels, and a field
+/// of elements that are kept whole.
 void check_combined_memory(Context& c, const ast::Expr& op, ir::StructureId index) {
     const ir::Structure& structure = c.program.structures[index];
     if (structure.kind != ir::StructureKind::stored) return;  // a view: check_stored() reports it

@@ -91,7 +91,8 @@ bool is_kept_apart(Body& body, const ast::Item& item, ir::TypeId element) {
     return condition && condition->bits() && c.types().kind(element) == ir::TypeKind::struct_;
 }
 
-/// Adds a buffer for each field that is no struct, at any depth. `declared`, the name in the source, is the first one's.
+/// Adds a buffer for each field that is no struct, at any depth. `declared`, the name in the source, is the first
+/// one's.
 void add_apart(Body& body, ir::StructureId index, const ir::Memory& like, const std::vector<std::uint32_t>& path,
                ir::TypeId type, const std::string& name, Name& declared) {
     Context& c = body.context;

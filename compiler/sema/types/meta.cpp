@@ -263,8 +263,8 @@ Meta meta_of_component(Context& c, const Meta& left, const ast::Expr& expr) {
 /// The structure that the expression names; a Meta of kind `none`, without an error, if it names anything else.
 Meta owner_named(Context& c, const Env& env, ast::ExprId id) {
     const ast::Expr& expr = c[id];
-    const bool may_be = expr.kind == ast::ExprKind::generic || expr.kind == ast::ExprKind::member ||
-                        expr.kind == ast::ExprKind::name;
+    const bool may_be =
+        expr.kind == ast::ExprKind::generic || expr.kind == ast::ExprKind::member || expr.kind == ast::ExprKind::name;
     if (!may_be) return {};
     if (expr.kind == ast::ExprKind::name) {
         const Meta named = find_meta(c, env, {expr.name, expr.span});

@@ -90,7 +90,8 @@ struct Binding {
     /// Whether both access elements of one size, and different fields of them.
     bool has_other_fields(const Binding& other) const {
         if (field_bytes == 0 || other.field_bytes == 0 || element_bytes != other.element_bytes) return false;
-        return field_offset + field_bytes <= other.field_offset || other.field_offset + other.field_bytes <= field_offset;
+        return field_offset + field_bytes <= other.field_offset ||
+               other.field_offset + other.field_bytes <= field_offset;
     }
 };
 
