@@ -117,9 +117,9 @@ TEST_P(Misuse, OfPartsThatDoNotFit) {
     exact.fill(1);
     EXPECT_EQ(exact.read()[99], 1.0f);
     Line larger(device, 100, bytes(404));
-    expect_error("Array<1, float, none, buffer>.data", [&] { Line small(device, 100, bytes(396)); });
-    expect_error("Array<1, float, none, buffer>.data", [&] { Line empty(device, 100, glift::Memory()); });
-    expect_error("Array<1, float, none, buffer>.data", [&] {
+    expect_error("Array<1, float>.data", [&] { Line small(device, 100, bytes(396)); });
+    expect_error("Array<1, float>.data", [&] { Line empty(device, 100, glift::Memory()); });
+    expect_error("Array<1, float>.data", [&] {
         Line image(device, 4, picture({4, 4, 1}, glift::Format::r32f));
     });
     expect_error("another device", [&] {
@@ -171,10 +171,10 @@ TEST_P(Misuse, OfBoxes) {
     expect_error("lies outside its domain", [&] { line.element(device, 10); });
     expect_error("do not fill the box", [&] { line.write(std::vector<float>(9)); });
     const auto part = line.range(2, 4);
-    expect_error("outside the range of Array<1, float, none, buffer>", [&] { part.range(2, 3); });
-    expect_error("outside the range of Array<1, float, none, buffer>", [&] { part.range(~0u, 1); });
-    expect_error("outside the range of Array<1, float, none, buffer>", [&] { part.element(device, 4); });
-    expect_error("outside the range of Array<1, float, none, buffer>", [&] { part.element_in_place(device, 4); });
+    expect_error("outside the range of Array<1, float>", [&] { part.range(2, 3); });
+    expect_error("outside the range of Array<1, float>", [&] { part.range(~0u, 1); });
+    expect_error("outside the range of Array<1, float>", [&] { part.element(device, 4); });
+    expect_error("outside the range of Array<1, float>", [&] { part.element_in_place(device, 4); });
     EXPECT_EQ(part.range(1, 3).read().size(), 3u);
     expect_error("f is {10} and g is {4}", [&] { misuse::copy(device, line, line.range(0, 4)); });
     const std::string around = error_of([&] { misuse::around(device, Line(device, 4), line); });
@@ -261,8 +261,8 @@ TEST_P(Misuse, RecordingsRefuseWhatWaits) {
         expect_error(words, [&] { device.record(body); });
     };
     using Commands = glift::Commands;
-    fails("Array<1, float, none, buffer>::read", [&](const Commands&) { line.read(); });
-    fails("Array<1, float, none, buffer>::read", [&](const Commands&) { line.map(); });
+    fails("Array<1, float>::read", [&](const Commands&) { line.read(); });
+    fails("Array<1, float>::read", [&](const Commands&) { line.map(); });
     fails("cannot be recorded", [&](const Commands& c) { line.element(c, 0).await(c); });
     fails("cannot be recorded", [&](const Commands&) { line.element(device, 0).await(device); });
     fails("Recording::submit", [&](const Commands&) { earlier.submit(); });

@@ -68,7 +68,8 @@ TEST(Kernels, have_unnamed_generic_parameters) {
         "  (kernel k <structure of f> <structure of g:(generic Structure uint T)> <structure of c> "
         "<structure of a = structure of g> ((f in near structure of f 2) (a at structure of a) "
         "(g out each structure of g) (c out scatter structure of c add)))");
-    EXPECT_EQ(declarations("fn f(x: each) -> at { }"), "  (fn f ((x each)) -> at)");
+    EXPECT_EQ(declarations("fn f(x: near<1>, y: any) { }"),
+              "  (fn f <structure of x> <structure of y> ((x near structure of x 1) (y any structure of y)))");
 }
 
 TEST(Translators, have_fields_and_methods_without_types) {
