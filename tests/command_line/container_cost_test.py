@@ -11,8 +11,8 @@ import tempfile
 
 
 def normalised(path):
-    """The shader's text without comments, each name replaced by its number in the order of first uses."""
-    text = re.sub(r"//.*", "", path.read_text())
+    """The shader's text without comments and line breaks, each name replaced by its number in the order of first uses."""
+    text = re.sub(r"\s+", " ", re.sub(r"//.*", "", path.read_text()))
     numbers = {}
     return re.sub(r"[A-Za-z_]\w*", lambda name: f"n{numbers.setdefault(name[0], len(numbers))}", text)
 
