@@ -4,6 +4,7 @@
 #include "ir/effects.h"
 #include "sema/structures/components.h"
 #include "sema/structures/image_parts.h"
+#include "sema/types/typing.h"
 
 #include <algorithm>
 
@@ -63,6 +64,15 @@ bool is_interpolated(Body& body, ir::TypeId type) {
                                [&](const ir::StructField& field) { return is_interpolated(body, field.type); });
 }
 
+/// The number of a level: a uint, or a float, which may lie between two levels.
+ir::ExprId level(Body& body, ast::ExprId argument) {
+    const bool is_literal =
+        is_flexible(body.context, argument) && body.context[argument].kind != ast::ExprKind::float_literal;
+    const ir::ExprId value = check_value(body, argument, is_literal ? body.types().uint : ir::TypeId{});
+    if (is_error(body, value) || body.program().exprs[value].type == body.types().float_) return value;
+    return coerce(body, value, body.types().uint, body.context[argument].span);
+}
+
 /// `s.sample(x)`, or `s.sample(x, level)` of an image with levels.
 Operand sample(Body& body, const Operand& self, const std::vector<ast::ExprId>& arguments, const ast::Expr& call) {
     Context& c = body.context;
@@ -83,7 +93,7 @@ Operand sample(Body& body, const Operand& self, const std::vector<ast::ExprId>& 
     if (!fits_cube(body, "sample", structure, call.span)) return error_operand(call.span);
     ir::Operands operands;
     operands.push_back(point(body, self, arguments[0]));
-    if (arguments.size() == 2) operands.push_back(check_value(body, arguments[1], body.types().uint));
+    if (arguments.size() == 2) operands.push_back(level(body, arguments[1]));
     return operation(body, ir::Op::sample, element, self, operands, call.span);
 }
 

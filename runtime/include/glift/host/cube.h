@@ -93,12 +93,13 @@ T sample_cube_nearest(const HostMemory& memory, const float3& direction, float l
         memory, {detail::cube_texel(point.u, side), detail::cube_texel(point.v, side), point.face}, mip);
 }
 
-/// Linear interpolation between texel centres in the level nearest to `level`, over the edges of faces.
+/// Linear interpolation between texel centres, over the edges of faces, then between the two levels around `level`.
 template <Format F, class T>
 T sample_cube_linear(const HostMemory& memory, const float3& direction, float level = 0.0f) {
-    const std::uint32_t mip = detail::nearest_level(memory, level);
-    return detail::cube_mix<T>(memory, direction, mip, [&](const std::array<std::int64_t, 3>& at) {
-        return detail::cube_texel<F, T>(memory, at, mip);
+    return detail::between_levels(memory, level, [&](std::uint32_t mip) {
+        return detail::cube_mix<T>(memory, direction, mip, [&](const std::array<std::int64_t, 3>& at) {
+            return detail::cube_texel<F, T>(memory, at, mip);
+        });
     });
 }
 

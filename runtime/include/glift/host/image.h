@@ -172,6 +172,16 @@ inline std::uint32_t nearest_level(const HostMemory& memory, float level) {
     return convert<uint>(clamped);
 }
 
+/// Interpolates between the two levels around `level`; of_level(i) gives the value in level i.
+template <class OfLevel> auto between_levels(const HostMemory& memory, float level, OfLevel&& of_level) {
+    const float last = static_cast<float>(memory.mips - 1);
+    const float clamped = level >= 0.0f ? (level < last ? level : last) : 0.0f;  // a NaN counts as 0
+    const std::uint32_t low = convert<uint>(floor(clamped));
+    const auto lower = of_level(low);
+    const float weight = clamped - floor(clamped);
+    return weight == 0.0f ? lower : mix(lower, of_level(low + 1), weight);
+}
+
 /// The weight of the texel after `texel`. At infinity both are the edge's texel, whatever their weights are.
 inline float fraction(float texel) {
     const float result = texel - floor(texel);
@@ -202,30 +212,38 @@ template <Format F, class T, class At> T sample_nearest(const HostMemory& memory
     return detail::clamped_texel<F, T>(memory, texel, mip);
 }
 
-/// Linear interpolation between texel centres along each axis, x first, in the level nearest to `level`; in the nearest
-/// layer if the image has layers.
-template <Format F, class T, class At> T sample_linear(const HostMemory& memory, const At& at, float level = 0.0f) {
-    const std::array<float, 3> point = detail::as_array(at);
-    const std::uint32_t mip = detail::nearest_level(memory, level);
-    const auto extent = detail::level_of(memory, mip).extent;
-    const unsigned axes = detail::components<At> == 3 && memory.has_layers ? 2 : detail::components<At>;
+namespace detail {
+
+/// Linear interpolation between texel centres of one level.
+template <Format F, class T, class At> T sample_of_level(const HostMemory& memory, const At& at, std::uint32_t mip) {
+    const std::array<float, 3> point = as_array(at);
+    const auto extent = level_of(memory, mip).extent;
+    const unsigned axes = components<At> == 3 && memory.has_layers ? 2 : components<At>;
     std::array<std::int64_t, 3> low{};
     std::array<float, 3> weight{};
     for (unsigned axis = 0; axis < axes; ++axis) {
         const float texel = point[axis] * static_cast<float>(extent[axis]) - 0.5f;
         low[axis] = convert<std::int32_t>(floor(texel));
-        weight[axis] = detail::fraction(texel);
+        weight[axis] = fraction(texel);
     }
-    if (axes < detail::components<At>) low[2] = convert<std::int32_t>(round(point[2]));
+    if (axes < components<At>) low[2] = convert<std::int32_t>(round(point[2]));
     std::array<T, 8> corners;
     for (unsigned i = 0; i < (1u << axes); ++i)
-        corners[i] =
-            detail::clamped_texel<F, T>(memory, {low[0] + (i & 1), low[1] + (i >> 1 & 1), low[2] + (i >> 2)}, mip);
+        corners[i] = clamped_texel<F, T>(memory, {low[0] + (i & 1), low[1] + (i >> 1 & 1), low[2] + (i >> 2)}, mip);
     for (unsigned axis = 0; axis < axes; ++axis) {
         for (unsigned i = 0; i < (1u << (axes - 1 - axis)); ++i)
             corners[i] = mix(corners[2 * i], corners[2 * i + 1], weight[axis]);
     }
     return corners[0];
+}
+
+}  // namespace detail
+
+/// Linear interpolation between texel centres along each axis, x first, then between the two levels around `level`; in
+/// the nearest layer if the image has layers.
+template <Format F, class T, class At> T sample_linear(const HostMemory& memory, const At& at, float level = 0.0f) {
+    return detail::between_levels(memory, level,
+                                  [&](std::uint32_t mip) { return detail::sample_of_level<F, T>(memory, at, mip); });
 }
 
 namespace detail {
