@@ -226,6 +226,10 @@ private:
             } else if (at_ > first ? space_between(pieces_[at_ - 1], piece) : column() > indent) {
                 out_ += piece.is_comment() && !piece.first_on_line ? "  " : " ";
             }
+            if (piece.opens_block()) {  // of a closure
+                block(indent, false);
+                continue;
+            }
             out_ += piece.text;
             if (piece.opens()) alignment.push_back(column());
             if (piece.closes() && !alignment.empty()) alignment.pop_back();
@@ -243,6 +247,7 @@ private:
             if (k > i) {
                 if (pieces_[k - 1].kind == PieceKind::line_comment || pieces_[k].is_comment()) return length > widest;
                 if (depth <= 0 && may_break_between(pieces_[k - 1], pieces_[k])) return length > widest;
+                if (pieces_[k].opens_block()) return length + 2 > widest;
                 length += space_between(pieces_[k - 1], pieces_[k]) ? 1 : 0;
             }
             length += pieces_[k].text.size();

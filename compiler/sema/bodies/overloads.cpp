@@ -1,4 +1,5 @@
 // Which function a call means, and the call itself: overloads, their generic arguments, their arguments.
+#include "sema/bodies/closures.h"
 #include "sema/bodies/order.h"
 #include "sema/kernels/writing.h"
 #include "sema/names/lookup.h"
@@ -100,6 +101,7 @@ std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner,
             generics.infer_structure(function.params[i].type, arguments.operands[i].structure);
         else if (ir::TypeId type = operand_type(body, arguments.operands[i]))
             generics.infer(function.params[i].type, type);
+        generics.locate(function.params[i].type, call.operands[i + 1]);
     }
     if (wanted && function.result) generics.infer(function.result, wanted);
     for (std::size_t i = 0; i < function.group.size() && i < 3 && body.grouped(); ++i)
@@ -118,7 +120,7 @@ std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner,
         if (parameter == body.types().error || (actual && becomes(body.types(), actual, parameter))) continue;
         if (!report) return nullptr;
         if (!actual) to_value(body, arguments.operands[i]);  // reports that it is not a value
-        else {
+        else if (!report_closure(c, actual, parameter, arguments.operands[i].span)) {
             Diagnostic& diagnostic =
                 c.error(Diag::type_mismatch, arguments.operands[i].span, {c.text(parameter), c.text(actual)});
             note(diagnostic, function.params[i].name.span,
