@@ -217,6 +217,10 @@ private:
         std::vector<std::size_t> alignment;
         while (at_ < end) {
             const Piece& piece = pieces_[at_];
+            if (piece.opens_block()) {  // of a closure
+                block(indent, false);
+                continue;
+            }
             bool forced = at_ > first && (pieces_[at_ - 1].kind == PieceKind::line_comment ||
                                           (piece.is_comment() && piece.first_on_line));
             bool over = at_ > first && breaks_before(at_, end, room);
@@ -225,10 +229,6 @@ private:
                 new_line(aligned > widest_alignment ? indent + 2 * level : aligned);
             } else if (at_ > first ? space_between(pieces_[at_ - 1], piece) : column() > indent) {
                 out_ += piece.is_comment() && !piece.first_on_line ? "  " : " ";
-            }
-            if (piece.opens_block()) {  // of a closure
-                block(indent, false);
-                continue;
             }
             out_ += piece.text;
             if (piece.opens()) alignment.push_back(column());
