@@ -215,6 +215,7 @@ void declare_captured(Body& body, ir::StructId type, ir::LocalId closure) {
 }
 
 bool report_closure(Context& c, ir::TypeId found, ir::TypeId wanted, Span span) {
+    if (!found) return false;
     if (c.types().kind(found) == ir::TypeKind::device) found = c.types()[found].element;
     if (found == wanted || !closure_of(c, found)) return false;
     note(c.error(Diag::closure_unwanted, span, {c.text(wanted)}), span,
