@@ -42,7 +42,7 @@ ir::ExprId captured_value(Body& body, ast::ExprId name) {
                                   : operand.kind == OperandKind::memory ? "a memory"
                                                                         : "a structure";
     note(c.error(Diag::closure_capture, operand.span, {text, kind}), operand.span,
-         "write 'let x = " + text + (is_value ? "" : "[a]") + ";' before the call, and use x");
+         "write 'let value = " + text + (is_value ? "" : "[a]") + ";' before the call, and use 'value'");
     return error_value(body, operand.span);
 }
 

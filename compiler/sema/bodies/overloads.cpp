@@ -326,6 +326,11 @@ std::optional<Candidate> choose(Body& body, const std::vector<ast::DeclId>& over
     if (fitting.empty()) {
         Diagnostic& diagnostic = c.error(Diag::no_overload, call.span, {c.text(c[overloads[0]].name.name)});
         for (ast::DeclId overload : overloads) note(diagnostic, c[overload].name.span, "does not take these arguments");
+        const auto is_closure = [&](const Operand& argument) { return closure_of(c, operand_type(body, argument)); };
+        if (std::ranges::any_of(arguments.operands, is_closure))
+            note(diagnostic, call.span,
+                 "a closure is called as the interface of its parameter says: write the constraint, as 'F: "
+                 "Function<float, float>'");
         return std::nullopt;
     }
     std::size_t best = 0;
