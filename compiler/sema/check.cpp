@@ -169,7 +169,7 @@ Diagnostic& Context::error(Diag id, Span span, std::initializer_list<std::string
     return diagnostic;
 }
 
-ir::Program check(const ModuleTable& modules, const ast::Tree& tree, Names& names, Diagnostics& diagnostics,
+ir::Program check(const ModuleTable& modules, ast::Tree& tree, Names& names, Diagnostics& diagnostics,
                   const Settings& settings) {
     ir::Program program;
     program.names = &names;

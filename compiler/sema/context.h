@@ -71,6 +71,20 @@ struct Instance {
     ir::TypeId type;
 };
 
+/// The type of closures that have one text and capture values of the same types: a struct, whose fields are the captured
+/// values (sema/bodies/closures.h).
+struct ClosureType {
+    ast::DeclId written;       ///< the first closure of the type
+    const Env* env = nullptr;  ///< the generic arguments that its text names
+    /// A function that is the closure's call, under the name by which an interface requires it.
+    struct Call {
+        Name name;
+        std::vector<ir::TypeId> types;  ///< of the parameters, the closure first, and of the result
+        ast::DeclId decl;
+    };
+    std::vector<Call> calls;
+};
+
 /// The use that requires an instantiation, for notes.
 struct Request {
     std::string display;
@@ -79,7 +93,7 @@ struct Request {
 
 struct Context {
     const ModuleTable& modules;
-    const ast::Tree& tree;
+    ast::Tree& tree;  ///< grows by the functions that call closures
     Names& names;
     Diagnostics& diagnostics;
     const Settings& settings;
@@ -103,6 +117,9 @@ struct Context {
     std::unordered_map<ir::StructId, std::vector<Meta>> struct_arguments;
     std::unordered_map<ir::TranslatorId, std::vector<Meta>> translator_arguments;
     std::unordered_map<ir::StructId, ast::DeclId> struct_decl;
+    std::unordered_map<ir::StructId, ClosureType> closures;
+    std::unordered_map<std::string, ir::StructId> closure_types;   ///< by text, captured types and generic arguments
+    std::unordered_map<ast::DeclId, ir::StructId> closure_called;  ///< for each ClosureType::Call::decl, the type
 
     ir::Types& types() { return program.types; }
     const std::string& text(Name name) const { return names[name]; }

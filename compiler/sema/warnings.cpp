@@ -35,6 +35,7 @@ private:
             named_.insert(expr.name.index);
             if (is_written) written_.insert(expr.name.index);
         }
+        if (expr.kind == ast::ExprKind::closure) statements(std::get<ast::Function>(c[expr.decl].body).body);
         for (ast::ExprId operand : expr.operands) expression(operand, is_written || expr.kind == ast::ExprKind::call);
     }
 

@@ -55,6 +55,8 @@ enum class ExprKind : std::uint8_t {
     optional,        // operands[0]?, as a type
     await,           // await operands[0]
     tuple,           // { operands… }, an array, vector or struct literal; labels where written `x: 1`
+    closure,         // |parameters| operands[0], or |parameters| { … } without operands; arguments of calls; `decl`
+    known_type,      // the type with index `value`: made by sema, for the functions that closures are called by
 };
 
 enum class UnaryOp : std::uint8_t { plus, minus, logical_not, bit_not };
@@ -90,10 +92,11 @@ struct Expr {
     UnaryOp unary = {};
     BinaryOp binary = {};
     char suffix[3] = {};      ///< numbers: "u", "ul", "h", …
-    std::uint64_t value = 0;  ///< int_literal, bool_literal
+    std::uint64_t value = 0;  ///< int_literal, bool_literal, known_type
     double number = 0;        ///< float_literal
     std::vector<ExprId> operands;
     std::vector<Identifier> labels;  ///< call, tuple: a name (or none) for each argument; empty if no argument is named
+    DeclId decl;                     ///< closure: a Function, whose parameters may be without types
 };
 
 // ----------------------------------------------------------------------------------------------------- statements

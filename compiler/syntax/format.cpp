@@ -217,6 +217,10 @@ private:
         std::vector<std::size_t> alignment;
         while (at_ < end) {
             const Piece& piece = pieces_[at_];
+            if (piece.opens_block()) {  // of a closure
+                block(indent, false);
+                continue;
+            }
             bool forced = at_ > first && (pieces_[at_ - 1].kind == PieceKind::line_comment ||
                                           (piece.is_comment() && piece.first_on_line));
             bool over = at_ > first && breaks_before(at_, end, room);
@@ -243,6 +247,7 @@ private:
             if (k > i) {
                 if (pieces_[k - 1].kind == PieceKind::line_comment || pieces_[k].is_comment()) return length > widest;
                 if (depth <= 0 && may_break_between(pieces_[k - 1], pieces_[k])) return length > widest;
+                if (pieces_[k].opens_block()) return length + 2 > widest;
                 length += space_between(pieces_[k - 1], pieces_[k]) ? 1 : 0;
             }
             length += pieces_[k].text.size();

@@ -23,12 +23,14 @@ struct Piece {
     bool is(TokenKind wanted) const { return kind == PieceKind::token && token == wanted; }
     bool is_comment() const { return kind == PieceKind::line_comment || kind == PieceKind::block_comment; }
     bool opens_block() const { return is(TokenKind::open_brace) && role != Role::open_tuple; }
+    /// Whether it is one of the bars around the parameters of a closure.
+    bool is_bar(Role side) const { return is(TokenKind::bar) && role == side; }
     bool opens() const {
-        return is(TokenKind::open_paren) || is(TokenKind::open_bracket) || is(TokenKind::open_brace) ||
+        return is_bar(Role::open_tuple) || is(TokenKind::open_paren) || is(TokenKind::open_bracket) || is(TokenKind::open_brace) ||
                role == Role::open_generic;
     }
     bool closes() const {
-        return is(TokenKind::close_paren) || is(TokenKind::close_bracket) || is(TokenKind::close_brace) ||
+        return is_bar(Role::close_tuple) || is(TokenKind::close_paren) || is(TokenKind::close_bracket) || is(TokenKind::close_brace) ||
                role == Role::close_generic;
     }
 };

@@ -142,6 +142,7 @@ ast::DeclId Parser::parse_method() {
     decl.is_pub = accept(TokenKind::kw_pub);
     accept(TokenKind::kw_fn);
     decl.name = parse_name("a function");
+    const Enclosing enclosing(*this, names_[decl.name.name]);
     decl.generics = parse_generic_params();
     if (lost_) return {};
     decl.body = parse_function(decl.generics);

@@ -137,6 +137,7 @@ void Parser::parse_declaration_body(Decl& decl) {
         advance();
         ast::Test test;
         test.title = decode_string(advance());
+        const Enclosing enclosing(*this, "test");
         test.body = parse_block();
         decl.body = std::move(test);
         return;
@@ -152,6 +153,7 @@ void Parser::parse_declaration_body(Decl& decl) {
     advance();
     decl.name = parse_name("a name");
     if (lost_) return;
+    const Enclosing enclosing(*this, names_[decl.name.name]);
     const Token what = tokens_[keyword];
     const bool is_generic = what.kind != kw_enum && what.kind != kw_const && !decl.is_extern;
     if (is_generic) decl.generics = parse_generic_params();

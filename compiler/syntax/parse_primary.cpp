@@ -21,7 +21,8 @@ constexpr TokenSet in_generic_arguments{identifier, integer, floating, kw_true, 
 constexpr TokenSet never_in_brackets{semicolon, open_brace, close_brace, end};
 constexpr TokenSet after_generic_arguments{
     open_paren, close_paren, open_bracket, close_bracket, open_brace, close_brace, comma,         semicolon, colon,
-    dot,        dot_dot,     greater,      question,      equal,      equal_equal, exclaim_equal, kw_then,   end};
+    dot,        dot_dot,     greater,      question,      equal,      equal_equal, exclaim_equal, kw_then,   bar,
+    end};
 constexpr TokenSet after_optional{comma, greater, greater_greater, question, question_question};
 
 /// The digits and the suffix of an integer's text, without the prefix 0x, and its base.
@@ -96,6 +97,8 @@ ast::ExprId Parser::parse_primary() {
     bool twice = (before(1).kind == plus || before(1).kind == minus) && before(1).kind == before(2).kind &&
                  before(1).begin == before(2).end;
     std::string note = twice ? "there is no '++' and no '--': write 'i += 1'" : "";
+    if (at(bar) || at(bar_bar))
+        note = "a closure is an argument of a call: it stands directly after '(' or ',', as in 'transform(a, |x| x * x, b)'";
     Span place = peek().first_on_line && cursor_ > 0 ? after_previous() : here();
     fail(Diag::expected_expression, place, {shown(peek())}, note);
     return error_expr();
@@ -245,7 +248,7 @@ ast::ExprId Parser::parse_call(ExprId callee, std::uint32_t first) {
     return add(std::move(expr));
 }
 
-/// arguments = argument { "," argument } [ "," ] ;    argument = [ name ":" ] expression ;
+/// arguments = argument { "," argument } [ "," ] ;    argument = [ name ":" ] ( expression | closure ) ;
 void Parser::parse_arguments(Expr& expr, TokenKind close) {
     Brackets brackets(*this);
     std::vector<ast::Identifier> labels;
@@ -259,7 +262,7 @@ void Parser::parse_arguments(Expr& expr, TokenKind close) {
         }
         labels.push_back(label);
         is_before_colon_ = static_cast<bool>(label.name);
-        expr.operands.push_back(parse_expression());
+        expr.operands.push_back(parse_argument());
         if (!accept(TokenKind::comma)) break;
     }
     if (any_label) expr.labels = std::move(labels);

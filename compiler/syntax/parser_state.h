@@ -10,6 +10,7 @@
 #include "syntax/token.h"
 
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -95,6 +96,20 @@ private:
         bool is_before_colon;
     };
 
+    /// While an object of this class lives, the parser is inside the declaration of that name.
+    struct Enclosing {
+        Enclosing(Parser& inner, std::string_view name)
+            : parser(inner), outer(inner.enclosing_.size()) {
+            if (outer > 0) parser.enclosing_ += '_';
+            parser.enclosing_ += name;
+        }
+        ~Enclosing() { parser.enclosing_.resize(outer); }
+        Enclosing(const Enclosing&) = delete;
+        Enclosing& operator=(const Enclosing&) = delete;
+        Parser& parser;
+        std::size_t outer;
+    };
+
     // ---- expressions (parse_expressions.cpp, parse_primary.cpp)
     ExprId add(ast::Expr expr);
     ExprId error_expr();
@@ -119,6 +134,7 @@ private:
     ExprId parse_generic_arguments(ExprId base, std::uint32_t first);
     ExprId parse_named_argument();
     void parse_arguments(ast::Expr& expr, TokenKind close);
+    ExprId parse_argument();
     bool closes_outer(TokenKind kind) const;
     bool generic_arguments_follow() const;
     std::string decode_string(const Token& token);
@@ -127,6 +143,12 @@ private:
     ExprId parse_type();
     ExprId parse_generic_argument();
     std::vector<ast::GenericParam> parse_generic_params();
+
+    // ---- closures (parse_closures.cpp)
+    ExprId parse_closure();
+    std::vector<ast::Param> parse_closure_params();
+    std::vector<StmtId> parse_closure_body(ast::Expr& closure);
+    Name closure_name();
 
     // ---- statements (parse_statements.cpp)
     StmtId parse_statement();
@@ -219,7 +241,9 @@ private:
     int depth_ = 0;
     int open_angles_ = 0;           // how many lists of generic arguments or parameters are open here
     bool is_before_colon_ = false;  // a ':' here ends the middle of `a ? b : c`, or begins the next named argument
-    std::uint32_t first_expr_;      // index in the tree of this file's first expression
+    std::string enclosing_;         // the names of the declarations around this place, joined by `_`; "test" in tests
+    std::unordered_map<std::string, unsigned> closures_;  // for each text of enclosing_: the number of closures so far
+    std::uint32_t first_expr_;                            // index in the tree of this file's first expression
     std::vector<std::uint16_t> heights_;  // height of the tree of each expression from first_expr_ on; limited by add()
     std::uint32_t unclosed_at_ =
         0xffffffffu;  // the token where a missing `}` was reported, so that enclosing braces do not report it again

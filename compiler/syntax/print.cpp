@@ -102,6 +102,8 @@ public:
         case ExprKind::optional: return list("optional", e);
         case ExprKind::await: return list("await", e);
         case ExprKind::tuple: return list("tuple", e);
+        case ExprKind::closure: return closure(e);
+        case ExprKind::known_type: return "<type " + std::to_string(e.value) + ">";
         }
         return "";
     }
@@ -133,6 +135,15 @@ private:
             text += expr(e.operands[i]);
         }
         return text + ")";
+    }
+
+    std::string closure(const Expr& e) const {
+        const auto& function = std::get<Function>(tree_.decls[e.decl].body);
+        const std::string head = "(closure" + params(function.params);
+        if (!e.operands.empty()) return head + " " + expr(e.operands[0]) + ")";
+        Printer inner(tree_, names_);
+        inner.block(function.body);
+        return head + " {\n" + inner.take() + "})";
     }
 
     void line(const std::string& text) {

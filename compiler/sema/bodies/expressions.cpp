@@ -1,3 +1,4 @@
+#include "sema/bodies/closures.h"
 #include "sema/bodies/order.h"
 
 #include "sema/names/unknown_names.h"
@@ -238,6 +239,8 @@ Operand check_kind(Body& body, ast::ExprId id, ir::TypeId wanted) {
     case ast::ExprKind::range: c.error(Diag::not_a_value, expr.span, {"a range"}); return error_operand(expr.span);
     case ast::ExprKind::await: return check_await(body, expr);
     case ast::ExprKind::tuple: return check_tuple(body, expr, wanted);
+    case ast::ExprKind::closure: return check_closure(body, id);
+    case ast::ExprKind::known_type: break;
     }
     return error_operand(expr.span);
 }
@@ -345,6 +348,7 @@ ir::ExprId coerce(Body& body, ir::ExprId expr, ir::TypeId wanted, Span span) {
         const ir::ExprId value = coerce(body, expr, types[wanted].element, span);
         return add(body.program(), ir::Op::some, wanted, span, {value});
     }
+    if (report_closure(body.context, have, wanted, span)) return error_value(body, span);
     Diagnostic& diagnostic =
         body.context.error(Diag::type_mismatch, span, {body.context.text(wanted), body.context.text(have)});
     if (types.kind(have) == ir::TypeKind::device && types[have].element == wanted)

@@ -1,4 +1,5 @@
 // Which function a call means, and the call itself: overloads, their generic arguments, their arguments.
+#include "sema/bodies/closures.h"
 #include "sema/bodies/order.h"
 #include "sema/kernels/writing.h"
 #include "sema/names/lookup.h"
@@ -100,6 +101,7 @@ std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner,
             generics.infer_structure(function.params[i].type, arguments.operands[i].structure);
         else if (ir::TypeId type = operand_type(body, arguments.operands[i]))
             generics.infer(function.params[i].type, type);
+        generics.locate(function.params[i].type, call.operands[i + 1]);
     }
     if (wanted && function.result) generics.infer(function.result, wanted);
     for (std::size_t i = 0; i < function.group.size() && i < 3 && body.grouped(); ++i)
@@ -118,7 +120,7 @@ std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner,
         if (parameter == body.types().error || (actual && becomes(body.types(), actual, parameter))) continue;
         if (!report) return nullptr;
         if (!actual) to_value(body, arguments.operands[i]);  // reports that it is not a value
-        else {
+        else if (!report_closure(c, actual, parameter, arguments.operands[i].span)) {
             Diagnostic& diagnostic =
                 c.error(Diag::type_mismatch, arguments.operands[i].span, {c.text(parameter), c.text(actual)});
             note(diagnostic, function.params[i].name.span,
@@ -324,6 +326,11 @@ std::optional<Candidate> choose(Body& body, const std::vector<ast::DeclId>& over
     if (fitting.empty()) {
         Diagnostic& diagnostic = c.error(Diag::no_overload, call.span, {c.text(c[overloads[0]].name.name)});
         for (ast::DeclId overload : overloads) note(diagnostic, c[overload].name.span, "does not take these arguments");
+        const auto is_closure = [&](const Operand& argument) { return closure_of(c, operand_type(body, argument)); };
+        if (std::ranges::any_of(arguments.operands, is_closure))
+            note(diagnostic, call.span,
+                 "a closure is called as the interface of its parameter says: write the constraint, as 'F: "
+                 "Function<float, float>'");
         return std::nullopt;
     }
     std::size_t best = 0;

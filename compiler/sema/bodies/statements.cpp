@@ -109,7 +109,12 @@ void check_assign(Body& body, const ast::Stmt& stmt) {
     bool is_local = root->op == ir::Op::local;
     if (!is_local || !body.program().locals[root->local].is_mutable) {
         Diagnostic& diagnostic = c.error(Diag::not_assignable, c[stmt.target].span);
-        if (is_local) note(diagnostic, body.program().locals[root->local].span, "declare it with 'var' to change it");
+        if (is_local && std::ranges::find(body.captured, root->local) != body.captured.end())
+            note(diagnostic, c[stmt.target].span,
+                 "a closure captures values, which do not change: copy it, as in 'var copy = " +
+                     c.text(body.program().locals[root->local].name) + ";', and change the copy");
+        else if (is_local)
+            note(diagnostic, body.program().locals[root->local].span, "declare it with 'var' to change it");
         return;
     }
     if (body.kind == BodyKind::pipeline && body.program().exprs[target].op == ir::Op::local)

@@ -1,5 +1,6 @@
 #include "sema/names/lookup.h"
 
+#include "sema/bodies/closures.h"
 #include "sema/types/meta.h"
 
 #include <algorithm>
@@ -124,6 +125,9 @@ Visible look_up(Context& c, ir::ModuleId module, ast::Identifier name) {
 void add_functions_of_types(Context& c, Name name, const std::vector<ir::TypeId>& types,
                             std::vector<ast::DeclId>& functions) {
     for (ir::TypeId type : types) {
+        if (const ClosureType* closure = closure_of(c, type))
+            for (const ClosureType::Call& call : closure->calls)
+                if (call.name == name && !contains(functions, call.decl)) functions.push_back(call.decl);
         const ir::ModuleId home = home_of(c, type);
         if (!home) continue;
         auto found = c.scopes[home].names.find(name);

@@ -25,7 +25,7 @@ bool is_function(const Context&, const std::vector<ast::DeclId>&);
 bool some_module_has_function(const Context&, Name);
 
 /// Argument-dependent lookup: adds the functions of this name, public or not, of the modules that declare the structs
-/// and enums among `types`. Arrays and optionals count as their elements.
+/// and enums among `types`, and the calls of the closures among them. Arrays and optionals count as their elements.
 void add_functions_of_types(Context&, Name, const std::vector<ir::TypeId>& types, std::vector<ast::DeclId>& functions);
 
 }  // namespace gliftc::sema

@@ -77,7 +77,7 @@ std::optional<std::size_t> only_address(const std::vector<ast::Param>& params) {
 void infer_arguments(Body& body, Arguments& generics, const std::vector<ast::Param>& params,
                      const std::vector<PassArgument>& arguments) {
     for (std::size_t i = 0; i < params.size() && i < arguments.size(); ++i) {
-        generics.locate(params[i].type, body.context[arguments[i].written].span);
+        generics.locate(params[i].type, arguments[i].written);
         if (arguments[i].waits) continue;
         if (params[i].pattern == ast::Pattern::range && arguments[i].structure) {
             const ir::Structure structure = body.program().structures[arguments[i].structure];

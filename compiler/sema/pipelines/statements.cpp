@@ -1,6 +1,7 @@
 // long: the checks of statements and expressions of pipelines call each other
 // Checks the statements and expressions that only pipelines and tests have: temporaries, calls of kernels and
 // pipelines, slices, values on the device, and `expect` and the like.
+#include "sema/bodies/closures.h"
 #include "sema/bodies/order.h"
 #include "sema/kernels/aliasing.h"
 #include "sema/pipelines/pass_overloads.h"
@@ -128,6 +129,8 @@ std::optional<ir::Operands> kernel_arguments(Body& body, ir::KernelId kernel_ind
                 to_value(body, arguments[i].operand);  // reports what is no value
                 return std::nullopt;
             }
+            const ir::TypeId wanted = body.types().of_structure(param.structure);
+            if (!arguments[i].waits && report_closure(c, arguments[i].operand.type, wanted, span)) return std::nullopt;
             if (!arguments[i].structure || arguments[i].structure != param.structure) {
                 std::string have = arguments[i].structure ? body.program().structures[arguments[i].structure].display
                                    : arguments[i].waits   ? "a number"

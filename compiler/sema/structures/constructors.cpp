@@ -10,8 +10,8 @@ namespace gliftc::sema {
 
 namespace {
 
-/// Whether the argument is a name in scope or a path of members from one. Checking such an argument twice is harmless:
-/// it emits no statements.
+/// Whether the argument is a name in scope or a path of members from one. Checking such an argument twice is harmless,
+/// as that of a closure is: it emits no statements.
 bool is_named(Body& body, ast::ExprId id) {
     const ast::Expr* expr = &body.context[id];
     while (expr->kind == ast::ExprKind::member) expr = &body.context[expr->operands[0]];
@@ -67,9 +67,11 @@ Meta constructed_type(Body& body, const ast::Expr& call) {
     if (!generics.give(env_for(body, written), given)) return {};
     const std::vector<ast::Param>& params = *constructor_of(c[id]);
     for (std::size_t i = 0; i < params.size() && i + 1 < call.operands.size(); ++i) {
-        if (!is_named(body, call.operands[i + 1])) continue;
+        const bool is_closure = c[call.operands[i + 1]].kind == ast::ExprKind::closure;
+        if (!is_closure && !is_named(body, call.operands[i + 1])) continue;
         const Operand argument = check(body, call.operands[i + 1]);
         if (argument.kind == OperandKind::error) return {};
+        if (is_closure) generics.infer(params[i].type, argument.type);
         if (argument.kind == OperandKind::structure) generics.infer_structure(params[i].type, argument.structure);
     }
     if (!generics.finish()) return {};

@@ -44,8 +44,9 @@ struct Arguments {
 
     /// The index of the generic parameter that the type is; absent if it is none.
     std::optional<std::size_t> index_of(ast::ExprId type) const;
-    /// Sets where errors are reported in the argument of an unnamed parameter, if the type is one.
-    void locate(ast::ExprId type, Span);
+    /// Sets where errors are reported in the argument of a generic parameter, if the type is one: at the argument of a
+    /// call by which it is inferred, for unnamed parameters and closures.
+    void locate(ast::ExprId type, ast::ExprId argument);
 
 private:
     bool take_all(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first, bool quiet);
@@ -53,6 +54,8 @@ private:
     bool finish_unnamed(std::size_t index, bool quiet);
     bool take(std::size_t i, const Env& user, ast::ExprId argument, const Env& known, bool quiet);
     bool is_default(std::size_t i);
+    bool is_known(ast::ExprId expr) const;
+    void infer_from_result(ast::ExprId constraint, ir::TypeId closure);
     bool take_named(const Env& user, const ast::Expr& argument, bool quiet);
 };
 

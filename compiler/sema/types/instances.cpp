@@ -2,6 +2,7 @@
 #include "sema/types/instances.h"
 
 #include "sema/bodies/body.h"
+#include "sema/bodies/closures.h"
 #include "sema/kernels/writing.h"
 #include "sema/structures/components.h"
 #include "sema/types/generics.h"
@@ -190,11 +191,14 @@ static void cut_after_return(const ir::Program& program, std::vector<ir::StmtId>
 }
 
 // long: all checks of one declaration
-std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, const Env& env,
+std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, const Env& given,
                                                    const std::vector<ir::StructureId>& structures, Span use) {
     const ast::Decl& decl = c[id];
+    const auto closure = c.closure_called.find(id);
+    const bool calls_closure = closure != c.closure_called.end();
+    const Env& env = calls_closure ? *c.closures.at(closure->second).env : given;
     const auto& written = std::get<ast::Function>(decl.body);
-    std::string key = key_of(c, id, env);
+    std::string key = key_of(c, id, given);
     for (ir::StructureId structure : structures) key += "@" + std::to_string(structure.index);
     if (auto found = c.instances.find(key); found != c.instances.end()) {
         if (found->second.state == Instance::State::failed) return std::nullopt;
@@ -219,7 +223,7 @@ std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, c
     ir::Function function;
     function.name = decl.name.name;
     function.display = display_of(c, decl, env);
-    function.key = qualified_display_of(c, id, env);
+    function.key = calls_closure ? key_of_call(c, id) : qualified_display_of(c, id, env);
     function.span = decl.name.span;
     function.module = c.module_of.at(id);
     function.is_pub = decl.is_pub;
@@ -242,6 +246,7 @@ std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, c
     if (structures.size() > parameters) bring_members_into_scope(body, structures[0]);
     open_scope(body);
     declare_params(body, written.params, function, structures.size() - parameters, structures);
+    if (calls_closure) declare_captured(body, closure->second, function.params[0]);
     declare_with(body, written, function);
     check_block(body, written.body);
     close_scope(body);

@@ -11,6 +11,7 @@ ir::TypeId instantiate_type(Context&, ast::DeclId, const Env&, Span use);
 /// The instance of a translator; empty after an error.
 ir::TranslatorId instantiate_translator(Context&, ast::DeclId, const Env&, Span use);
 
+/// A function that calls a closure has the generic arguments of the closure, whatever the environment has.
 /// `structures`: the instances passed for the function's structure parameters; of a function that a structure declares,
 /// that structure first.
 std::optional<ir::FunctionId> instantiate_function(Context&, ast::DeclId, const Env&,

@@ -1,5 +1,6 @@
 #include "sema/types/interfaces.h"
 
+#include "sema/bodies/closures.h"
 #include "sema/names/lookup.h"
 #include "sema/types/generics.h"
 #include "sema/types/instances.h"
@@ -57,6 +58,12 @@ bool is_there(Context& c, ir::ModuleId module, const Wanted& wanted) {
                        [&](ast::DeclId candidate) { return fits(c, candidate, wanted); });
 }
 
+std::size_t number_of_functions(const Context& c, ast::DeclId interface) {
+    const auto is_function = [&](ast::DeclId member) { return std::holds_alternative<ast::Function>(c[member].body); };
+    const auto& members = std::get<ast::Interface>(c[interface].body).members;
+    return static_cast<std::size_t>(std::ranges::count_if(members, is_function));
+}
+
 /// The function as the language writes it: "fn combine(op: Max, a: uint, b: uint) -> uint".
 std::string text_of(const Context& c, const Wanted& wanted) {
     std::string text = "fn " + c.text(wanted.name.name) + "(";
@@ -90,9 +97,20 @@ bool satisfies_interface(Context& c, const Env& env, ast::DeclId id, const ast::
     if (scope.too_deep()) return true;  // reported
     c.interfaces_under_way.push_back(key);
     bool all = true;
+    const ClosureType* closure = closure_of(c, type);
+    const std::size_t functions = number_of_functions(c, id);
+    if (closure && functions != 1) {
+        why = "it is one function, and the interface requires " + std::to_string(functions) + ": declare a struct with these functions";
+        all = false;
+    }
     for (ast::DeclId member : std::get<ast::Interface>(c[id].body).members) {
         if (!std::holds_alternative<ast::Function>(c[member].body)) continue;
         Wanted wanted = wanted_of(c, inside, member);
+        if (closure) {
+            wanted.types.push_back(wanted.result);
+            all = all && give_call(c, type, wanted.name.name, wanted.types, why);
+            continue;
+        }
         all = is_there(c, env.module, wanted);
         if (all) continue;
         why = "there is no " + text_of(c, wanted);

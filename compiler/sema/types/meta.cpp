@@ -362,6 +362,7 @@ Meta meta_of(Context& c, const Env& env, ast::ExprId id) {
     const ast::Expr& expr = c[id];
     switch (expr.kind) {
     case ast::ExprKind::error: return {};
+    case ast::ExprKind::known_type: return of_type({static_cast<std::uint32_t>(expr.value)});
     case ast::ExprKind::name: return meta_of_name(c, env, expr);
     case ast::ExprKind::generic: return meta_of_generic(c, env, expr);
     case ast::ExprKind::index: return meta_of_array(c, env, expr);
