@@ -20,9 +20,8 @@ constexpr TokenSet in_generic_arguments{identifier, integer, floating, kw_true, 
                                         plus,       minus,   star,     slash,   percent,  exclaim, tilde};
 constexpr TokenSet never_in_brackets{semicolon, open_brace, close_brace, end};
 constexpr TokenSet after_generic_arguments{
-    open_paren, close_paren, open_bracket, close_bracket, open_brace, close_brace, comma,         semicolon, colon,
-    dot,        dot_dot,     greater,      question,      equal,      equal_equal, exclaim_equal, kw_then,   bar,
-    end};
+    open_paren, close_paren, open_bracket, close_bracket, open_brace,  close_brace,   comma,   semicolon, colon, dot,
+    dot_dot,    greater,     question,     equal,         equal_equal, exclaim_equal, kw_then, bar,       end};
 constexpr TokenSet after_optional{comma, greater, greater_greater, question, question_question};
 
 /// The digits and the suffix of an integer's text, without the prefix 0x, and its base.
@@ -98,7 +97,8 @@ ast::ExprId Parser::parse_primary() {
                  before(1).begin == before(2).end;
     std::string note = twice ? "there is no '++' and no '--': write 'i += 1'" : "";
     if (at(bar) || at(bar_bar))
-        note = "a closure is an argument of a call: it stands directly after '(' or ',', as in 'transform(a, |x| x * x, b)'";
+        note = "a closure is an argument of a call: it stands directly after '(' or ',', as in 'transform(a, |x| x * "
+               "x, b)'";
     Span place = peek().first_on_line && cursor_ > 0 ? after_previous() : here();
     fail(Diag::expected_expression, place, {shown(peek())}, note);
     return error_expr();

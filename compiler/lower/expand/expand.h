@@ -1,3 +1,4 @@
+// long: the methods of one class, which are defined in several files
 // The pass "expand": from structures to memory. Makes a body of loads and stores out of a kernel's body, whose
 // operations access elements of structures. The Expander's private methods are in the files named below.
 //

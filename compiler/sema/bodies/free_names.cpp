@@ -53,8 +53,8 @@ private:
         if (stmt.name.name) bound_.push_back(stmt.name.name);
         expression(stmt.condition);
         statements(stmt.body);
-        const bool stays = stmt.kind == ast::StmtKind::let || stmt.kind == ast::StmtKind::shared ||
-                           stmt.kind == ast::StmtKind::temp;
+        const bool stays =
+            stmt.kind == ast::StmtKind::let || stmt.kind == ast::StmtKind::shared || stmt.kind == ast::StmtKind::temp;
         if (!stays) bound_.resize(outer);
         statements(stmt.otherwise);
     }

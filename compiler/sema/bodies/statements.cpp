@@ -80,6 +80,21 @@ bool repeats_lane(const ir::Expr& swizzle, std::uint32_t count) {
     return false;
 }
 
+/// Assigns to the container's host state, in a pipeline of its own.
+void assign_host_state(Body& body, const ast::Stmt& stmt, ir::ExprId target, std::uint32_t slot) {
+    if (is_refused_in_arm(body, "a change of host state", stmt.span,
+                          "keep what depends on the device there: in an element, or a 'var' of the pipeline"))
+        return;
+    needs_host(body, stmt.span);
+    ir::ExprId value =
+        stmt.op ? check_compound(body, stmt, target) : check_value(body, stmt.value, body.program().exprs[target].type);
+    ir::StmtId assign = add(body.program(), ir::StmtOp::host_assign, stmt.span);
+    body.program().stmts[assign].slot = slot;
+    body.program().stmts[assign].target = target;
+    body.program().stmts[assign].value = value;
+    emit(body, assign);
+}
+
 void check_assign(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
     if ((body.kernel || body.effects) && check_iterator_assignment(body, stmt)) return;
@@ -92,20 +107,8 @@ void check_assign(Body& body, const ast::Stmt& stmt) {
     is_target(body, target);
     const ir::Expr* root = root_of(body, target);
     if (body.kind == BodyKind::pipeline && root->op == ir::Op::host_state && root->place.members.empty() &&
-        !root->local) {
-        if (is_refused_in_arm(body, "a change of host state", stmt.span,
-                              "keep what depends on the device there: in an element, or a 'var' of the pipeline"))
-            return;
-        needs_host(body, stmt.span);
-        ir::ExprId value = stmt.op ? check_compound(body, stmt, target)
-                                   : check_value(body, stmt.value, body.program().exprs[target].type);
-        ir::StmtId assign = add(body.program(), ir::StmtOp::host_assign, stmt.span);
-        body.program().stmts[assign].slot = root->slot;
-        body.program().stmts[assign].target = target;
-        body.program().stmts[assign].value = value;
-        emit(body, assign);
-        return;
-    }
+        !root->local)
+        return assign_host_state(body, stmt, target, root->slot);
     bool is_local = root->op == ir::Op::local;
     if (!is_local || !body.program().locals[root->local].is_mutable) {
         Diagnostic& diagnostic = c.error(Diag::not_assignable, c[stmt.target].span);

@@ -23,30 +23,6 @@ bool takes_type(Context& c, const Env& env, ast::ExprId constraint) {
     return meta.kind == MetaKind::declarations && std::holds_alternative<ast::Interface>(c[meta.declarations[0]].body);
 }
 
-std::string key_part(const Meta& meta) {
-    std::string key;
-    switch (meta.kind) {
-    case MetaKind::type: return "t" + std::to_string(meta.type.index);
-    case MetaKind::value:
-        key = "v" + std::to_string(meta.value.type.index);
-        for (const ir::Lane& lane : meta.value.lanes)
-            key += "," + std::to_string(lane.bits) + "f" + std::to_string(std::bit_cast<std::uint64_t>(lane.number));
-        return key;
-    case MetaKind::translator:
-        key = "r";
-        for (ir::TranslatorId i : meta.translators) key += std::to_string(i.index) + ",";
-        return key;
-    case MetaKind::format: return "x" + std::to_string(static_cast<int>(meta.format));
-    case MetaKind::none:
-    case MetaKind::declarations:
-    case MetaKind::module:
-    case MetaKind::memory_shape:
-    case MetaKind::constraint:
-    case MetaKind::running: return "?";
-    }
-    return key;
-}
-
 bool declares_type(const ast::Decl& decl) {
     return std::holds_alternative<ast::Struct>(decl.body) || std::holds_alternative<ast::Enum>(decl.body) ||
            std::holds_alternative<ast::Alias>(decl.body) || std::holds_alternative<ast::Structure>(decl.body);
@@ -453,7 +429,8 @@ void Arguments::infer_from_result(ast::ExprId constraint, ir::TypeId closure) {
 bool Arguments::finish(bool quiet) {
     Context& c = context;
     for (std::size_t i = 0; i < decl.generics.size(); ++i)
-        if (found[i] && found[i]->kind == MetaKind::type && closure_of(c, found[i]->type) && decl.generics[i].constraint)
+        if (found[i] && found[i]->kind == MetaKind::type && closure_of(c, found[i]->type) &&
+            decl.generics[i].constraint)
             infer_from_result(decl.generics[i].constraint, found[i]->type);
     for (std::size_t i = 0; i < decl.generics.size(); ++i) {
         const ast::GenericParam& param = decl.generics[i];
@@ -485,8 +462,9 @@ bool Arguments::finish(bool quiet) {
         if (!satisfies(c, env, param.constraint, *found[i], why)) {
             if (!quiet) {
                 const bool is_closure = found[i]->kind == MetaKind::type && closure_of(c, found[i]->type);
-                Diagnostic& diagnostic = c.error(Diag::constraint, spans[i],
-                                                 {is_closure ? "this closure" : to_text(c, *found[i]), c.text(param.name.name), why});
+                Diagnostic& diagnostic =
+                    c.error(Diag::constraint, spans[i],
+                            {is_closure ? "this closure" : to_text(c, *found[i]), c.text(param.name.name), why});
                 note(diagnostic, param.name.span, "the constraint is declared here");
                 note_interface(c, env, param.constraint, diagnostic);
             }
@@ -516,37 +494,6 @@ bool Arguments::is_default(std::size_t i) {
 
 void infer_from_literal(Arguments& arguments, ast::ExprId pattern, ast::ExprId literal) {
     if (is_flexible(arguments.context, literal)) arguments.infer(pattern, own_type(arguments.context, literal));
-}
-
-std::string display_of(const Context& c, const ast::Decl& decl, const Env& env) {
-    std::string text = c.text(decl.name.name);
-    const std::size_t shown = std::min(decl.generics.size(), env.shown);
-    if (shown == 0) return text;
-    text += "<";
-    for (std::size_t i = 0; i < shown; ++i) {
-        const Meta* meta = env.find(decl.generics[i].name.name);
-        text += (i ? ", " : "") + (meta ? to_text(c, *meta) : c.text(decl.generics[i].name.name));
-    }
-    return text + ">";
-}
-
-std::string qualified_display_of(const Context& c, ast::DeclId id, const Env& env) {
-    const ast::Decl& decl = c[id];
-    std::string text = ir::module_text(c.program, c.module_of.at(id)) + c.text(decl.name.name);
-    const std::size_t shown = std::min(decl.generics.size(), env.shown);
-    if (shown == 0) return text;
-    text += "<";
-    for (std::size_t i = 0; i < shown; ++i) {
-        const Meta* meta = env.find(decl.generics[i].name.name);
-        text += (i ? ", " : "") + (meta ? to_qualified_text(c, *meta) : c.text(decl.generics[i].name.name));
-    }
-    return text + ">";
-}
-
-std::string key_of(const Context&, ast::DeclId id, const Env& env) {
-    std::string key = std::to_string(id.index);
-    for (const auto& [name, meta] : env.bindings) key += ":" + key_part(meta);
-    return key;
 }
 
 }  // namespace gliftc::sema

@@ -119,9 +119,7 @@ TEST_P(Misuse, OfPartsThatDoNotFit) {
     Line larger(device, 100, bytes(404));
     expect_error("Array<1, float>.data", [&] { Line small(device, 100, bytes(396)); });
     expect_error("Array<1, float>.data", [&] { Line empty(device, 100, glift::Memory()); });
-    expect_error("Array<1, float>.data", [&] {
-        Line image(device, 4, picture({4, 4, 1}, glift::Format::r32f));
-    });
+    expect_error("Array<1, float>.data", [&] { Line image(device, 4, picture({4, 4, 1}, glift::Format::r32f)); });
     expect_error("another device", [&] {
         const auto other = glift::Device::open("host");
         Line made(device, 4, other.allocate({.name = "theirs", .bytes = 16}));
