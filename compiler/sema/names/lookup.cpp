@@ -81,7 +81,9 @@ bool some_module_has_function(const Context& c, Name name) {
     for (const ModuleScope& scope : c.scopes)
         if (auto found = scope.names.find(name); found != scope.names.end() && is_function(c, found->second))
             return true;
-    return false;
+    const auto has_name = [&](const ClosureType::Call& call) { return call.name == name; };
+    return std::ranges::any_of(c.closures,
+                               [&](const auto& closure) { return std::ranges::any_of(closure.second.calls, has_name); });
 }
 
 Visible look_up(Context& c, ir::ModuleId module, ast::Identifier name) {
