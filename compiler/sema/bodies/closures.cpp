@@ -179,7 +179,8 @@ ir::TypeId result_of_call(Context& c, ir::TypeId type, const std::vector<ir::Typ
     std::vector<ir::StmtId> statements;
     Body body{.context = c, .env = *closure.env, .kind = BodyKind::function, .block = &statements};
     open_scope(body);
-    for (std::size_t i = 0; i < params.size(); ++i) declare_local(body, written.params[i].name, params[i], false, false);
+    for (std::size_t i = 0; i < params.size(); ++i)
+        declare_local(body, written.params[i].name, params[i], false, false);
     const ir::LocalId self = add_local(c.program, c.names.intern("the closure"), type, c[closure.written].span);
     declare_captured(body, c.types()[type].struct_, self);
     const ir::ExprId value = check_value(body, result.value);

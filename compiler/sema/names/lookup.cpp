@@ -81,9 +81,10 @@ bool some_module_has_function(const Context& c, Name name) {
     for (const ModuleScope& scope : c.scopes)
         if (auto found = scope.names.find(name); found != scope.names.end() && is_function(c, found->second))
             return true;
-    const auto has_name = [&](const ClosureType::Call& call) { return call.name == name; };
-    return std::ranges::any_of(c.closures,
-                               [&](const auto& closure) { return std::ranges::any_of(closure.second.calls, has_name); });
+    const auto has_call = [&](const auto& closure) {
+        return std::ranges::find(closure.second.calls, name, &ClosureType::Call::name) != closure.second.calls.end();
+    };
+    return std::ranges::any_of(c.closures, has_call);
 }
 
 Visible look_up(Context& c, ir::ModuleId module, ast::Identifier name) {

@@ -414,7 +414,7 @@ bool Arguments::finish_unnamed(std::size_t i, bool quiet) {
 bool Arguments::finish(bool quiet) {
     Context& c = context;
     for (std::size_t i = 0; i < decl.generics.size(); ++i)
-        if (found[i] && found[i]->kind == MetaKind::type && closure_of(c, found[i]->type) && decl.generics[i].constraint)
+        if (found[i] && closure_of(c, found[i]->type) && decl.generics[i].constraint)
             infer_from_result(decl.generics[i].constraint, found[i]->type);
     for (std::size_t i = 0; i < decl.generics.size(); ++i) {
         const ast::GenericParam& param = decl.generics[i];
@@ -445,9 +445,8 @@ bool Arguments::finish(bool quiet) {
             found[i] = as_type(c, *found[i]);
         if (!satisfies(c, env, param.constraint, *found[i], why)) {
             if (!quiet) {
-                const bool is_closure = found[i]->kind == MetaKind::type && closure_of(c, found[i]->type);
-                Diagnostic& diagnostic = c.error(Diag::constraint, spans[i],
-                                                 {is_closure ? "this closure" : to_text(c, *found[i]), c.text(param.name.name), why});
+                const std::string what = closure_of(c, found[i]->type) ? "this closure" : to_text(c, *found[i]);
+                Diagnostic& diagnostic = c.error(Diag::constraint, spans[i], {what, c.text(param.name.name), why});
                 note(diagnostic, param.name.span, "the constraint is declared here");
                 note_interface(c, env, param.constraint, diagnostic);
             }

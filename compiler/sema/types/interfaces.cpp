@@ -100,7 +100,8 @@ bool satisfies_interface(Context& c, const Env& env, ast::DeclId id, const ast::
     const ClosureType* closure = closure_of(c, type);
     const std::size_t functions = number_of_functions(c, id);
     if (closure && functions != 1) {
-        why = "it is one function, and the interface requires " + std::to_string(functions) + ": declare a struct with these functions";
+        why = "it is one function, and the interface requires " + std::to_string(functions) +
+              ": declare a struct with these functions";
         all = false;
     }
     for (ast::DeclId member : std::get<ast::Interface>(c[id].body).members) {
