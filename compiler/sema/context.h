@@ -70,8 +70,8 @@ struct Instance {
     ir::TypeId type;
 };
 
-/// The type of closures that have one text and capture values of the same types: a struct, whose fields are the captured
-/// values (sema/bodies/closures.h).
+/// The type of closures that have one text and capture values of the same types: a struct, whose fields are the
+/// captured values (sema/bodies/closures.h).
 struct ClosureType {
     ast::DeclId written;       ///< the first closure of the type
     const Env* env = nullptr;  ///< the generic arguments that its text names

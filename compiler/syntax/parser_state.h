@@ -98,8 +98,7 @@ private:
 
     /// While an object of this class lives, the parser is inside the declaration of that name.
     struct Enclosing {
-        Enclosing(Parser& inner, std::string_view name)
-            : parser(inner), outer(inner.enclosing_.size()) {
+        Enclosing(Parser& inner, std::string_view name) : parser(inner), outer(inner.enclosing_.size()) {
             if (outer > 0) parser.enclosing_ += '_';
             parser.enclosing_ += name;
         }
