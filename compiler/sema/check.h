@@ -52,8 +52,8 @@ inline constexpr std::array<std::string_view, 3> prelude_modules = {"std.address
 /// all of them, then functions, kernels, pipelines and tests, each time in the order of the list and of the source;
 /// then pipelines and public functions of the structures that have a public name in a root module. Generic
 /// declarations, functions with structure parameters, other functions of structures, and what other modules declare are
-/// checked where they are used. `modules` has imported modules before those that import them. `tree` grows. Errors go
-/// to `diagnostics`; the program is complete only if there are none.
+/// checked where they are used. `modules` has imported modules before those that import them. `tree` receives the
+/// functions that call closures. Errors go to `diagnostics`; the program is complete only if there are none.
 ir::Program check(const ModuleTable& modules, ast::Tree& tree, Names& names, Diagnostics& diagnostics,
                   const Settings& settings = {});
 

@@ -26,12 +26,12 @@ struct Piece {
     /// Whether it is one of the bars around the parameters of a closure.
     bool is_bar(Role side) const { return is(TokenKind::bar) && role == side; }
     bool opens() const {
-        return is_bar(Role::open_tuple) || is(TokenKind::open_paren) || is(TokenKind::open_bracket) ||
-               is(TokenKind::open_brace) || role == Role::open_generic;
+        return is(TokenKind::open_paren) || is(TokenKind::open_bracket) || is(TokenKind::open_brace) ||
+               role == Role::open_generic || is_bar(Role::open_tuple);
     }
     bool closes() const {
-        return is_bar(Role::close_tuple) || is(TokenKind::close_paren) || is(TokenKind::close_bracket) ||
-               is(TokenKind::close_brace) || role == Role::close_generic;
+        return is(TokenKind::close_paren) || is(TokenKind::close_bracket) || is(TokenKind::close_brace) ||
+               role == Role::close_generic || is_bar(Role::close_tuple);
     }
 };
 

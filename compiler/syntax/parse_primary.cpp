@@ -97,8 +97,8 @@ ast::ExprId Parser::parse_primary() {
                  before(1).begin == before(2).end;
     std::string note = twice ? "there is no '++' and no '--': write 'i += 1'" : "";
     if (at(bar) || at(bar_bar))
-        note = "a closure is an argument of a call: it stands directly after '(' or ',', as in 'transform(a, |x| x * "
-               "x, b)'";
+        note = "a closure is an argument of a call: it stands directly after '(' or ',', as in "
+               "'transform(a, |x| x * x, b)'";
     Span place = peek().first_on_line && cursor_ > 0 ? after_previous() : here();
     fail(Diag::expected_expression, place, {shown(peek())}, note);
     return error_expr();

@@ -81,7 +81,10 @@ bool some_module_has_function(const Context& c, Name name) {
     for (const ModuleScope& scope : c.scopes)
         if (auto found = scope.names.find(name); found != scope.names.end() && is_function(c, found->second))
             return true;
-    return false;
+    const auto has_call = [&](const auto& closure) {
+        return std::ranges::find(closure.second.calls, name, &ClosureType::Call::name) != closure.second.calls.end();
+    };
+    return std::ranges::any_of(c.closures, has_call);
 }
 
 /// What the modules declare under the name.

@@ -22,6 +22,7 @@ void report_private(Context&, ast::Identifier name, ast::DeclId declared);
 /// kernels and pipelines are overloaded only with each other, functions only with functions.
 bool is_pass(const Context&, const std::vector<ast::DeclId>&);
 bool is_function(const Context&, const std::vector<ast::DeclId>&);
+/// Whether a module declares a function of this name, or a closure is one.
 bool some_module_has_function(const Context&, Name);
 
 /// Argument-dependent lookup: adds the functions of this name, public or not, of the modules that declare the structs

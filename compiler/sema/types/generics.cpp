@@ -387,50 +387,10 @@ bool Arguments::finish_unnamed(std::size_t i, bool quiet) {
     return true;
 }
 
-/// Whether the expression names no generic parameter without an argument.
-bool Arguments::is_known(ast::ExprId expr) const {
-    if (!expr) return false;
-    if (const auto i = index_of(expr)) return found[*i].has_value();
-    return std::ranges::all_of(context[expr].operands, [&](ast::ExprId part) { return is_known(part); });
-}
-
-/// Infers K of the constraint `Function<T, K>`, if nothing else determines it: the closure gives a K for a T.
-void Arguments::infer_from_result(ast::ExprId constraint, ir::TypeId closure) {
-    Context& c = context;
-    const ast::Expr& expr = c[constraint];
-    if (expr.kind != ast::ExprKind::generic) return;
-    Env known = env;
-    for (std::size_t i = 0; i < found.size(); ++i)
-        if (found[i]) known.bindings.emplace_back(decl.generics[i].name.name, *found[i]);
-    const Meta meaning = meaning_of(c, known, expr);
-    if (!is_interface(c, meaning)) return;
-    const ast::Decl& interface = c[meaning.declarations[0]];
-    const auto& members = std::get<ast::Interface>(interface.body).members;
-    if (members.size() != 1 || interface.generics.size() + 1 != expr.operands.size()) return;
-    const auto& function = std::get<ast::Function>(c[members[0]].body);
-    Env inside;
-    inside.module = c.module_of.at(meaning.declarations[0]);
-    inside.self = closure;
-    Arguments written(c, interface, inside, use);
-    for (std::size_t i = 1; i < expr.operands.size(); ++i)
-        if (is_known(expr.operands[i])) written.found[i - 1] = meta_of(c, known, expr.operands[i]);
-    const auto result = written.index_of(function.result);
-    if (!result || written.found[*result]) return;
-    std::vector<ir::TypeId> params;
-    for (std::size_t i = 0; i < interface.generics.size(); ++i)
-        if (written.found[i]) inside.bindings.emplace_back(interface.generics[i].name.name, *written.found[i]);
-    for (std::size_t i = 1; i < function.params.size(); ++i) {
-        if (!written.is_known(function.params[i].type)) return;
-        params.push_back(type_of(c, inside, function.params[i].type));
-    }
-    if (const ir::TypeId type = result_of_call(c, closure, params)) infer(expr.operands[*result + 1], type);
-}
-
 bool Arguments::finish(bool quiet) {
     Context& c = context;
     for (std::size_t i = 0; i < decl.generics.size(); ++i)
-        if (found[i] && found[i]->kind == MetaKind::type && closure_of(c, found[i]->type) &&
-            decl.generics[i].constraint)
+        if (found[i] && closure_of(c, found[i]->type) && decl.generics[i].constraint)
             infer_from_result(decl.generics[i].constraint, found[i]->type);
     for (std::size_t i = 0; i < decl.generics.size(); ++i) {
         const ast::GenericParam& param = decl.generics[i];
@@ -461,10 +421,8 @@ bool Arguments::finish(bool quiet) {
             found[i] = as_type(c, *found[i]);
         if (!satisfies(c, env, param.constraint, *found[i], why)) {
             if (!quiet) {
-                const bool is_closure = found[i]->kind == MetaKind::type && closure_of(c, found[i]->type);
-                Diagnostic& diagnostic =
-                    c.error(Diag::constraint, spans[i],
-                            {is_closure ? "this closure" : to_text(c, *found[i]), c.text(param.name.name), why});
+                const std::string what = closure_of(c, found[i]->type) ? "this closure" : to_text(c, *found[i]);
+                Diagnostic& diagnostic = c.error(Diag::constraint, spans[i], {what, c.text(param.name.name), why});
                 note(diagnostic, param.name.span, "the constraint is declared here");
                 note_interface(c, env, param.constraint, diagnostic);
             }

@@ -53,6 +53,15 @@ TEST(Expressions, read_tuples_and_named_arguments) {
     EXPECT_EQ(expression("{}"), "(tuple)");
 }
 
+TEST(Expressions, read_closures) {
+    EXPECT_EQ(expression("f(|a, b| a | b, 1)"), "(call f (closure ((a) (b)) (| a b)) 1)");
+    EXPECT_EQ(expression("f(|x: vec<2, uint>| x ? 1 : 2)"),
+              "(call f (closure ((x (generic vec 2 uint))) (?: x 1 2)))");
+    EXPECT_EQ(expression("f(|| x || y)"), "(call f (closure () (|| x y)))");
+    EXPECT_EQ(expression("f(|x| g(|y| x + y))"), "(call f (closure ((x)) (call g (closure ((y)) (+ x y)))))");
+    EXPECT_EQ(expression("f(|x| { return x; })"), "(call f (closure ((x)) {\n  (return x)}))");
+}
+
 TEST(Expressions, read_any_word_after_a_dot) {
     EXPECT_EQ(expression("Boundary.none"), "(. Boundary none)");
     EXPECT_EQ(expression("a.xyz.in"), "(. (. a xyz) in)");

@@ -56,6 +56,21 @@ TEST(Format, lays_cases_out) {
         "fn g(p: Pair<A: int, B: uint>) { }\n");
 }
 
+TEST(Format, lays_closures_out) {
+    EXPECT_EQ(formatted("module m;\npipeline p() {\nf( x ,| a ,b : float | a*b,||1 );\nf(x, |a|{ return a ; });\n"
+                        "if f(x, |a| {\nlet b=a; // why\n\nreturn b; }) { g(); }\n}\n"),
+              "module m;\npipeline p() {\n"
+              "    f(x, |a, b: float| a * b, || 1);\n"
+              "    f(x, |a| { return a; });\n"
+              "    if f(x, |a| {\n"
+              "        let b = a;  // why\n\n"
+              "        return b;\n"
+              "    }) {\n"
+              "        g();\n"
+              "    }\n"
+              "}\n");
+}
+
 TEST(Format, keeps_short_blocks_and_breaks_long_lines) {
     std::string text =
         "module m;\nfn f(first_parameter: vec<3, float>, second_parameter: vec<3, float>, third_parameter: float, "
