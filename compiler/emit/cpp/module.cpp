@@ -354,7 +354,10 @@ void ModulePrinter::print_definitions(Unit& unit, Writer& out) {
     std::erase_if(kernels, [&](ir::KernelId kernel) { return program_.kernels[kernel].module != unit.home; });
     const std::vector<std::string> callers = printed_kernels(unit, kernels, function_adds_functions, kernel_function);
     Writer checks, members, pipelines, tests;
-    if (options_.tests && unit.home == module_) unit.translation_checks = print_translation_checks(unit, checks);
+    if (options_.tests && unit.home == module_) {
+        unit.translation_checks = print_translation_checks(unit, checks);
+        unit.block_lists = print_block_lists(unit, checks);
+    }
     for (ir::StructureId structure : reach_.structures) {
         if (program_.structures[structure].module != unit.home) continue;
         if (!defined_.structures.contains(structure)) print_class_members(unit, members, structure);
