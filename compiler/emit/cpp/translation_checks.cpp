@@ -270,7 +270,8 @@ private:
             i + 1 == structure_.via.size() && ir::stays_inside(unit_.program, structure_) ? "&memory" : "nullptr";
         if (memory != "nullptr") out_.line("const glift::Extent memory = glift::detail::limit_of(" + extent() + ");");
         out_.line("return glift::check_translator(test, " + quoted(title + ": " + translator.display) + ", " +
-                  (i == 0 ? std::string("glift::tried(structure.domain(), residents)") : "reached_" + std::to_string(i - 1)) +
+                  (i == 0 ? std::string("glift::tried(structure.domain(), residents)")
+                          : "reached_" + std::to_string(i - 1)) +
                   ", translate, " + (translator.invert ? "invert" : "nullptr") + ", " +
                   mapping_text(translator.properties, !needs.tables.empty()) + ", " + memory + ");");
         out_.close("();");

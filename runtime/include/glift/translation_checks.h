@@ -83,7 +83,8 @@ template <class A, class Count, class First>
 std::vector<A> addresses_in_blocks(const Count& count, const First& first, const A& size, const A& domain) {
     std::vector<A> addresses;
     const Extent extent = detail::extent_of(size), limit = detail::extent_of(domain);
-    const std::uint64_t volume = detail::volume_of(extent), most = std::max<std::uint64_t>((1u << 17) / std::max<std::uint64_t>(volume, 1), 1);
+    const std::uint64_t volume = detail::volume_of(extent);
+    const std::uint64_t most = volume == 0 ? 1 : std::max<std::uint64_t>((1u << 17) / volume, 1);
     try {
         const std::uint64_t blocks = count(), step = (blocks + most - 1) / most;
         for (std::uint64_t block = 0; block < blocks; block += step) {
