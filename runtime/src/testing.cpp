@@ -234,7 +234,7 @@ bool is_one_to_one(Test& test, const TranslatorText& text, Mapping mapping, std:
     std::ranges::sort(all, {}, [](const Translated& one) { return std::pair(one.physical, one.address); });
     bool apart = true;
     for (std::size_t i = 1; i < all.size(); ++i) {
-        if (all[i].physical != all[i - 1].physical) continue;
+        if (all[i].physical != all[i - 1].physical || all[i].address == all[i - 1].address) continue;
         const bool is_first = std::exchange(apart, false);
         if (mapping == Mapping::many_to_one || test.failures.size() > 3) break;
         const std::string found = text_of(all[i - 1].address, text.rank) + " and " +
@@ -286,11 +286,13 @@ void Test::expect_numbers_near(double a, double b, double tolerance, const char*
                        text(b));
 }
 
-void Test::check_as_made(const char* title, void (*check)(const void* body), const void* body) {
+void Test::check_as_made(const char* title, const char* path, void (*check)(const void* body), const void* body) {
     Findings before{std::exchange(failures, {}), std::exchange(notes, {})};
     try {
         check(body);
         Findings& found = translations[title];
+        if (const std::string member = path; member.find('.') != std::string::npos)
+            for (std::string& failure : failures) failure += "; it is " + member;
         add_new(found.failures, failures);
         add_new(found.notes, notes);
     } catch (const Error& error) {

@@ -255,6 +255,9 @@ std::string name_of_function(Printer& p, ir::FunctionId function) {
 
 /// Prints the call of a function: structures are passed before values.
 Text print_call(Printer& p, const Expr& expr) {
+    if (p.outer_call && !expr.places.empty())
+        if (const std::string name = p.outer_call(expr); !name.empty())
+            return {name + "(" + join_arguments(p, expr.operands) + ")"};
     const std::string name = name_of_function(p, expr.function);
     std::string arguments;
     for (const ir::Place& place : expr.places) {

@@ -71,6 +71,7 @@ private:
     void print_types(Writer& out, Spaces& spaces);
     void print_classes(Writer& out, Spaces& spaces, bool (ModulePrinter::*wanted)(ir::StructureId) const);
     void print_aliases(Writer& out, Spaces& spaces, ir::StructureId structure);
+    void announce_classes(Writer& out, Spaces& spaces, ir::StructureId structure, std::set<ir::StructureId>& known);
     bool is_in_header(ir::StructureId structure) const { return reach_.in_header.contains(structure); }
     bool is_hidden(ir::StructureId structure) const { return !is_in_header(structure); }
     std::string stem_of(ir::ModuleId module) const { return file_stem(program_, sources_, module); }
@@ -210,9 +211,31 @@ void ModulePrinter::print_aliases(Writer& out, Spaces& spaces, ir::StructureId i
     }
 }
 
+/// Declares the classes, not in `known`, that the signatures of a structure's pipelines name: its own, and those that
+/// name it in turn.
+void ModulePrinter::announce_classes(Writer& out, Spaces& spaces, ir::StructureId index,
+                                     std::set<ir::StructureId>& known) {
+    for (ir::PipelineId pipeline : program_.structures[index].pipelines) {
+        for (const ir::PipelineParam& param : program_.pipelines[pipeline].params) {
+            if (!param.structure || elsewhere_.in_header.contains(param.structure)) continue;
+            if (!known.insert(param.structure).second) continue;
+            spaces.enter(unit_of(program_.structures[param.structure].module).globals.space);
+            out.line("class " + names_.structures[param.structure] + ";");
+            out.gap();
+            print_aliases(out, spaces, param.structure);
+        }
+    }
+}
+
 void ModulePrinter::print_classes(Writer& out, Spaces& spaces, bool (ModulePrinter::*wanted)(ir::StructureId) const) {
+    std::set<ir::StructureId> known;
     for (ir::StructureId index : reach_.structures) {
-        if (!(this->*wanted)(index)) continue;
+        if (!(this->*wanted)(index)) {
+            known.insert(index);
+            continue;
+        }
+        announce_classes(out, spaces, index, known);
+        known.insert(index);
         const ir::Structure& structure = program_.structures[index];
         if (!elsewhere_.in_header.contains(index))
             print_once(out, spaces, structure.module, names_.structures[index],
@@ -354,7 +377,10 @@ void ModulePrinter::print_definitions(Unit& unit, Writer& out) {
     std::erase_if(kernels, [&](ir::KernelId kernel) { return program_.kernels[kernel].module != unit.home; });
     const std::vector<std::string> callers = printed_kernels(unit, kernels, function_adds_functions, kernel_function);
     Writer checks, members, pipelines, tests;
-    if (options_.tests && unit.home == module_) unit.translation_checks = print_translation_checks(unit, checks);
+    if (options_.tests && unit.home == module_) {
+        unit.translation_checks = print_translation_checks(unit, checks);
+        unit.block_lists = print_block_lists(unit, checks);
+    }
     for (ir::StructureId structure : reach_.structures) {
         if (program_.structures[structure].module != unit.home) continue;
         if (!defined_.structures.contains(structure)) print_class_members(unit, members, structure);

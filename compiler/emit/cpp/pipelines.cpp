@@ -21,6 +21,14 @@ using ir::Stmt;
 using ir::StmtOp;
 using ir::TypeKind;
 
+/// A structure whose translators are checked as a test leaves it.
+struct Checked {
+    std::string object;  ///< the C++ expression
+    std::string path;    ///< its name in the language
+    ir::StructureId index;
+    std::string residents;  ///< the C++ expression of the addresses in its blocks; empty: it has none
+};
+
 struct PipelinePrinter {
     Unit& unit;
     const Pipeline& pipeline;
@@ -61,8 +69,8 @@ struct PipelinePrinter {
     void replace(const Stmt& stmt);
     void keep(const std::string& shown, const std::string& object, ir::StructureId structure);
     void keep_all();
-    void check_with_members(const std::string& object, ir::StructureId index);
-    void check_as_made(const std::string& object, ir::StructureId structure);
+    void check_with_members(const Checked& checked);
+    void check_as_made(const Checked& checked);
 };
 
 /// The structure at which the expression's place begins, with what stands before a member: `f.`, `part->` for a slice,
@@ -279,38 +287,43 @@ void PipelinePrinter::keep(const std::string& shown, const std::string& object, 
 /// them, the statements that keep them to be compared between devices. Also prints the checks of translators that need
 /// the state of such structures, containers' members included.
 void PipelinePrinter::keep_all() {
-    std::vector<std::pair<std::string, ir::StructureId>> made;
+    std::vector<Checked> made;
     for (ir::StmtId id : pipeline.body) {
         const Stmt& stmt = unit.program.stmts[id];
         if (stmt.op != StmtOp::temp) continue;
+        const std::string name = unit.name(unit.program.locals[stmt.local].name);
         const ir::StructureId index = unit.program.types[unit.program.locals[stmt.local].type].structure;
         const ir::Structure& structure = unit.program.structures[index];
-        made.emplace_back(p.local_names.at(stmt.local), index);
-        if (structure.kind == ir::StructureKind::stored && structure.copyable)
-            keep(unit.name(unit.program.locals[stmt.local].name), made.back().first, index);
+        made.push_back({p.local_names.at(stmt.local), name, index, ""});
+        if (structure.kind == ir::StructureKind::stored && structure.copyable) keep(name, made.back().object, index);
     }
-    // A check overwrites the structure that it looks at. So a structure is checked before its members, and a structure
-    // that was given another one (which was made earlier) before that one.
-    std::ranges::reverse(made);
-    for (const auto& [object, index] : made) check_with_members(object, index);
+    for (const Checked& checked : made) check_with_members(checked);
 }
 
-/// Checks a structure, then the members that it made, the last one first: a member may have been given an earlier one.
-void PipelinePrinter::check_with_members(const std::string& object, ir::StructureId index) {
-    check_as_made(object, index);
-    const ir::Structure& structure = unit.program.structures[index];
-    for (std::size_t m = structure.members.size(); m-- > 0;)
-        if (is_held(structure.members[m]))
-            check_with_members(object + "." + unit.globals.class_names[index].members[m] + "()",
-                               structure.members[m].structure);
+/// Checks a structure and, at any depth, the members that it made. Blocks of a structure without translators are those
+/// of its memory.
+void PipelinePrinter::check_with_members(const Checked& checked) {
+    const ir::Structure& structure = unit.program.structures[checked.index];
+    std::string residents = checked.residents;
+    if (const auto list = unit.block_lists.find(checked.index); list != unit.block_lists.end())
+        residents = list->second + "(" + checked.object + ")";
+    check_as_made({checked.object, checked.path, checked.index, residents});
+    for (std::size_t m = 0; m < structure.members.size(); ++m) {
+        if (!is_held(structure.members[m])) continue;
+        const bool is_memory = structure.via.empty() && structure.base.size() == 1 && structure.base[0] == m;
+        check_with_members({checked.object + "." + unit.globals.class_names[checked.index].members[m] + "()",
+                            checked.path + "." + unit.name(structure.members[m].name), structure.members[m].structure,
+                            is_memory ? residents : ""});
+    }
 }
 
-void PipelinePrinter::check_as_made(const std::string& object, ir::StructureId index) {
+void PipelinePrinter::check_as_made(const Checked& checked) {
     for (const TranslationCheck& check : unit.translation_checks) {
-        if (check.structure != index || !check.of_extents.empty() || check.of_one.empty()) continue;
-        p.out.open("test.check_as_made(" + quoted(check.title) + ", [&]");
-        p.out.line("auto structure = " + object + ";");
-        p.out.line(check.of_one + "(test, structure);");
+        if (check.structure != checked.index || !check.of_extents.empty() || check.of_one.empty()) continue;
+        p.out.open("test.check_as_made(" + quoted(check.title) + ", " + quoted(checked.path) + ", [&]");
+        p.out.line("auto structure = " + checked.object + ";");
+        p.out.line(check.of_one + "(test, structure" + (checked.residents.empty() ? "" : ", " + checked.residents) +
+                   ");");
         p.out.close(");");
     }
 }

@@ -125,6 +125,9 @@ struct Printer {
     /// Spells the operations that depend on what surrounds the body, such as parameters, loads, members, derivatives
     /// and host operations of pipelines.
     std::function<Text(const ir::Expr&)> outer_expression;
+    /// The name of what is called, with values only, in place of a function that takes structures; "" for others. May be
+    /// empty.
+    std::function<std::string(const ir::Expr&)> outer_call;
     std::function<std::string(const ir::Expr&)> outer_place;  ///< the lvalue of a load, for atomic operations
     std::function<void(const ir::Stmt&)> outer_statement;     ///< prints statements that depend on the surroundings
     /// Prints `return value;`; empty: as in C++.

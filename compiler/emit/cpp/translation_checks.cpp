@@ -81,28 +81,63 @@ std::string extents_text(const Unit& unit, ir::TypeId type) {
     return text;
 }
 
-using Tables = std::vector<ir::Place>;
+using Places = std::vector<ir::Place>;
 
-/// The structures (tables) whose elements the translator's functions read, each once. The root of each place is an
-/// index in Translator::structures.
-Tables tables_of(const ir::Program& program, const ir::Translator& translator) {
-    Tables tables;
-    for (ir::FunctionId id : {translator.translate, translator.invert}) {
-        if (!id) continue;
-        ir::for_each_expression(program, program.functions[id].body, [&](ir::ExprId node) {
-            const ir::Expr& expr = program.exprs[node];
-            if (expr.op == ir::Op::read && std::ranges::find(tables, expr.place) == tables.end())
-                tables.push_back(expr.place);
-        });
-    }
-    return tables;
-}
-
-/// The place as seen from the structure that has the translator.
-ir::Place placed(const ir::Stage& stage, const ir::Place& place) {
-    ir::Place result = stage.structures[place.root];
+ir::Place resolved(const ir::Place& place, const Places& at) {
+    ir::Place result = at[place.root];
     result.members.append(place.members);
     return result;
+}
+
+/// A function, and the places of its structures (Function::structures), seen from one structure.
+struct FunctionAt {
+    ir::FunctionId function;
+    Places at;
+
+    bool operator==(const FunctionAt&) const = default;
+};
+
+FunctionAt called(const ir::Expr& call, const Places& at) {
+    FunctionAt result{call.function, {}};
+    for (const ir::Place& place : call.places) result.at.push_back(resolved(place, at));
+    return result;
+}
+
+/// What functions that read tables need, each once: the tables, and the functions to which they pass structures, after
+/// those that these call.
+struct Needs {
+    Places tables;
+    std::vector<FunctionAt> callees;
+
+    void add(const ir::Program& program, const FunctionAt& reader) {
+        if (!reader.function) return;
+        ir::for_each_expression(program, program.functions[reader.function].body, [&](ir::ExprId node) {
+            const ir::Expr& expr = program.exprs[node];
+            if (expr.op == ir::Op::read) {
+                const ir::Place table = resolved(expr.place, reader.at);
+                if (std::ranges::find(tables, table) == tables.end()) tables.push_back(table);
+            }
+            if (expr.op != ir::Op::call || expr.places.empty()) return;
+            const FunctionAt callee = called(expr, reader.at);
+            if (std::ranges::find(callees, callee) != callees.end()) return;
+            add(program, callee);
+            callees.push_back(callee);
+        });
+    }
+};
+
+Needs needs_of(const ir::Program& program, const ir::Stage& stage) {
+    const ir::Translator& translator = program.translators[stage.translator];
+    const Places at(stage.structures.begin(), stage.structures.end());
+    Needs needs;
+    for (ir::FunctionId id : {translator.translate, translator.invert}) needs.add(program, {id, at});
+    return needs;
+}
+
+Needs needs_of(const ir::Program& program, const ir::Blocks& blocks) {
+    Needs needs;
+    for (ir::FunctionId id : {blocks.count, blocks.first}) needs.add(program, {id, {ir::Place{}}});
+    return needs;
 }
 
 /// Why a translator's function cannot be printed as a lambda (print_method); empty: it can.
@@ -113,9 +148,9 @@ std::string why_not_printed(const ir::Program& program, ir::FunctionId id) {
     std::string why;
     ir::for_each_expression(program, program.functions[id].body, [&](ir::ExprId node) {
         const ir::Expr& expr = program.exprs[node];
-        const bool passes_structures = expr.op == ir::Op::call && !expr.places.empty();
+        if (expr.op == ir::Op::call && !expr.places.empty())
+            if (std::string inner = why_not_printed(program, expr.function); !inner.empty()) why = std::move(inner);
         const bool reads_rows = expr.op == ir::Op::read && program.types.kind(expr.type) == TypeKind::array;
-        if (passes_structures) why = "'" + name + "' gives structures to functions";
         if (reads_rows || expr.op == ir::Op::sample || expr.op == ir::Op::gather || expr.op == ir::Op::compare ||
             expr.op == ir::Op::translate)
             why = "'" + name + "' asks a structure for more than elements";
@@ -123,9 +158,12 @@ std::string why_not_printed(const ir::Program& program, ir::FunctionId id) {
     return why;
 }
 
-const char* mapping_text(ir::Mapping mapping, bool reads_tables) {
-    switch (mapping) {
-    case ir::Mapping::unknown: return reads_tables ? "glift::Mapping::by_tables" : "glift::Mapping::undeclared";
+/// A partial translator gives `none` for unused entries of its tables. A total one maps each entry somewhere, so that
+/// unused entries of a list may share an address.
+const char* mapping_text(const ir::Properties& properties, bool reads_tables) {
+    switch (properties.mapping) {
+    case ir::Mapping::unknown:
+        return reads_tables && !properties.partial ? "glift::Mapping::by_tables" : "glift::Mapping::undeclared";
     case ir::Mapping::claimed_one_to_one: return "glift::Mapping::one_to_one";
     case ir::Mapping::many_to_one: return "glift::Mapping::many_to_one";
     }
@@ -139,59 +177,104 @@ public:
         : unit_(unit), out_(out), index_(index), structure_(unit.program.structures[index]) {}
 
     void print(const std::string& name, const std::string& title) {
-        out_.open("void " + name + "(glift::Test& test, " + unit_.class_name(index_) + "& structure)");
+        out_.open("void " + name + "(glift::Test& test, " + unit_.class_name(index_) +
+                  "& structure, const std::vector<" + unit_.type(structure_.domain_type) + ">& residents = {})");
         for (std::size_t i = 0; i < structure_.via.size(); ++i) stage(i, title);
         boxes(title);
         out_.close();
         out_.gap();
     }
 
+    /// Prints the function that gives the addresses in the structure's blocks.
+    void print_blocks(const std::string& name) {
+        const ir::Blocks& blocks = *structure_.blocks;
+        const std::string address = unit_.type(structure_.domain_type);
+        out_.open("std::vector<" + address + "> " + name + "(const " + unit_.class_name(index_) + "& structure)");
+        print_needs(needs_of(unit_.program, blocks), {}, {"structure", "blocks", "first"});
+        print_reader("blocks", {blocks.count, {ir::Place{}}}, "uint", {});
+        print_reader("first", {blocks.first, {ir::Place{}}}, "std::optional<" + address + ">", {});
+        Printer p(unit_.globals);
+        p.outer_expression = [&](const ir::Expr& expr) {
+            return structure_property(unit_.globals, expr, index_, "structure.");
+        };
+        out_.line("return glift::addresses_in_blocks<" + address + ">(blocks, first, " + print_any(p, blocks.extent) +
+                  ", structure.domain());");
+        out_.close();
+        out_.gap();
+    }
+
 private:
+    /// Declares the mirrors of tables, and callees as lambdas. None of their names is `taken` or one of `states`.
+    void print_needs(const Needs& needs, const std::vector<std::string>& states,
+                     std::initializer_list<const char*> taken) {
+        needs_ = needs;
+        names_.assign(states.begin(), states.end());
+        names_.insert(names_.end(), taken.begin(), taken.end());
+        mirrors_.clear();
+        callees_.clear();
+        for (const ir::Place& place : needs.tables) {
+            ir::Expr table;
+            table.op = ir::Op::structure_value;
+            table.place = place;
+            mirrors_.push_back(free_name("table_" + std::to_string(mirrors_.size())));
+            out_.line("const glift::Mirror " + mirrors_.back() + "(" +
+                      structure_property(unit_.globals, table, index_, "structure.").text + ", structure.device());");
+        }
+        for (const FunctionAt& callee : needs.callees) {
+            const ir::Function& function = unit_.program.functions[callee.function];
+            const std::string name = free_name("call_" + std::to_string(callees_.size()));
+            print_reader(name, callee, unit_.type(function.result), {});
+            callees_.push_back(name);
+        }
+    }
+
+    std::string free_name(std::string name) {
+        while (std::ranges::find(names_, name) != names_.end()) name += "_t";
+        names_.push_back(name);
+        return name;
+    }
+
+    /// Declares a function that reads tables as a lambda, after print_needs().
+    void print_reader(const std::string& name, const FunctionAt& reader, const std::string& result,
+                      std::vector<std::string> states) {
+        states.insert(states.end(), names_.begin(), names_.end());
+        print_method(unit_, out_, name, reader.function, result, states, [&](Printer& p, const ir::Expr& expr) -> Text {
+            if (expr.op == ir::Op::call) {
+                const auto callee = std::ranges::find(needs_.callees, called(expr, reader.at));
+                return {callees_.at(static_cast<std::size_t>(callee - needs_.callees.begin()))};
+            }
+            ir::Expr outer = expr;
+            if (expr.place.root < reader.at.size()) outer.place = resolved(expr.place, reader.at);
+            if (expr.op != ir::Op::read) return structure_property(unit_.globals, outer, index_, "structure.");
+            const auto table = std::ranges::find(needs_.tables, outer.place);
+            return {mirrors_.at(static_cast<std::size_t>(table - needs_.tables.begin())) + "[" +
+                    print_any(p, expr.operands[0]) + "]"};
+        });
+    }
+
     void stage(std::size_t i, const std::string& title) {
         const ir::Stage& stage = structure_.via[i];
         const ir::Translator& translator = unit_.program.translators[stage.translator];
         out_.open("const auto reached_" + std::to_string(i) + " = [&]");
-        const Tables tables = tables_of(unit_.program, translator);
-        std::vector<std::string> names = print_state(unit_, out_, index_, stage, "structure.",
-                                                     {"structure", "translate", "invert", "test", "memory"});
-        const std::vector<std::string> mirrors = print_mirrors(stage, tables, names);
-        names.insert(names.end(), mirrors.begin(), mirrors.end());
-        const auto surroundings = [&](Printer& p, const ir::Expr& expr) -> Text {
-            ir::Expr outer = expr;
-            outer.place = placed(stage, expr.place);
-            if (expr.op != ir::Op::read) return structure_property(unit_.globals, outer, index_, "structure.");
-            const auto table = static_cast<std::size_t>(std::ranges::find(tables, expr.place) - tables.begin());
-            return {mirrors[table] + "[" + print_any(p, expr.operands[0]) + "]"};
-        };
-        print_method(unit_, out_, "translate", translator.translate,
-                     "std::optional<" + unit_.type(translator.physical_type) + ">", names, surroundings);
+        const Needs needs = needs_of(unit_.program, stage);
+        const Places at(stage.structures.begin(), stage.structures.end());
+        const std::initializer_list<const char*> taken = {"structure", "translate", "invert",
+                                                          "test",      "memory",    "residents"};
+        const std::vector<std::string> states = print_state(unit_, out_, index_, stage, "structure.", taken);
+        print_needs(needs, states, taken);
+        print_reader("translate", {translator.translate, at},
+                     "std::optional<" + unit_.type(translator.physical_type) + ">", states);
         if (translator.invert)
-            print_method(unit_, out_, "invert", translator.invert, unit_.type(translator.virtual_type), names,
-                         surroundings);
+            print_reader("invert", {translator.invert, at}, unit_.type(translator.virtual_type), states);
         const std::string memory =
             i + 1 == structure_.via.size() && ir::stays_inside(unit_.program, structure_) ? "&memory" : "nullptr";
         if (memory != "nullptr") out_.line("const glift::Extent memory = glift::detail::limit_of(" + extent() + ");");
         out_.line("return glift::check_translator(test, " + quoted(title + ": " + translator.display) + ", " +
-                  (i == 0 ? std::string("glift::tried(structure.domain())") : "reached_" + std::to_string(i - 1)) +
+                  (i == 0 ? std::string("glift::tried(structure.domain(), residents)")
+                          : "reached_" + std::to_string(i - 1)) +
                   ", translate, " + (translator.invert ? "invert" : "nullptr") + ", " +
-                  mapping_text(translator.properties.mapping, !tables.empty()) + ", " + memory + ");");
+                  mapping_text(translator.properties, !needs.tables.empty()) + ", " + memory + ");");
         out_.close("();");
-    }
-
-    /// Declares copies of the tables on the host. Returns their names, none of which is `taken`.
-    std::vector<std::string> print_mirrors(const ir::Stage& stage, const Tables& tables,
-                                           const std::vector<std::string>& taken) {
-        std::vector<std::string> names;
-        for (const ir::Place& place : tables) {
-            ir::Expr table;
-            table.op = ir::Op::structure_value;
-            table.place = placed(stage, place);
-            names.push_back("table_" + std::to_string(names.size()));
-            while (std::ranges::find(taken, names.back()) != taken.end()) names.back() += "_t";
-            out_.line("const glift::Mirror " + names.back() + "(" +
-                      structure_property(unit_.globals, table, index_, "structure.").text + ", structure.device());");
-        }
-        return names;
     }
 
     void boxes(const std::string& title) {
@@ -234,29 +317,42 @@ private:
     Writer& out_;
     ir::StructureId index_;
     const Structure& structure_;
+    // Of the functions that are printed:
+    Needs needs_;
+    std::vector<std::string> mirrors_, callees_;  ///< the names of needs_.tables and needs_.callees
+    std::vector<std::string> names_;              ///< those that are taken
 };
 
 bool reads_tables(const ir::Program& program, const Structure& structure) {
     return std::ranges::any_of(structure.via, [&](const ir::Stage& stage) {
-        return !tables_of(program, program.translators[stage.translator]).empty();
+        return !needs_of(program, stage).tables.empty();
     });
 }
 
-/// Why the tables that a translator reads cannot be copied to the host; empty: they can.
-std::string why_not_mirrored(const ir::Program& program, const Structure& structure, const ir::Stage& stage) {
-    for (const ir::Place& place : tables_of(program, program.translators[stage.translator])) {
-        const Structure& table = ir::structure_at(program, structure, placed(stage, place).members);
+/// Why the tables cannot be copied to the host; empty: they can.
+std::string why_not_mirrored(const ir::Program& program, const Structure& structure, const Places& tables) {
+    for (const ir::Place& place : tables) {
+        const Structure& table = ir::structure_at(program, structure, place.members);
         if (table.kind == ir::StructureKind::computed && !table.domain)
             return "its table is " + table.display + ", a view without a domain";
     }
     return "";
 }
 
+/// Whether print_blocks can print the blocks of the structure.
+bool lists_blocks(const ir::Program& program, const Structure& structure) {
+    if (!structure.blocks) return false;
+    const ir::Blocks& blocks = *structure.blocks;
+    for (ir::FunctionId id : {blocks.count, blocks.first})
+        if (!why_not_printed(program, id).empty()) return false;
+    return why_not_mirrored(program, structure, needs_of(program, blocks).tables).empty();
+}
+
 /// Why the structure's translation cannot be checked at all; empty: it can.
 std::string why_never(const ir::Program& program, const Structure& structure) {
     for (const ir::Stage& stage : structure.via) {
         const ir::Translator& translator = program.translators[stage.translator];
-        if (std::string why = why_not_mirrored(program, structure, stage); !why.empty())
+        if (std::string why = why_not_mirrored(program, structure, needs_of(program, stage).tables); !why.empty())
             return translator.display + ": " + why;
         for (ir::FunctionId id : {translator.translate, translator.invert})
             if (std::string why = why_not_printed(program, id); !why.empty()) return translator.display + ": " + why;
@@ -281,6 +377,17 @@ void print_check_of_extents(Unit& unit, Writer& out, ir::StructureId index, cons
 }
 
 }  // namespace
+
+std::map<ir::StructureId, std::string> print_block_lists(Unit& unit, Writer& out) {
+    std::map<ir::StructureId, std::string> names;
+    for (ir::StructureId index : unit.reach.structures) {
+        const Structure& structure = unit.program.structures[index];
+        if (structure.kind != ir::StructureKind::stored || !lists_blocks(unit.program, structure)) continue;
+        names[index] = unit.globals.names.declare("blocks_of_" + unit.class_name(index));
+        CheckPrinter(unit, out, index).print_blocks(names[index]);
+    }
+    return names;
+}
 
 std::vector<TranslationCheck> print_translation_checks(Unit& unit, Writer& out) {
     std::vector<TranslationCheck> checks;

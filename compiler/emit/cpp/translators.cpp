@@ -40,7 +40,7 @@ std::vector<std::string> print_state(Unit& unit, Writer& out, ir::StructureId st
     return states;
 }
 
-void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, const std::string& result,
+void print_method(Unit& unit, Writer& out, const std::string& name, ir::FunctionId id, const std::string& result,
                   const std::vector<std::string>& states,
                   const std::function<Text(Printer&, const ir::Expr&)>& surroundings, const NameSet* hiding) {
     const ir::Function& function = unit.program.functions[id];
@@ -57,9 +57,10 @@ void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, 
         if (expr.op == ir::Op::state) return {states[expr.slot]};
         return surroundings ? surroundings(p, expr) : Text{"{}"};
     };
+    if (surroundings) p.outer_call = [&](const ir::Expr& expr) { return surroundings(p, expr).text; };
     for (int depth = 0; depth <= out.depth(); ++depth) p.out.indent();
     print_statements(p, function.body);
-    out.open("const auto " + std::string(name) + " = [&](" + parameters + ") -> " + result);
+    out.open("const auto " + name + " = [&](" + parameters + ") -> " + result);
     out.raw(p.out.take());
     out.close(";");
 }

@@ -17,9 +17,9 @@ std::vector<std::string> print_state(Unit& unit, Writer& out, ir::StructureId st
                                      const std::string& object, std::initializer_list<const char*> taken,
                                      const NameSet* hiding = nullptr);
 
-/// `const auto translate = [&](uint4 va) -> std::optional<uint> { … };` Operations on structures are spelled by
-/// `surroundings`; `hiding` as above.
-void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, const std::string& result,
+/// `const auto translate = [&](uint4 va) -> std::optional<uint> { … };` Operations on structures, and the names of
+/// functions that take structures, are spelled by `surroundings`; `hiding` as above.
+void print_method(Unit& unit, Writer& out, const std::string& name, ir::FunctionId id, const std::string& result,
                   const std::vector<std::string>& states,
                   const std::function<Text(Printer&, const ir::Expr&)>& surroundings = {},
                   const NameSet* hiding = nullptr);

@@ -72,6 +72,8 @@ struct Unit {
     Globals globals;
     std::string tests;                                   ///< name of the table of tests; empty: there is none
     std::vector<TranslationCheck> translation_checks{};  ///< in a test program
+    /// In a test program: the functions that give the addresses in the blocks of structures.
+    std::map<ir::StructureId, std::string> block_lists{};
     std::vector<TestName> test_names{};                  ///< in a test program
     const SpirvFile* spirv_file = nullptr;               ///< of the printed source; null: the source has the SPIR-V
 
@@ -161,6 +163,8 @@ void print_pipeline(Unit& unit, Writer& out, ir::PipelineId pipeline);
 /// the module's C++ contains. For each structure with translators that the module declares but its C++ does not
 /// contain, the result has an entry that only says why the structure is not checked.
 std::vector<TranslationCheck> print_translation_checks(Unit& unit, Writer& out);
+/// Prints the functions that give the addresses in the blocks of structures, where the host can evaluate these.
+std::map<ir::StructureId, std::string> print_block_lists(Unit& unit, Writer& out);
 
 // tests.cpp
 /// One letter for each scalar of a type, and a '.' for each byte of padding, as glift::KeptStructure has them.

@@ -168,11 +168,12 @@ public:
     /// Why no call of `make` has made anything; empty if one did, or if `make` was not called.
     std::string why_nothing_was_made() const { return made_ == 0 ? refused_ : std::string(); }
 
-    /// Runs `check`, which checks a translation with the state of a structure that this test made. An Error that it
-    /// throws goes into `unchecked`.
-    template <class Check> void check_as_made(const char* title, const Check& check) {
+    /// Runs `check`, which checks a translation with the state of a structure that this test made. `path` names the
+    /// structure in the test: failures of members (`grid.field`) end with it. An Error that it throws goes into
+    /// `unchecked`.
+    template <class Check> void check_as_made(const char* title, const char* path, const Check& check) {
         check_as_made(
-            title, [](const void* body) { (*static_cast<const Check*>(body))(); }, &check);
+            title, path, [](const void* body) { (*static_cast<const Check*>(body))(); }, &check);
     }
 
 private:
@@ -184,7 +185,8 @@ private:
 
     GLIFT_API void expect_numbers_near(double a, double b, double tolerance, const char* place);
     /// What the template above calls. The check's findings go into `translations`.
-    GLIFT_API void check_as_made(const char* title, void (*check)(const void* body), const void* body);
+    GLIFT_API void check_as_made(const char* title, const char* path, void (*check)(const void* body),
+                                 const void* body);
 
     template <class S> static KeptStructure record(const char* name, const S& structure, std::string_view scalars) {
         Extent extent;
@@ -208,13 +210,15 @@ GLIFT_API void fail_box(Test& test, const char* name, unsigned rank, const Exten
 }
 
 /// Checks with one box that writing a box reaches each of its elements and no others: what is written to the box is
-/// read back, and nothing else changes. Does nothing where the domain is empty or has more than 2^20 elements.
+/// read back, and nothing else changes. The elements then get back the values that they had, since another structure may
+/// translate by them. Does nothing where the domain is empty or has more than 2^20 elements.
 template <class S, class Value> void check_boxes(Test& test, const char* name, S& structure, const Value& value) {
     using A = typename S::Address;
     using T = typename S::Element;
     constexpr unsigned rank = detail::Axes<A>::count;
     const Extent domain = detail::extent_of(structure.domain());
     if (detail::volume_of(domain) == 0 || detail::volume_of(domain) > 1u << 20) return;
+    const std::vector<T> before = structure.read();
     std::vector<T> all(detail::volume_of(domain));
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = value(static_cast<std::uint32_t>(i));
     structure.write(all);
@@ -233,6 +237,7 @@ template <class S, class Value> void check_boxes(Test& test, const char* name, S
         all[index] = part[i];
     }
     const std::vector<T> out = structure.read();
+    structure.write(before);
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (std::memcmp(&all[i], &out[i], sizeof(T)) == 0) continue;
         return detail::fail_box(test, name, rank, size, origin, detail::address_of(i, domain), domain);

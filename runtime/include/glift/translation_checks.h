@@ -16,7 +16,8 @@ template <class A> struct Tried {
     bool complete = true;  ///< the whole domain is tested, and the translators so far map it one-to-one
 };
 
-template <class A> Tried<A> tried(const A& domain) {
+/// `residents`: addresses in blocks, which are tried, too, if not all addresses of the domain are.
+template <class A> Tried<A> tried(const A& domain, const std::vector<A>& residents) {
     constexpr unsigned rank = detail::Axes<A>::count;
     const Extent extent = detail::extent_of(domain);
     const std::uint64_t volume = detail::volume_of(extent);
@@ -24,8 +25,14 @@ template <class A> Tried<A> tried(const A& domain) {
     Tried<A> result{{}, detail::text_of(extent, rank), step == 1};
     for (std::uint64_t i = 0; i < volume; i += step)
         result.addresses.push_back(detail::address_from<A>(detail::address_of(i, extent)));
+    if (!result.complete) result.addresses.insert(result.addresses.end(), residents.begin(), residents.end());
     return result;
 }
+
+namespace detail {
+/// Whether an address lies inside a memory of this extent.
+GLIFT_API bool is_within(const Extent& limit, const Extent& address);
+}  // namespace detail
 
 /// Thrown where a translator reads a table out of bounds. Addresses for which `translate` does so are not checked;
 /// where only `invert` does so, the address that it gives is not compared.
@@ -70,12 +77,35 @@ private:
     std::vector<Element> values_;
 };
 
+/// The addresses of the domain that lie in blocks of the size `size`. `first` gives the first address of a block, or
+/// nullopt if there is no such block. Of blocks with more than 2^17 addresses in all a sample at a regular step.
+template <class A, class Count, class First>
+std::vector<A> addresses_in_blocks(const Count& count, const First& first, const A& size, const A& domain) {
+    std::vector<A> addresses;
+    const Extent extent = detail::extent_of(size), limit = detail::extent_of(domain);
+    const std::uint64_t volume = detail::volume_of(extent);
+    const std::uint64_t most = volume == 0 ? 1 : std::max<std::uint64_t>((1u << 17) / volume, 1);
+    try {
+        const std::uint64_t blocks = count(), step = (blocks + most - 1) / most;
+        for (std::uint64_t block = 0; block < blocks; block += step) {
+            const std::optional<A> begin = first(static_cast<std::uint32_t>(block));
+            for (std::uint64_t i = 0; begin && i < std::min<std::uint64_t>(volume, 1u << 17); ++i) {
+                Extent at = detail::extent_of(*begin, 0);
+                const Extent inside = detail::address_of(i, extent);
+                for (unsigned axis = 0; axis < detail::Axes<A>::count; ++axis) at[axis] += inside[axis];
+                if (detail::is_within(limit, at)) addresses.push_back(detail::address_from<A>(at));
+            }
+        }
+    } catch (const OutsideTable&) {}
+    return addresses;
+}
+
 /// What is known about a translator's mapping.
 enum class Mapping {
     one_to_one,   ///< declared by @one_to_one or `invert`
     many_to_one,  ///< declared by @many_to_one
     undeclared,
-    by_tables,  ///< undeclared; the tables that the translator reads decide
+    by_tables,  ///< undeclared and total; the tables that the translator reads decide
 };
 
 namespace detail {
@@ -97,8 +127,6 @@ GLIFT_API bool is_one_to_one(Test& test, const TranslatorText& text, Mapping map
 /// Whether all physical addresses lie inside the memory. Reports the first few that do not to `test`.
 GLIFT_API bool is_inside(Test& test, const TranslatorText& text, const Extent& memory,
                          const std::vector<Translated>& all);
-/// Whether an address lies inside a memory of this extent.
-GLIFT_API bool is_within(const Extent& limit, const Extent& address);
 GLIFT_API void fail_inverse(Test& test, const TranslatorText& text, const Extent& address, const Extent& back);
 
 /// A memory's extent. Addresses have 32 bits, so a larger buffer's extent is clamped.
