@@ -125,8 +125,8 @@ struct Printer {
     /// Spells the operations that depend on what surrounds the body, such as parameters, loads, members, derivatives
     /// and host operations of pipelines.
     std::function<Text(const ir::Expr&)> outer_expression;
-    /// The name of what is called, with values only, in place of a function that takes structures; "" for others. May be
-    /// empty.
+    /// The name of what is called, with values only, in place of a function that takes structures; "" for others. May
+    /// be empty.
     std::function<std::string(const ir::Expr&)> outer_call;
     std::function<std::string(const ir::Expr&)> outer_place;  ///< the lvalue of a load, for atomic operations
     std::function<void(const ir::Stmt&)> outer_statement;     ///< prints statements that depend on the surroundings

@@ -269,11 +269,11 @@ private:
         const std::string memory =
             i + 1 == structure_.via.size() && ir::stays_inside(unit_.program, structure_) ? "&memory" : "nullptr";
         if (memory != "nullptr") out_.line("const glift::Extent memory = glift::detail::limit_of(" + extent() + ");");
-        out_.line("return glift::check_translator(test, " + quoted(title + ": " + translator.display) + ", " +
-                  (i == 0 ? std::string("glift::tried(structure.domain(), residents)")
-                          : "reached_" + std::to_string(i - 1)) +
-                  ", translate, " + (translator.invert ? "invert" : "nullptr") + ", " +
-                  mapping_text(translator.properties, !needs.tables.empty()) + ", " + memory + ");");
+        out_.line(
+            "return glift::check_translator(test, " + quoted(title + ": " + translator.display) + ", " +
+            (i == 0 ? std::string("glift::tried(structure.domain(), residents)") : "reached_" + std::to_string(i - 1)) +
+            ", translate, " + (translator.invert ? "invert" : "nullptr") + ", " +
+            mapping_text(translator.properties, !needs.tables.empty()) + ", " + memory + ");");
         out_.close("();");
     }
 
@@ -324,9 +324,8 @@ private:
 };
 
 bool reads_tables(const ir::Program& program, const Structure& structure) {
-    return std::ranges::any_of(structure.via, [&](const ir::Stage& stage) {
-        return !needs_of(program, stage).tables.empty();
-    });
+    return std::ranges::any_of(structure.via,
+                               [&](const ir::Stage& stage) { return !needs_of(program, stage).tables.empty(); });
 }
 
 /// Why the tables cannot be copied to the host; empty: they can.

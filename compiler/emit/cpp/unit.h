@@ -74,8 +74,8 @@ struct Unit {
     std::vector<TranslationCheck> translation_checks{};  ///< in a test program
     /// In a test program: the functions that give the addresses in the blocks of structures.
     std::map<ir::StructureId, std::string> block_lists{};
-    std::vector<TestName> test_names{};                  ///< in a test program
-    const SpirvFile* spirv_file = nullptr;               ///< of the printed source; null: the source has the SPIR-V
+    std::vector<TestName> test_names{};     ///< in a test program
+    const SpirvFile* spirv_file = nullptr;  ///< of the printed source; null: the source has the SPIR-V
 
     std::string name(Name n) const { return (*program.names)[n]; }
     std::string type(ir::TypeId id, bool qualified = false) const { return type_text(globals, id, qualified); }

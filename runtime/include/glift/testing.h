@@ -210,8 +210,8 @@ GLIFT_API void fail_box(Test& test, const char* name, unsigned rank, const Exten
 }
 
 /// Checks with one box that writing a box reaches each of its elements and no others: what is written to the box is
-/// read back, and nothing else changes. The elements then get back the values that they had, since another structure may
-/// translate by them. Does nothing where the domain is empty or has more than 2^20 elements.
+/// read back, and nothing else changes. The elements then get back the values that they had, since another structure
+/// may translate by them. Does nothing where the domain is empty or has more than 2^20 elements.
 template <class S, class Value> void check_boxes(Test& test, const char* name, S& structure, const Value& value) {
     using A = typename S::Address;
     using T = typename S::Element;

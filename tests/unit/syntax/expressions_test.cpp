@@ -55,8 +55,7 @@ TEST(Expressions, read_tuples_and_named_arguments) {
 
 TEST(Expressions, read_closures) {
     EXPECT_EQ(expression("f(|a, b| a | b, 1)"), "(call f (closure ((a) (b)) (| a b)) 1)");
-    EXPECT_EQ(expression("f(|x: vec<2, uint>| x ? 1 : 2)"),
-              "(call f (closure ((x (generic vec 2 uint))) (?: x 1 2)))");
+    EXPECT_EQ(expression("f(|x: vec<2, uint>| x ? 1 : 2)"), "(call f (closure ((x (generic vec 2 uint))) (?: x 1 2)))");
     EXPECT_EQ(expression("f(|| x || y)"), "(call f (closure () (|| x y)))");
     EXPECT_EQ(expression("f(|x| g(|y| x + y))"), "(call f (closure ((x)) (call g (closure ((y)) (+ x y)))))");
     EXPECT_EQ(expression("f(|x| { return x; })"), "(call f (closure ((x)) {\n  (return x)}))");
