@@ -1,4 +1,4 @@
-// ImageLevel<r32f>, image.glift:42.
+// ImageLevel<r32f>, image.glift:47.
 // Define LEVEL_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at LEVEL_BINDING + 1 + k.
 // Optional: LEVEL_SET (the descriptor set, else 0), LEVEL_STATE (see below), LEVEL_READONLY (nothing is written).
 #ifndef GLIFT_LEVEL

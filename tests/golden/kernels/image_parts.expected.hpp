@@ -12,8 +12,8 @@ namespace std_image {
 #define GLIFT_std_image_HAS_ImageLevels_r32f
 /// ImageLevels<r32f>. A 2-D image with `levels` levels, each of half the extent of the one before, rounded down and
 /// no less than a texel. There may be 1 + floor(log2(larger side)) of them. Elements are those of level 0;
-/// `sample(x, level)`, for formats other than d32, is filtered within a level, x in texels of level 0; a `level`
-/// beyond the last one means the last one.
+/// `sample(x, level)`, for formats other than d32, is filtered within a level and between two of them, x in texels
+/// of level 0; a `level` beyond the last one means the last one.
 class ImageLevels_r32f : public glift::Structure<ImageLevels_r32f, glift::uint2, float> {
 public:
     static constexpr const char* type_name = "ImageLevels<r32f>";
