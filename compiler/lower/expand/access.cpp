@@ -376,18 +376,39 @@ void Expander::note_near_guard(std::uint32_t root) {
     near_domain = domain_of({root, {}});
 }
 
+/// The fields that a path of members leads to, if all of them are components; else none.
+std::vector<std::uint32_t> Expander::fields_along(const Place& place) const {
+    std::vector<std::uint32_t> fields;
+    const Structure* at = &cx.structure_at({place.root, {}});
+    for (std::uint32_t member : place.members) {
+        if (!at->members[member].is_component) return {};
+        at = &p.structures[at->members[member].structure];
+        fields.push_back(*at->field);
+    }
+    return fields;
+}
+
+/// A component of a neighbour is read as a field of it.
 ExprId Expander::near(const Expr& node) {
     Place place = resolved(node.place);
-    auto offset = offset_of(node);
+    const std::vector<std::uint32_t> fields = fields_along(place);
+    if (!fields.empty()) place.members = {};
+    const auto offset = offset_of(node);
     if (!offset) return build.zero(node.type);
     if (++near_reads > most_near_reads) throw TooManyNearReads{node.span, place.root};
-    if (Halo* halo = halo_of(place.root)) return in_halo(*halo, *offset);
-    const bool is_centre = std::ranges::all_of(*offset, [](std::int64_t part) { return part == 0; });
-    const ExprId value = is_centre ? element(place.root, node.span) : neighbour(place, *offset);
+    ExprId value = near_at(place, *offset, node.span);
+    for (std::uint32_t field : fields) value = build.field(value, field);
+    return value;
+}
+
+ExprId Expander::near_at(const Place& place, const std::vector<std::int64_t>& offset, Span span) {
+    if (Halo* halo = halo_of(place.root)) return in_halo(*halo, offset);
+    const bool is_centre = std::ranges::all_of(offset, [](std::int64_t part) { return part == 0; });
+    const ExprId value = is_centre ? element(place.root, span) : neighbour(place, offset);
     const bool may_copy =
         near_offsets && cx.kernel.space && (is_centre || (is_at_multiples() && !may_map_outside(place.root)));
-    if (may_copy) (*near_offsets)[place.root].insert(*offset);
-    if (out_ == top_) near_values.push_back({place.root, std::move(*offset), value});
+    if (may_copy) (*near_offsets)[place.root].insert(offset);
+    if (out_ == top_) near_values.push_back({place.root, offset, value});
     return value;
 }
 

@@ -261,6 +261,8 @@ private:
     // access.cpp
     ExprId element(std::uint32_t root, Span span);
     ExprId near(const ir::Expr& node);
+    std::vector<std::uint32_t> fields_along(const ir::Place& place) const;
+    ExprId near_at(const ir::Place& place, const std::vector<std::int64_t>& offset, Span span);
     ExprId neighbour(const ir::Place& place, const std::vector<std::int64_t>& offset);
     ExprId read(const ir::Place& place, ExprId address, const std::string& name);
     ExprId view(const ir::Place& place, ExprId address);

@@ -216,7 +216,8 @@ Operand index_iterator(Body& body, const Operand& left, const ast::Expr& expr) {
     if (param.pattern != ir::Pattern::near) return index_part(body, to_value(body, left), expr);
     Operand window = left;
     window.place.root = left.slot;
-    return index_window(body, window, param.structure, expr);
+    const bool is_component = !left.place.members.empty();
+    return index_window(body, window, is_component ? left.structure : param.structure, expr);
 }
 
 }  // namespace
