@@ -147,6 +147,11 @@ ExprId Builder::field(ExprId whole, std::uint32_t slot) {
     return again(node, {whole});
 }
 
+ExprId Builder::field_along(ExprId whole, const std::vector<std::uint32_t>& path) {
+    for (std::uint32_t slot : path) whole = field(whole, slot);
+    return whole;
+}
+
 ExprId Builder::intrinsic(Intrinsic intrinsic, TypeId id, Operands operands) {
     Expr node;
     node.op = Op::intrinsic;

@@ -42,6 +42,7 @@ public:
     ExprId component(ExprId vector, std::uint32_t lane);
     ExprId index(ExprId whole, ExprId at);
     ExprId field(ExprId whole, std::uint32_t slot);
+    ExprId field_along(ExprId whole, const std::vector<std::uint32_t>& path);  ///< a field of a field...
     ExprId intrinsic(ir::Intrinsic intrinsic, TypeId type, Operands operands);
     ExprId builtin(ir::Builtin builtin, TypeId type);
 

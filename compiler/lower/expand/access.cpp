@@ -151,8 +151,7 @@ ExprId Expander::computed(const Place& place, ExprId address, ExprId condition, 
 /// What the structure at the place has of an element of `link`, a structure of its chain: that element or, if there are
 /// components, a field of it.
 ExprId Expander::projected(const Place& place, const Structure& link, ExprId element) {
-    for (std::uint32_t field : fields_in(p, cx.structure_at(place), link)) element = build.field(element, field);
-    return element;
+    return build.field_along(element, fields_in(p, cx.structure_at(place), link));
 }
 
 ExprId Expander::projected(const Place& place, ExprId element) {
@@ -234,9 +233,7 @@ ExprId Expander::guarded_load(const Place& place, const Pair& physical, ExprId g
     };
     if (is_apart(place))
         return gathered(place, [&](std::uint32_t memory, const std::string& field, const auto& path) {
-            ExprId else_value = otherwise;
-            for (std::uint32_t each : path) else_value = build.field(else_value, each);
-            return guarded(bound(place, memory, {}, Access::read), else_value, name + field);
+            return guarded(bound(place, memory, {}, Access::read), build.field_along(otherwise, path), name + field);
         });
     if (!fields_in(p, structure, root_structure(p, structure)).empty())
         return guarded_field(place, {at, condition}, safe, otherwise, name);
@@ -396,9 +393,7 @@ ExprId Expander::near(const Expr& node) {
     const auto offset = offset_of(node);
     if (!offset) return build.zero(node.type);
     if (++near_reads > most_near_reads) throw TooManyNearReads{node.span, place.root};
-    ExprId value = near_at(place, *offset, node.span);
-    for (std::uint32_t field : fields) value = build.field(value, field);
-    return value;
+    return build.field_along(near_at(place, *offset, node.span), fields);
 }
 
 ExprId Expander::near_at(const Place& place, const std::vector<std::int64_t>& offset, Span span) {
@@ -462,8 +457,7 @@ void Expander::store(const Place& place, const Pair& physical, ExprId guard, con
             const ExprId whole = named(cx.name_of(place) + "_stored", value);
             gathered_fields(place, build.type(whole), written,
                             [&](std::uint32_t memory, const std::string&, const auto& path) {
-                                ExprId field = whole;
-                                for (std::uint32_t each : path) field = build.field(field, each);
+                                const ExprId field = build.field_along(whole, path);
                                 append(stored_to(bound(place, memory, {}, access), field));
                                 return field;
                             });
