@@ -525,6 +525,8 @@ struct Pipeline {
     /// The first place that waits for the device, changes host state or gives a member other memory; empty: there is
     /// none, so that the pipeline may be called under a condition that is a value on the device.
     Span host_needed;
+    bool changes_owner = false;  ///< of a container's pipeline: it, or one that it calls, changes the container's host
+                                 ///< state or gives a member other memory (ir/changes.h)
     bool is_value = false;  ///< made by sema/pipelines/values.cpp: it has one pass, of one invocation, which computes a
                             ///< value on the device
     std::string doc;

@@ -3,6 +3,7 @@
 #include "emit/cpp/translators.h"
 #include "emit/cpp/unit.h"
 #include "ir/chain.h"
+#include "ir/changes.h"
 #include "ir/levels.h"
 #include "ir/spelling.h"
 #include "ir/walk.h"
@@ -382,11 +383,8 @@ std::string param_type(const Unit& unit, const ir::PipelineParam& param, bool qu
     switch (param.pattern) {
     case ir::HostPattern::value: return unit.type(type, qualified) + " ";
     case ir::HostPattern::range: return "const " + unit.type(type, qualified) + "& ";
-    case ir::HostPattern::structure: {
-        const bool changes = unit.program.structures[unit.program.types[type].structure].is_container &&
-                             param.direction != ir::Direction::in;
-        return (changes ? "" : "const ") + unit.type(type, qualified) + "& ";
-    }
+    case ir::HostPattern::structure:
+        return (ir::may_be_changed(unit.program, param) ? "" : "const ") + unit.type(type, qualified) + "& ";
     }
     return "";
 }
@@ -402,7 +400,9 @@ std::string signature(Unit& unit, ir::PipelineId index, const Printer& names, co
     };
     for (const ir::PipelineParam& param : pipeline.params)
         parameters += ", " + (mark(param) + param_type(unit, param, qualified)) + names.local_names.at(param.local);
-    return unit.type(pipeline.result, qualified) + " " + owner + unit.own.pipelines[index] + "(" + parameters + ")";
+    const bool is_const = pipeline.owner && !pipeline.changes_owner;
+    return unit.type(pipeline.result, qualified) + " " + owner + unit.own.pipelines[index] + "(" + parameters + ")" +
+           (is_const ? " const" : "");
 }
 
 }  // namespace

@@ -162,6 +162,7 @@ struct Body {
         Span span;
         const std::vector<ir::StmtId>* block;  ///< the list that the statement is in
     };
+    std::vector<ir::LocalId> constants;     ///< pipelines: the parameters that are containers and declared `in`
     std::vector<ir::LocalId> captured;      ///< functions that call a closure: the values that it captured
     std::vector<Replacement> replacements;  ///< pipelines: all such statements (sema/structures/replace.h)
 

@@ -1,4 +1,5 @@
 // Instances of pipelines and tests: host code that runs passes in sequence.
+#include "ir/changes.h"
 #include "sema/structures/components.h"
 #include "sema/structures/constructors.h"
 #include "sema/structures/replace.h"
@@ -66,6 +67,8 @@ void add_param(Body& body, const ast::Param& param, const Passed& passed, ir::Pi
         }
     }
     made.local = declare_local(body, param.name, type, false, false);
+    if (made.direction == ir::Direction::in && made.structure && c.program.structures[made.structure].is_container)
+        body.constants.push_back(made.local);
     pipeline.params.push_back(std::move(made));
 }
 
@@ -200,6 +203,7 @@ ir::PipelineId instantiate_pipeline(Context& c, ast::DeclId id, const Env& env, 
     if (!returns && c.diagnostics.own_error_count() == errors)
         c.error(Diag::missing_return, decl.name.span,
                 {c.text(decl.name.name), body.range_result ? "a range" : c.text(pipeline.result)});
+    pipeline.changes_owner = ir::changes_owner(c.program, pipeline);
     Instance& instance = c.instances[key];
     instance.state = c.diagnostics.own_error_count() == errors ? Instance::State::done : Instance::State::failed;
     if (instance.state == Instance::State::failed) return {};

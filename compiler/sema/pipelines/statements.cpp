@@ -1,6 +1,7 @@
 // long: the checks of statements and expressions of pipelines call each other
 // Checks the statements and expressions that only pipelines and tests have: temporaries, calls of kernels and
 // pipelines, slices, values on the device, and `expect` and the like.
+#include "ir/changes.h"
 #include "sema/bodies/closures.h"
 #include "sema/bodies/order.h"
 #include "sema/kernels/aliasing.h"
@@ -231,6 +232,29 @@ std::optional<ir::ExprId> pipeline_argument(Body& body, const Argument& argument
     return value;
 }
 
+/// Whether the call would change a container that the calling pipeline declares `in`; reports it.
+bool is_changing_constant(Body& body, ir::PipelineId called, const Operand* owner, const ir::Operands& values,
+                          Span call) {
+    const ir::Program& program = body.program();
+    const ir::Pipeline& pipeline = program.pipelines[called];
+    const auto is_constant = [&](ir::LocalId local) {
+        return std::ranges::find(body.constants, local) != body.constants.end();
+    };
+    ir::LocalId changed;
+    if (owner && pipeline.changes_owner && is_constant(owner->local)) changed = owner->local;
+    for (std::size_t i = 0; i < values.size() && !changed; ++i) {
+        const ir::Expr& value = program.exprs[values[i]];
+        const bool is_given = value.op == ir::Op::structure_value && is_constant(value.local);
+        if (is_given && ir::may_be_changed(program, pipeline.params[i])) changed = value.local;
+    }
+    if (!changed) return false;
+    const ir::Local& container = program.locals[changed];
+    note(body.context.error(Diag::constant_container, call,
+                            {body.context.text(container.name), body.context.text(pipeline.name)}),
+         container.span, "declare it 'inout'");
+    return true;
+}
+
 std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vector<ast::ExprId>& explicit_generics,
                                      const ast::Expr& call, const Operand* owner, std::vector<Argument> arguments) {
     Context& c = body.context;
@@ -265,6 +289,7 @@ std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vect
             return std::nullopt;
         needs_host(body, at);
     }
+    if (is_changing_constant(body, pipeline, owner, values, call.span)) return std::nullopt;
     ir::ExprId result = add(body.program(), ir::Op::pipeline_call, body.program().pipelines[pipeline].result, call.span,
                             std::move(values));
     body.program().exprs[result].slot = pipeline.index;
