@@ -12,6 +12,7 @@ library = pathlib.Path(__file__).resolve().parents[2] / "stdlib"
 PROGRAM = """module planted;
 use std.array;
 use std.page_allocator;
+use std.sparse;
 use {module};
 
 structure Inner(extent: uint2, frames: uint) {{
@@ -37,7 +38,7 @@ test "a container in a container" {{
 
 PAGES = ("translators/page_table.glift", "return uint2(linearize(va % page, page), entry - 1u);",
          "return uint2(linearize(va % page, page) / 2u, entry - 1u);")
-# The table of SparseTwoLevels alone, which has one axis.
+# The table of two levels alone, which has one axis.
 TOP = (PAGES[0], PAGES[1], "return uint2(linearize(va % page, page) / (N == 1u ? 2u : 1u), entry - 1u);")
 HASH = ("structures/sparse_hashed.glift", "return uint2(linearize(va % page, page), entry);",
         "return uint2(linearize(va % page, page) / 2u, entry);")
@@ -45,16 +46,16 @@ FRAMES = (PAGES[0], "return frame_place<N>(va.y, bits) * page + delinearize(va.x
           "return frame_place<N>(va.y, bits) * page + delinearize(va.x / 2u, page);")
 
 SPARSE = "Sparse<2, float, uint2(4, 4), policy: drop>(extent, frames, -1.0)"
-BUMP = "BumpSparse<2, float, uint2(4, 4), policy: drop>(extent, frames, -1.0)"
-LEVELS = "SparseTwoLevels<2, float, uint2(4, 4), 4u, policy: drop>(extent, frames, -1.0)"
+BUMP = "Sparse<2, float, uint2(4, 4), policy: drop, allocation: bump>(extent, frames, -1.0)"
+LEVELS = "Sparse<2, float, uint2(4, 4), policy: drop, Table: TwoLevels<4>>(extent, frames, -1.0)"
 HASHED = "SparseHashed<2, float, uint2(4, 4)>(frames, -1.0)"
 OCTREE = "Adaptive<2, r32f, 4u>(3u, frames)"
 
-CASES = (("sparse", SPARSE, PAGES, 18, "Paged<2, float, uint2(4, 4)>", "field"),
-         ("sparse", SPARSE, PAGES, 100000, "Paged<2, float, uint2(4, 4)>", "field"),  # not all addresses are tried
-         ("bump_allocator", BUMP, PAGES, 18, "Paged<2, float, uint2(4, 4)>", "field"),
-         ("sparse_two_levels", LEVELS, PAGES, 18, "Paged<2, float, uint2(4, 4), Paged<1, uint, 4>>", "field"),
-         ("sparse_two_levels", LEVELS, TOP, 18, "Paged<1, uint, 4>", "table"),
+CASES = (("sparse", SPARSE, PAGES, 18, "Paged<2, float, uint2(4, 4), OneLevel>", "field"),
+         ("sparse", SPARSE, PAGES, 100000, "Paged<2, float, uint2(4, 4), OneLevel>", "field"),  # not all addresses are tried
+         ("sparse", BUMP, PAGES, 18, "Paged<2, float, uint2(4, 4), OneLevel>", "field"),
+         ("two_levels", LEVELS, PAGES, 18, "Paged<2, float, uint2(4, 4), TwoLevels<4>>", "field"),
+         ("two_levels", LEVELS, TOP, 18, "Paged<1, uint, 4>", "table.entries"),
          ("sparse_hashed", HASHED, HASH, 18, "HashedField<2, float, uint2(4, 4), Array<1, uint2>, Array<2, float>>", "field"),
          ("adaptive", OCTREE, FRAMES, 18, "FrameImage<2, r32f, uint2(5, 5)>", "frames"))
 
@@ -79,7 +80,7 @@ for number, (module, grid, (file, right, wrong), extent, structure, member) in e
     says(ran, 1, f"FAIL  translation of {structure}, as the tests made it", f"it is outer.inner.grid.{member}")
     expect(" both map to " in ran.said or "invert(translate(" in ran.said, "the addresses are named", ran.said)
 
-for module, grid in dict((module, grid) for module, grid, *_ in CASES).items():
+for module, grid in dict.fromkeys((module, grid) for module, grid, *_ in CASES):
     ran = run(module, grid, 18, library)
     says(ran, 0, "pass  a container in a container", ": 0 failed")
 finish()

@@ -107,7 +107,7 @@ private:
         };
         const auto& pages = grid_.pages();
         if (auto same = property::equal(round_, table, grid_.table().read(), "table"); !same) return same;
-        if (auto same = property::equal(round_, order_, start(pages.pages().read(), order_.size()), "pages"); !same)
+        if (auto same = property::equal(round_, order_, start(pages.active().read(), order_.size()), "pages"); !same)
             return same;
         if (auto same = property::equal(round_, granted_, start(pages.granted().read(), granted_.size()), "granted");
             !same)
