@@ -1,6 +1,7 @@
 // long: what a name called means decides between cases that call each other
 // Calls: of functions, types (construction), methods and built-ins.
 #include "ir/chain.h"
+#include "sema/bodies/applied.h"
 #include "sema/bodies/order.h"
 #include "sema/kernels/raster.h"
 #include "sema/kernels/texture.h"
@@ -453,6 +454,34 @@ static Operand call_named(Body& body, ast::Identifier name, const std::vector<as
     return error_operand(call.span);
 }
 
+static Operand check_unnamed_call(Body& body, ast::ExprId id, ir::TypeId wanted);
+
+/// A call of what is named by a local variable, a parameter or a field.
+static Operand call_value(Body& body, ast::ExprId id, ir::TypeId wanted) {
+    Context& c = body.context;
+    const ast::Expr call = c[id];
+    const ast::Expr callee = c[call.operands[0]];
+    Operand value;
+    if (callee.kind == ast::ExprKind::name || callee.kind == ast::ExprKind::member) {
+        value = check(body, call.operands[0]);
+        if (value.kind == OperandKind::error) return error_operand(call.span);
+    }
+    const ast::ExprId applied = applied_call(body, id, value);
+    if (applied) {
+        const Diagnostics::Mark before = c.diagnostics.mark();
+        Operand result = check_unnamed_call(body, applied, wanted);
+        const std::vector<Diagnostic>& all = c.diagnostics.all();
+        if (all.size() == before.count || all[before.count].span != callee.span) return result;
+        c.diagnostics.back_to(before);
+    }
+    const Symbol* symbol = callee.kind == ast::ExprKind::name ? find_symbol(body, callee.name) : nullptr;
+    Diagnostic& diagnostic =
+        c.error(Diag::not_callable, callee.span, {symbol ? "'" + c.text(callee.name) + "'" : std::string("this")});
+    if (symbol) note(diagnostic, symbol->span, "declared here");
+    if (applied) note(diagnostic, callee.span, "there is no function 'apply' for " + c.text(value.type));
+    return error_operand(call.span);
+}
+
 static Operand check_unnamed_call(Body& body, ast::ExprId id, ir::TypeId wanted) {
     Context& c = body.context;
     const ast::Expr& call = c[id];
@@ -470,10 +499,7 @@ static Operand check_unnamed_call(Body& body, ast::ExprId id, ir::TypeId wanted)
         }
         if (left.kind == OperandKind::structure)
             return call_method(body, left, {name.name, name.name_span}, generics, call, wanted);
-        if (left.kind != OperandKind::meta || left.meta.kind != MetaKind::module) {
-            c.error(Diag::not_callable, callee.span, {"this"});
-            return error_operand(call.span);
-        }
+        if (left.kind != OperandKind::meta || left.meta.kind != MetaKind::module) return call_value(body, id, wanted);
         const Meta meta = find_in_module(c, body.env, left.meta.module, {name.name, name.name_span});
         if (meta.kind == MetaKind::none) return error_operand(call.span);
         return call_declarations(body, meta, generics, call, wanted);
@@ -485,11 +511,7 @@ static Operand check_unnamed_call(Body& body, ast::ExprId id, ir::TypeId wanted)
         if (operand.kind != OperandKind::error) c.error(Diag::not_callable, callee.span, {"this"});
         return error_operand(call.span);
     }
-    if (Symbol* symbol = find_symbol(body, name.name)) {
-        symbol->used = true;
-        note(c.error(Diag::not_callable, name.span, {"'" + c.text(name.name) + "'"}), symbol->span, "declared here");
-        return error_operand(call.span);
-    }
+    if (find_symbol(body, name.name)) return call_value(body, id, wanted);
     return call_named(body, {name.name, name.span}, generics, call, wanted);
 }
 

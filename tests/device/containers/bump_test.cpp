@@ -69,7 +69,7 @@ private:
 
     /// Releases all pages. Frames keep their contents until they are granted again.
     void release() {
-        grid_.release(device_);
+        grid_.release_all(device_);
         pages_ = model::Pages(policy_, along_.x * along_.y, pages_.status().capacity);
         order_.clear();
     }

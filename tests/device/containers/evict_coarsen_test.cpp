@@ -1,4 +1,4 @@
-// Quadtrees with the policy evict_coarsen. After random requests and dismissals, sometimes of many more pages than fit,
+// Quadtrees with the policy evict_coarsen. After random requests and releases, sometimes of many more pages than fit,
 // they are compared with a model on the host (maps and sets of pages: model.h, tree_model.h): which pages are resident
 // and in which frames, the counts, all values, and samples, also where a coarser page stands for the requested one.
 #include "model.h"
@@ -117,12 +117,12 @@ private:
         return numbers;
     }
 
-    /// Requests and dismisses pages and makes the change, both in the tree and in the model.
+    /// Requests and releases pages and makes the change, both in the tree and in the model.
     void change() {
         const std::vector<Number> asked = some_pages(round_.chance(3) ? 100 : 12),
-                                  dismissed = some_pages(round_.chance(3) ? 12 : 0);
+                                  released = some_pages(round_.chance(3) ? 12 : 0);
         const bool releases_others = round_.chance(6);
-        evict_coarsen::ask(device_, on_device(asked), on_device(dismissed), tree_);
+        evict_coarsen::ask(device_, on_device(asked), on_device(released), tree_);
         if (releases_others) tree_.update(device_);
         else tree_.allocate(device_);
 
@@ -131,7 +131,7 @@ private:
         for (const Number page : asked_) wanted.put(wanted.page_of(page));
         wanted.coarsen(capacity_);
         for (const Page& page : wanted.pages()) pages_.request(wanted.number_of(page));
-        for (const Number page : dismissed) pages_.dismiss(page);
+        for (const Number page : released) pages_.release(page);
         granted_ = pages_.change(releases_others);
         begin_new();
     }

@@ -73,7 +73,7 @@ public:
         return at == numbers_.end() || !alive_[at->second] ? std::nullopt : std::optional(values_[at->second]);
     }
 
-    void tidy() {
+    void rehash() {
         const std::vector<Key> keys = std::exchange(keys_, {});
         const std::vector<Value> values = std::exchange(values_, {});
         const std::vector<Number> alive = std::exchange(alive_, {});
@@ -84,7 +84,7 @@ public:
 
     void clear() {
         std::ranges::fill(alive_, 0);
-        tidy();
+        rehash();
         refused_ = 0;
     }
 

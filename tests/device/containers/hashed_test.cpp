@@ -1,4 +1,4 @@
-// Sparse arrays whose page table is a hash set of pages: random requests, dismissals, writes, refinements and reads, at
+// Sparse arrays whose page table is a hash set of pages: random requests, releases, writes, refinements and reads, at
 // both ends of the axes and in the middle. Each change is compared with std::unordered_map, for each policy of pools
 // that are too small: status, contents, the order of frames and the layout of the hash map, which are the same on every
 // run and device.
@@ -52,7 +52,7 @@ public:
 
     void request(uint2 page) { wanted_.push_back(page); }
 
-    void dismiss(uint2 page) { contents_.erase(page); }
+    void release(uint2 page) { contents_.erase(page); }
 
     /// Allocates what was requested. Frames of released pages are freed, pages that stay keep their order, and new
     /// pages follow them.
@@ -158,13 +158,13 @@ public:
     void run() {
         for (int step = 0; step < 8 && !testing::Test::HasFailure(); ++step) {
             request();
-            if (round_.chance(2)) dismiss();
+            if (round_.chance(2)) release();
             sheet_.allocate(device_);
             model_.allocate();
             ASSERT_TRUE(layout_is_right(step));
             if (round_.chance(2)) refine();
             if (round_.chance(2)) write();
-            if (round_.chance(3)) dismiss();
+            if (round_.chance(3)) release();
             ASSERT_TRUE(reads_are_right());
         }
     }
@@ -203,10 +203,10 @@ private:
         for (uint2 place : asked) model_.request(page_of(place));
     }
 
-    void dismiss() {
+    void release() {
         const std::vector<uint2> asked = places(1 + capacity_ / 2);
-        hashed::dismiss(device_, on_device(asked), sheet_);
-        for (uint2 place : asked) model_.dismiss(page_of(place));
+        hashed::release(device_, on_device(asked), sheet_);
+        for (uint2 place : asked) model_.release(page_of(place));
     }
 
     void refine() {
@@ -280,7 +280,7 @@ TEST_P(SparseHashed, KeepsWhatAMapKeeps) {
     });
 }
 
-/// A change is one submission, and nothing is read back. Each replay dismisses and requests the pages of that moment.
+/// A change is one submission, and nothing is read back. Each replay releases and requests the pages of that moment.
 TEST_P(SparseHashed, RecordedOnce) {
     for_all("sparse array over a hash, recorded", [&](Round& round) {
         const Number capacity = 1 + round.below(200), most = 2 * capacity;
@@ -288,7 +288,7 @@ TEST_P(SparseHashed, RecordedOnce) {
         Model model(capacity, Policy::drop);
         hashed::Places places(device(), most);
         const auto step = device().record([&](const glift::Commands& commands) {
-            hashed::dismiss(commands, places, sheet);
+            hashed::release(commands, places, sheet);
             hashed::request(commands, places, sheet);
             sheet.allocate(commands);
         });
@@ -302,7 +302,7 @@ TEST_P(SparseHashed, RecordedOnce) {
             EXPECT_LE(device().statistics().submissions - before.submissions, 1u);  // the host device has none
             EXPECT_EQ(device().statistics().waits - before.waits, 0u);
             for (uint2 place : asked) {
-                model.dismiss(page_of(place));
+                model.release(page_of(place));
                 model.request(page_of(place));
             }
             model.allocate();

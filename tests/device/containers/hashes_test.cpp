@@ -137,7 +137,7 @@ private:
         const std::vector<Key> some = keys<Kind>(round_, kinds_);
         const auto given = on_device<typename Kind::Keys>(device_, some);
         switch (round_.below(8)) {
-        case 0: map_.tidy(device_); return model_.tidy();
+        case 0: map_.rehash(device_); return model_.rehash();
         case 1:
             if (!round_.chance(4)) break;
             map_.clear(device_);
@@ -205,7 +205,7 @@ Number entries_of(const glift::Device& device, auto& map) {
 }
 
 /// The invocations of a kernel insert in no particular order, so the test gives equal keys equal values within a pass.
-/// Invocations that insert one key at the same moment may each take an entry; `tidy` removes the surplus ones.
+/// Invocations that insert one key at the same moment may each take an entry; `rehash` removes the surplus ones.
 template <class Kind> void maps_from_kernels(const glift::Device& device, Round& round) {
     using Key = typename Kind::Key;
     using Value = typename Kind::Value;
@@ -224,7 +224,7 @@ template <class Kind> void maps_from_kernels(const glift::Device& device, Round&
             Kind::erase(device, given, map);
             for (Key key : some) model.erase(key);
         } else {
-            if (entries_of(device, map) + some.size() > capacity) map.tidy(device);
+            if (entries_of(device, map) + some.size() > capacity) map.rehash(device);
             Kind::insert(device, given, on_device<typename Kind::Values>(device, values), map);
             for (std::size_t i = 0; i < some.size(); ++i) {
                 if (can_be_a_key(some[i])) model[some[i]] = values[i];
@@ -276,7 +276,7 @@ TEST_P(Hashes, MapsOfWordsInBatches) {
                 map.erase_all(device(), given);
                 for (Number key : some) model.erase(key);
             } else if (round.chance(4)) {
-                map.tidy(device());
+                map.rehash(device());
                 taken = static_cast<Number>(model.size());
             } else {
                 std::set<Number> fresh(some.begin(), some.end());
@@ -317,10 +317,10 @@ template <class Kind> void sets(const glift::Device& device, Round& round) {
         const auto given = on_device<typename Kind::Keys>(device, some);
         const Number kind = round.below(4);
         if (kind == 0) set.erase_all(device, given);
-        else if (kind == 1) set.tidy(device);
+        else if (kind == 1) set.rehash(device);
         else set.insert_all(device, given);
         for (Key key : some) kind == 0 ? model.erase(key) : kind == 1 ? void() : model.insert(key, 1);
-        if (kind == 1) model.tidy();
+        if (kind == 1) model.rehash();
         std::vector<Key> expected;
         for (std::size_t i = 0; i < model.keys().size(); ++i)
             if (model.alive()[i]) expected.push_back(model.keys()[i]);
@@ -360,7 +360,7 @@ TEST_P(Hashes, BitSets) {
                 else if (x < bound) model.insert(x);
             }
             const hashes::Numbers listed(device(), bound + 1);
-            const Number n = set.numbers(device(), listed).await(device());
+            const Number n = set.list(device(), listed).await(device());
             const std::vector<Number> expected(model.begin(), model.end());
             ASSERT_TRUE(property::equal(round, expected, first(listed.read(), n), "numbers"));
         }

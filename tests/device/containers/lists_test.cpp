@@ -140,7 +140,7 @@ TEST_P(Lists, Grids) {
 /// invocations gets which element is unspecified.
 template <class Container> struct Ends;
 
-template <> struct Ends<lists::Stack> {
+template <> struct Ends<lists::NumberStack> {
     static constexpr auto push = &lists::push_stack;
     static std::vector<Number> take(std::deque<Number>& all, std::size_t n) {
         std::vector<Number> taken(all.end() - static_cast<std::ptrdiff_t>(n), all.end());
@@ -149,7 +149,7 @@ template <> struct Ends<lists::Stack> {
     }
 };
 
-template <> struct Ends<lists::Queue> {
+template <> struct Ends<lists::NumberQueue> {
     static constexpr auto push = &lists::push_queue;
     static std::vector<Number> take(std::deque<Number>& all, std::size_t n) {
         std::vector<Number> taken(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n));
@@ -158,10 +158,10 @@ template <> struct Ends<lists::Queue> {
     }
 };
 
-void pop(const glift::Device& device, const lists::Stack& stack, const lists::Numbers& to) {
+void pop(const glift::Device& device, const lists::NumberStack& stack, const lists::Numbers& to) {
     lists::pop_stack(device, stack, to);
 }
-void pop(const glift::Device& device, const lists::Queue& queue, const lists::Numbers& to) {
+void pop(const glift::Device& device, const lists::NumberQueue& queue, const lists::Numbers& to) {
     lists::pop_queue(device, queue, to);
 }
 
@@ -200,11 +200,11 @@ template <class Container> void pushes_and_pops(const glift::Device& device, Rou
 }
 
 TEST_P(Lists, Stacks) {
-    for_all("stack", [&](Round& round) { pushes_and_pops<lists::Stack>(device(), round); });
+    for_all("stack", [&](Round& round) { pushes_and_pops<lists::NumberStack>(device(), round); });
 }
 
 TEST_P(Lists, Queues) {
-    for_all("queue", [&](Round& round) { pushes_and_pops<lists::Queue>(device(), round); });
+    for_all("queue", [&](Round& round) { pushes_and_pops<lists::NumberQueue>(device(), round); });
 }
 
 }  // namespace

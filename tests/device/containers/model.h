@@ -29,7 +29,7 @@ public:
     void request(Number page) {
         if (page < bound_) wanted_.insert(page);
     }
-    void dismiss(Number page) {
+    void release(Number page) {
         if (page < bound_) unwanted_.insert(page);
     }
 

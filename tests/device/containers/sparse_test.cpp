@@ -34,7 +34,7 @@ public:
     void run() {
         for (int step = 0; step < 30 && !testing::Test::HasFailure(); ++step) {
             request();
-            if (round_.chance(2)) dismiss();
+            if (round_.chance(2)) release();
             change();
             if (round_.chance(2)) write();
             if (round_.chance(5)) compact();
@@ -70,11 +70,11 @@ private:
             if (is_inside(place)) pages_.request(page_of(place));
     }
 
-    void dismiss() {
+    void release() {
         const std::vector<uint2> asked = places(40);
-        sparse::dismiss(device_, on_device(asked), grid_);
+        sparse::release(device_, on_device(asked), grid_);
         for (uint2 place : asked)
-            if (is_inside(place)) pages_.dismiss(page_of(place));
+            if (is_inside(place)) pages_.release(page_of(place));
     }
 
     void change() {
