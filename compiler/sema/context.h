@@ -118,7 +118,7 @@ struct Context {
     std::unordered_map<ir::TranslatorId, std::vector<Meta>> translator_arguments;
     std::unordered_map<ir::StructId, ast::DeclId> struct_decl;
     std::unordered_map<ir::StructId, ClosureType> closures;
-    std::unordered_map<ast::ExprId, ast::ExprId> applied_calls;  ///< sema/bodies/applied.h: the calls made for calls
+    std::unordered_map<ast::ExprId, ast::ExprId> applied_calls;    ///< sema/bodies/applied.h: the calls made for calls
     std::unordered_map<std::string, ir::StructId> closure_types;   ///< by text, captured types and generic arguments
     std::unordered_map<ast::DeclId, ir::StructId> closure_called;  ///< for each ClosureType::Call::decl, the type
 

@@ -1,5 +1,5 @@
-// Calls of values: of a value `f` of a struct or enum, `f(x, y)` means `apply(f, x, y)`. So functions that are given to other
-// functions are called like any others, closures among them.
+// Calls of values: of a value `f` of a struct or enum, `f(x, y)` means `apply(f, x, y)`. So functions that are given to
+// other functions are called like any others, closures among them.
 #pragma once
 
 #include "sema/bodies/body.h"
