@@ -133,9 +133,9 @@ public:
         const auto z = static_cast<std::uint32_t>(arguments_.slice * static_cast<float>(arguments_.extent - 1));
         const auto side = static_cast<float>(arguments_.extent);
         line_.show(3, stages, "pictures");
-        voxel_pictures::voxels_by_rays(device_, picture_, grid_.field(), view, picture_);
+        voxel_pictures::voxels_by_rays(device_, picture_, grid_, view, picture_);
         write("voxels.png");
-        voxel_pictures::slice_of_grid(device_, picture_, grid_.field(), z, picture_);
+        voxel_pictures::slice_of_grid(device_, picture_, grid_, z, picture_);
         write("voxels_slice.png");
         voxel_pictures::distances_by_rays(device_, picture_, tree_, side, view, picture_);
         write("distances.png");

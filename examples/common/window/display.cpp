@@ -26,6 +26,11 @@ std::string glfw_problem() {
                        "no display: set DISPLAY, or leave --window out");
 }
 
+[[noreturn]] void throw_gone() {
+    throw glift::Error(glift::ErrorCode::device_lost, "the display is gone", "window::Window",
+                       "the connection to it broke", "start the program again, on a display that stays");
+}
+
 Modifiers modifiers_of(int bits) {
     return {(bits & GLFW_MOD_SHIFT) != 0, (bits & GLFW_MOD_CONTROL) != 0, (bits & GLFW_MOD_ALT) != 0};
 }
@@ -91,11 +96,15 @@ Display::Display(const std::string& title, glift::uint2 size) {
         glfwTerminate();
         throw_no_window(why);
     }
-    // Xlib calls both handlers when the connection breaks; its default ones print a line and end the program.
+    // Xlib calls both handlers when the connection breaks; its default ones print a line and end the program. It may
+    // write through a null pointer if the second one returns: the buffer of requests may be full then.
     is_gone = false;
     XSetIOErrorHandler([](::Display*) { return 0; });
-    XSetIOErrorExitHandler(
-        glfwGetX11Display(), [](::Display*, void*) { is_gone = true; }, nullptr);
+    const auto leave = [](::Display*, void*) {
+        is_gone = true;
+        throw_gone();
+    };
+    XSetIOErrorExitHandler(glfwGetX11Display(), leave, nullptr);
     glfwSetWindowUserPointer(window_, this);
     glfwSetMouseButtonCallback(window_, &Callbacks::on_button);
     glfwSetCursorPosCallback(window_, &Callbacks::on_move);
@@ -105,8 +114,12 @@ Display::Display(const std::string& title, glift::uint2 size) {
 
 Display::~Display() {
     if (is_gone) return;  // without a connection GLFW would wait for ever
-    glfwDestroyWindow(window_);
-    glfwTerminate();
+    try {
+        glfwDestroyWindow(window_);
+        glfwTerminate();
+    } catch (const glift::Error&) {
+        // The connection broke just now, and there is nothing left to close.
+    }
 }
 
 std::vector<const char*> Display::extensions() const {
@@ -121,9 +134,7 @@ std::vector<const char*> Display::extensions() const {
 }
 
 void Display::require() const {
-    if (!is_gone) return;
-    throw glift::Error(glift::ErrorCode::device_lost, "the display is gone", "window::Window",
-                       "the connection to it broke", "start the program again, on a display that stays");
+    if (is_gone) throw_gone();
 }
 
 void Display::poll() {

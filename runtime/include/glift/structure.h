@@ -4,7 +4,7 @@
 
 #include <glift/draw_iteration.h>
 #include <glift/iteration.h>
-#include <glift/mapped.h>
+#include <glift/mapped_blocks.h>
 #include <glift/range.h>
 #include <glift/resident.h>
 #include <glift/shared.h>
@@ -178,9 +178,7 @@ public:
     /// for more than 2^36, but not for structures without a `list` (HasList), which are read. Waits as `read` does.
     auto read_resident(A origin, A size) const {
         check("read_resident", origin, size);
-        const Commands commands(device());
-        if (commands.is_recording())
-            detail::throw_not_in_recording((std::string(Self::type_name) + "::read_resident").c_str());
+        const Commands commands = not_recording("read_resident");
         if constexpr (detail::HasList<Self>) return detail::resident(Range<Self>(self(), origin, size), commands);
         else return detail::all_of<Self>(origin, size, read(origin, size));
     }
@@ -227,9 +225,15 @@ public:
     requires requires(const Other& whole) { whole.domain(); }
     void copy_from(const Other& from, A to_origin = {}) { copy_from(Range<Other>(from), to_origin); }
 
-    /// A copy of a box on the host, which is written back (Mapped). Waits and throws as `read` does.
-    Mapped<Self> map(A origin, A size) { return {self(), origin, size}; }
-    Mapped<Self> map() { return {self(), {}, self().domain()}; }
+    /// A box on the host, which is written back: a Mapped, a copy, for which the call waits as `read` does; or, of
+    /// structures with blocks, a MappedBlocks, whose parts are read where they are accessed. Throws as `read` does.
+    auto map(A origin, A size) {
+        check("map", origin, size);
+        not_recording("map");
+        if constexpr (detail::HasBlocks<Self>) return MappedBlocks<Self>(self(), origin, size);
+        else return Mapped<Self>(self(), origin, size);
+    }
+    auto map() { return map({}, self().domain()); }
 
 protected:
     Structure() = default;
@@ -281,8 +285,7 @@ private:
     }
 
     Download fetch(A origin, A size, std::size_t bytes) const {
-        const Commands commands(device());
-        if (commands.is_recording()) detail::throw_not_in_recording((std::string(Self::type_name) + "::read").c_str());
+        const Commands commands = not_recording("read");
         if constexpr (detail::HasRows<Self>) {
             if (auto rows = detail::rows_of(self(), origin, size)) {
                 for (CopyRegion& row : *rows) std::swap(row.from, row.to);
@@ -296,6 +299,13 @@ private:
 
     static MemoryDescription box_description(std::size_t bytes) {
         return {.name = "box", .bytes = (bytes + 3) / 4 * 4, .zeroed = false};
+    }
+    /// Commands that run at once. Throws where they would be recorded, since the operation waits.
+    Commands not_recording(const char* operation) const {
+        Commands commands(device());
+        if (commands.is_recording())
+            detail::throw_not_in_recording((std::string(Self::type_name) + "::" + operation).c_str());
+        return commands;
     }
     const Device& device_of(const char* operation) const {
         if (!device_) detail::throw_empty_structure(Self::type_name, operation);

@@ -260,7 +260,7 @@ TEST_P(Misuse, RecordingsRefuseWhatWaits) {
     };
     using Commands = glift::Commands;
     fails("Array<1, float>::read", [&](const Commands&) { line.read(); });
-    fails("Array<1, float>::read", [&](const Commands&) { line.map(); });
+    fails("Array<1, float>::map", [&](const Commands&) { line.map(); });
     fails("cannot be recorded", [&](const Commands& c) { line.element(c, 0).await(c); });
     fails("cannot be recorded", [&](const Commands&) { line.element(device, 0).await(device); });
     fails("Recording::submit", [&](const Commands&) { earlier.submit(); });

@@ -203,6 +203,51 @@ TEST_P(Resident, BoxesAcrossPages) {
     EXPECT_EQ(grid.field().read({17, 8, 6}, {1, 1, 1}), std::vector<float>{-1.0f});
 }
 
+/// A box of 2^30 elements, of which three parts are accessed: these move, and of them the one that changes goes back.
+TEST_P(Resident, MapsWhatIsAccessed) {
+    resident::Two grid(device(), {32768, 32768}, 8, 1);
+    grid.request_box(device(), {20000, 10000}, {20004, 10004});
+    grid.request_box(device(), {0, 0}, {1, 1});
+    grid.allocate(device());
+    const uint2 page{20000, 10000};
+    const auto element = [&](uint2 address) { return grid.read(address, {1, 1})[0]; };
+    grid.write(page, {4, 4}, std::vector<std::uint32_t>(16, 3));
+    {
+        auto mapped = grid.map();
+        EXPECT_EQ(mapped.size(), grid.domain());
+        EXPECT_EQ(mapped[page], 3u);
+        EXPECT_EQ((mapped[{1, 1}]), 1u);
+        EXPECT_EQ((mapped[{32767, 32767}]), 1u);
+        mapped[page] = 5;
+        mapped[{20003, 10001}] += 1;
+        mapped[{32767, 32767}] = 7;  // not resident: lost
+        EXPECT_EQ(mapped[page], 5u);
+        EXPECT_EQ(element(page), 3u);
+    }
+    EXPECT_EQ(element(page), 5u);
+    EXPECT_EQ(element({20003, 10001}), 4u);
+    EXPECT_EQ(element({32767, 32767}), 1u);
+    // A box whose origin is inside a page, moved from, and unmapped.
+    auto mapped = grid.map({20001, 10001}, {100, 17});
+    auto moved = std::move(mapped);
+    moved[{2, 1}] = 9;
+    moved.unmap();
+    EXPECT_EQ(element({20003, 10002}), 9u);
+    const auto refuses = [](const std::string& with, const auto& call) {
+        try {
+            call();
+            ADD_FAILURE() << with;
+        } catch (const glift::Error& error) {
+            EXPECT_NE(std::string(error.what()).find(with), std::string::npos) << error.what();
+        }
+    };
+    refuses("no longer mapped", [&] { moved[{0, 0}] = 1; });
+    refuses("no longer mapped", [&] { mapped[{0, 0}] = 1; });
+    refuses("outside a mapped box", [&] { grid.map({0, 0}, {4, 4})[{0, 4}] = 1; });
+    refuses("lies outside its domain", [&] { grid.map({32768, 0}, {1, 1}); });
+    refuses("::map", [&] { device().record([&](const glift::Commands&) { grid.map(); }); });
+}
+
 TEST_P(Resident, RefusesWhatCannotBe) {
     resident::Grid grid = grid_with(device(), {{1, 0, 2}});
     const auto fails = [](const std::string& with, const auto& call) {

@@ -138,18 +138,22 @@ struct Windows : testing::Test {
     bool shows(const Picture& picture) {
         return waited_for([&] { return farthest(display.seen(), picture) <= rounding; });
     }
-    /// Waits until the window has stayed the same for a while, is not black and differs from `other`; returns its
-    /// pixels.
+    /// Waits until the window is not black, differs from `other`, and has stayed so for 0.3 s, or for twice the time
+    /// that this or an earlier call took until then if that is longer, as on a busy machine; returns its pixels.
     Seen settled(const Seen& other) {
+        const Clock::time_point start = Clock::now();
+        Clock::time_point changed = start;
         Seen last;
-        unsigned same = 0;
         EXPECT_TRUE(waited_for([&] {
             Seen now = display.seen();
             const bool is_black = std::all_of(now.pixels.begin(), now.pixels.end(),
                                               [](const Seen::Colour& c) { return c.red + c.green + c.blue < 30; });
-            same = !is_black && now.pixels == last.pixels && now.pixels != other.pixels ? same + 1 : 0;
+            if (is_black || now.pixels != last.pixels || now.pixels == other.pixels) {
+                changed = Clock::now();
+                slowest_ = std::max(slowest_, changed - start);
+            }
             last = std::move(now);
-            return same > 10;
+            return Clock::now() - changed > std::max<Clock::duration>(std::chrono::milliseconds(300), 2 * slowest_);
         }));
         return last;
     }
@@ -165,6 +169,8 @@ struct Windows : testing::Test {
     }
 
 private:
+    using Clock = std::chrono::steady_clock;
+    Clock::duration slowest_{};
     const char *program_, *title_, *said_;
 };
 
