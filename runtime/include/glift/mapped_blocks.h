@@ -13,7 +13,9 @@ namespace detail {
 
 /// Structures with blocks: the elements of a few parts of a large domain are resident.
 template <class S>
-concept HasBlocks = requires { requires S::has_blocks; };
+concept HasBlocks = requires {
+    requires S::has_blocks;
+};
 
 /// The sides of the parts in which a mapped box moves: 4,096 elements each.
 template <unsigned N> inline constexpr std::uint32_t mapped_side = N == 1 ? 4096 : N == 2 ? 64 : N == 3 ? 16 : 8;
@@ -21,11 +23,11 @@ template <unsigned N> inline constexpr std::uint32_t mapped_side = N == 1 ? 4096
 }  // namespace detail
 
 /// A box of a structure with blocks, mapped to the host. It moves in parts of 4,096 elements: a part is read when one
-/// of its elements is first accessed, which waits for the device, and the parts that changed are written back by unmap()
-/// or the destructor. So its time and memory follow what is accessed, however large the box is. Elements are those of
-/// the structure when their part is read. Writes to elements that are not resident are lost. Keeps the structure's
-/// memory alive. An error of writing back is thrown by unmap(), but only logged (log.h) by the destructor. To go
-/// through all resident elements, read_resident() is faster. One thread at a time may use it.
+/// of its elements is first accessed, which waits for the device, and the parts that changed are written back by
+/// unmap() or the destructor. So its time and memory follow what is accessed, however large the box is. Elements are
+/// those of the structure when their part is read. Writes to elements that are not resident are lost. Keeps the
+/// structure's memory alive. An error of writing back is thrown by unmap(), but only logged (log.h) by the destructor.
+/// To go through all resident elements, read_resident() is faster. One thread at a time may use it.
 template <class S> class MappedBlocks {
 public:
     using Address = typename S::Address;
@@ -90,7 +92,8 @@ private:
     }
 
     Part read(std::uint64_t number, const Extent& address, const Extent& box) const {
-        Part part{.number = number, .origin = origin_, .size = size_, .extent = {1, 1, 1, 1}, .values = {}, .before = {}};
+        Part part{
+            .number = number, .origin = origin_, .size = size_, .extent = {1, 1, 1, 1}, .values = {}, .before = {}};
         for (unsigned axis = 0; axis < rank; ++axis) {
             const std::uint32_t first = address[axis] / side * side;
             part.extent[axis] = std::min(side, box[axis] - first);
