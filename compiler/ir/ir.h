@@ -18,6 +18,7 @@
 #include "base/table.h"
 #include "ir/intrinsics.h"
 #include "ir/invocation.h"
+#include "ir/radius.h"
 #include "ir/raster.h"
 #include "ir/types.h"
 #include "source/source.h"
@@ -456,8 +457,8 @@ struct KernelParam {
     Span span;
     Pattern pattern = Pattern::value;
     Direction direction = Direction::in;
-    StructureId structure;     ///< instance; Place root is the index of this parameter among the kernel's params
-    std::uint32_t radius = 0;  ///< of near: the largest offset from the current address, along each axis
+    StructureId structure;  ///< instance; Place root is the index of this parameter among the kernel's params
+    Radius radius;          ///< of near: that of its window, whose centre is the current address
     Combine combine = Combine::replace;  ///< of scatter
     LocalId local;                       ///< of value and argument: holds the value in the body
     /// The first parameter that the direct form (ir/pass.h) assumes to have the same state (sizes), which is then

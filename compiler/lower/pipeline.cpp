@@ -102,7 +102,7 @@ void add_interior(Context& cx, Expander& checked, const std::vector<ExprId>& fac
     holders.push_back(holder(cx, checked.near_domain));
     Interior interior;
     for (const KernelParam& param : cx.kernel.params)
-        if (param.pattern == Pattern::near) interior.radius = std::max(interior.radius, param.radius);
+        if (param.pattern == Pattern::near) interior.radius = std::max(interior.radius, param.radius.largest());
     body = simplified(cx, "interior", std::move(body), facts);
     cx.pass.variants.push_back(
         {Part::whole, Devices::host, {cx.pass.plain().assumes.elements, interior}, std::move(body)});

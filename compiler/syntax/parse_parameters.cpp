@@ -58,7 +58,7 @@ void Parser::add_unnamed(ast::Param& param, std::vector<ast::GenericParam>& gene
         return tree_.exprs[id].kind == ExprKind::name && names_[tree_.exprs[id].name] == text;
     };
     const Span span = param.type ? tree_.exprs[param.type].span : param.pattern_span;
-    if (is_of(ExprKind::int_literal)) {  // `near<1>`
+    if (is_of(ExprKind::int_literal) || is_of(ExprKind::call)) {  // `near<1>`, `near<uint2(4, 0)>`
         param.extra.insert(param.extra.begin(), param.type);
         param.type = {};
     }

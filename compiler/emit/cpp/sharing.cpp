@@ -92,7 +92,8 @@ std::string sharing_fields(const ir::Program& program, const ir::Kernel& kernel,
         text += ", .parameter = " + std::to_string(number);
     if (ir::is_addressed(program, kernel, binding))
         text += std::string(", .reach = glift::Reach::") + reach_text(ir::traits_of(param.pattern).reach);
-    if (ir::traits_of(param.pattern).reach == ir::Reach::window) text += ", .radius = " + std::to_string(param.radius);
+    if (ir::traits_of(param.pattern).reach == ir::Reach::window)
+        text += ", .radius = " + std::to_string(param.radius.largest());
     if (const std::uint32_t apart = promised_apart(kernel, binding.place.root))
         text += ", .apart_from = " + std::to_string(apart) + "u";
     if (binding.coherent) text += ", .combine = glift::Combine::coherent";

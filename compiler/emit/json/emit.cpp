@@ -305,7 +305,7 @@ void Writer::kernel_param(const ir::KernelParam& p) {
             out.field("direction", word(p.direction));
             out.field("structure", structure_name(p.structure));
         }
-        if (p.pattern == ir::Pattern::near) out.field("radius", p.radius);
+        if (p.pattern == ir::Pattern::near) out.field("radius", p.radius.largest());
         if (p.pattern == ir::Pattern::scatter) out.field("combine", word(p.combine));
     });
 }

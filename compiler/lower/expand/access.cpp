@@ -312,16 +312,20 @@ std::optional<std::vector<std::int64_t>> Expander::offset_of(const Expr& node) {
     if (!value) return std::nullopt;
     std::vector<std::int64_t> result;
     result.reserve(value->lanes.size());
-    std::uint32_t radius = cx.kernel.params[resolved(node.place).root].radius;
-    for (const Lane& lane : value->lanes) {
-        auto part = static_cast<std::int64_t>(lane.bits);
+    const KernelParam& param = cx.kernel.params[resolved(node.place).root];
+    Radius reached = param.radius;
+    for (std::size_t axis = 0; axis < value->lanes.size(); ++axis) {
+        const auto part = static_cast<std::int64_t>(value->lanes[axis].bits);
         result.push_back(part);
-        if (std::abs(part) <= static_cast<std::int64_t>(radius)) continue;
-        const auto& param = cx.kernel.params[resolved(node.place).root];
-        auto& report = cx.diagnostics.report(Diag::near_radius, node.span,
-                                             {std::to_string(part), (*p.names)[param.name], std::to_string(radius)});
-        report.notes.push_back({param.span, "declare the radius that the kernel reaches: near<…, " +
-                                                std::to_string(std::abs(part)) + ">"});
+        if (std::abs(part) <= static_cast<std::int64_t>(param.radius.along[axis])) continue;
+        reached.along[axis] = static_cast<std::uint32_t>(std::abs(part));
+        const auto axes = static_cast<std::uint32_t>(value->lanes.size());
+        auto& report = cx.diagnostics.report(
+            Diag::near_radius, node.span,
+            {std::to_string(part), (*p.names)[param.name], std::to_string(param.radius.along[axis])});
+        if (param.radius.is_even()) reached.along.fill(reached.along[axis]);
+        report.notes.push_back(
+            {param.span, "declare the radius that the kernel reaches: near<…, " + to_text(reached, axes) + ">"});
         return std::nullopt;
     }
     return result;

@@ -55,8 +55,8 @@ struct Symbol {
     /// the host. iterator (a parameter such as `each` or `at`, whose name means the current invocation's element or
     /// address): in the kernel's parameters.
     std::uint32_t slot = 0;
-    std::uint32_t window = 0;  ///< structure: the radius, if it is a `near` parameter of a function; else 0
-    Writing writing;           ///< structure: how it may be accessed
+    ir::Radius window;  ///< structure: the radius, if it is a `near` parameter of a function; else 0
+    Writing writing;    ///< structure: how it may be accessed
     bool used = false;
     bool warn_unused = false;
 };
@@ -82,7 +82,7 @@ struct Operand {
                                 ///< which `place` starts; none: it starts at the container that owns the pipeline
     ir::StructureId structure;  ///< structure, iterator, memory (the one that has it)
     std::uint32_t slot = 0;     ///< memory: index in the structure's memories; iterator: in the kernel's parameters
-    std::uint32_t window = 0;   ///< structure: the radius, if it is a `near` parameter of a kernel or function; else 0
+    ir::Radius window;          ///< structure: the radius, if it is a `near` parameter of a kernel or function; else 0
     bool is_slice = false;      ///< structure: it is the slice `local`, not a member of that
     Writing writing;            ///< structure: how it may be accessed
 };

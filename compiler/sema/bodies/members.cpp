@@ -387,7 +387,7 @@ Operand check_index(Body& body, ast::ExprId id, ir::TypeId) {
             c.error(Diag::not_indexable, expr.span, {structure.display});
             return error_operand(expr.span);
         }
-        if (left.window) return index_window(body, left, left.structure, expr);
+        if (left.window.largest() > 0) return index_window(body, left, left.structure, expr);
         if (left.writing.is(ir::Pattern::scatter)) return scatter_read(body, left, expr);
         ir::ExprId address = check_value(body, expr.operands[1], structure.domain_type);
         if (is_error(body, address)) return error_operand(expr.span);

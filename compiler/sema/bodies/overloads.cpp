@@ -134,11 +134,13 @@ std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner,
 /// Whether the window of a function's `near` parameter is no larger than that of the argument; reports a larger one.
 bool fits_window(Body& body, const Env& env, const ast::Param& param, const Operand& argument) {
     if (param.pattern != ast::Pattern::near) return true;
-    std::uint32_t radius = window_radius(body.context, env, param);
-    if (radius <= argument.window) return true;
     Context& c = body.context;
-    note(c.error(Diag::window, argument.span, {c.text(param.name.name), std::to_string(radius)}), param.name.span,
-         "pass a parameter that the kernel declares as near<…, " + std::to_string(radius) + ">");
+    const ir::TypeId domain = c.program.structures[argument.structure].domain_type;
+    const ir::Radius radius = window_radius(c, env, param, domain);
+    if (argument.window.covers(radius)) return true;
+    const std::string wanted = ir::to_text(radius, c.types().components(domain));
+    note(c.error(Diag::window, argument.span, {c.text(param.name.name), wanted}), param.name.span,
+         "pass a parameter that the kernel declares as near<…, " + wanted + ">");
     return false;
 }
 

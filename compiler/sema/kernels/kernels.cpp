@@ -35,16 +35,32 @@ ir::Pattern lowered(ast::Pattern pattern) {
 
 }  // namespace
 
-std::uint32_t window_radius(Context& c, const Env& env, const ast::Param& param) {
+ir::Radius window_radius(Context& c, const Env& env, const ast::Param& param, ir::TypeId domain) {
+    constexpr ir::Radius one{{1, 1, 1, 1}};
     if (param.extra.empty()) {
         note(c.error(Diag::near_without_radius, param.pattern_span), param.pattern_span,
              "write near<S, 1> for a window of radius 1");
-        return 1;
+        return one;
     }
-    auto radius = count_of(c, env, param.extra[0]);
-    if (radius && (*radius == 0 || *radius > 32))
-        c.error(Diag::radius_range, c[param.extra[0]].span, {std::to_string(*radius)});
-    return radius.value_or(1);
+    const Span span = c[param.extra[0]].span;
+    const std::optional<ir::Value> value = constant_of(c, env, param.extra[0]);
+    if (!value) return one;
+    ir::Radius radius;
+    const ir::TypeId scalar = c.types().is_vector(value->type) ? c.types().scalar_of(value->type) : value->type;
+    const bool fits = scalar == value->type || c.types().components(value->type) == c.types().components(domain);
+    if (!fits || (scalar != c.types().uint && scalar != c.types().int_)) {
+        c.error(Diag::type_mismatch, span, {c.text(domain), c.text(value->type)});
+        return one;
+    }
+    for (std::size_t axis = 0; axis < radius.along.size(); ++axis) {
+        const std::size_t lane = scalar == value->type ? 0 : axis;
+        if (lane >= value->lanes.size()) break;
+        const std::uint64_t along = value->lanes[lane].bits;
+        if (along > 32) c.error(Diag::radius_range, span, {ir::to_text(c.program, *value)});
+        radius.along[axis] = static_cast<std::uint32_t>(std::min<std::uint64_t>(along, 32));
+    }
+    if (radius.largest() == 0) c.error(Diag::radius_range, span, {ir::to_text(c.program, *value)});
+    return radius;
 }
 
 void check_extra_count(Context& c, const ast::Param& param) {
@@ -60,7 +76,8 @@ namespace {
 /// read_items(); that of `target` is the blending or depth test: add_target().
 void check_extra(Context& c, const Env& env, const ast::Param& param, ir::KernelParam& made) {
     check_extra_count(c, param);
-    if (made.pattern == ir::Pattern::near) made.radius = window_radius(c, env, param);
+    if (made.pattern == ir::Pattern::near)
+        made.radius = window_radius(c, env, param, c.program.structures[made.structure].domain_type);
     if (made.pattern == ir::Pattern::scatter && !param.extra.empty())
         made.combine = check_combine(c, param.extra[0], made.structure);
 }

@@ -176,7 +176,10 @@ static void declare_params(Body& body, const std::vector<ast::Param>& params, ir
         }
         Symbol symbol;
         symbol.kind = SymbolKind::structure;
-        if (param.pattern == ast::Pattern::near) symbol.window = window_radius(c, body.env, param);
+        if (param.pattern == ast::Pattern::near) {
+            const ir::TypeId domain = c.program.structures[structures[first_structure]].domain_type;
+            symbol.window = window_radius(c, body.env, param, domain);
+        }
         symbol.place.root = static_cast<std::uint32_t>(first_structure);
         symbol.structure = structures[first_structure++];
         declare(body, param.name, symbol);

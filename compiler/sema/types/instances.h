@@ -19,8 +19,9 @@ std::optional<ir::FunctionId> instantiate_function(Context&, ast::DeclId, const 
 
 ir::KernelId instantiate_kernel(Context&, ast::DeclId, const Env&, Span use);
 
-/// The radius of a parameter `near<S, r>`; reports one that is missing (then 1) or out of range.
-std::uint32_t window_radius(Context&, const Env&, const ast::Param&);
+/// The radius of a parameter `near<S, r>` whose structure has addresses of type `domain`; reports one that is missing
+/// (then 1), out of range, or for another number of axes.
+ir::Radius window_radius(Context&, const Env&, const ast::Param&, ir::TypeId domain);
 
 /// Reports an argument too many of a parameter's pattern: besides the structure, near, scatter, at and target take at
 /// most one, the other patterns none.
