@@ -59,7 +59,7 @@ def row(gliftc, file):
     mapping = re.sub(r" \(.*?\)", "", via["mapping"]).replace("one to one or many to one: not known", "not known whether one to one")
     properties = (f"{memory}; {via['access_complexity']}, {via['access_consistency']}; {via['totality']}, {mapping}; "
                   f"invertible: {via['invertible'].split(' ')[0].strip(':,')}")
-    return (f"| [{file.stem}](../examples/taxonomy/{file.name}) | {via['virtual']} to {via['physical'].rstrip('?')} | "
+    return (f"| [{file.stem}](../../examples/taxonomy/{file.name}) | {via['virtual']} to {via['physical'].rstrip('?')} | "
             f"{properties} | {THESIS[file.stem]} |")
 
 

@@ -36,8 +36,10 @@ def matches(expected, printed):
 
 class Run:
     def __init__(self, build, folder, update):
-        self.folder, self.update, self.problems = folder, update, []
+        self.folder, self.update, self.problems, self.commands, self.pictures = folder, update, [], 0, 0
         self.environment = {**os.environ, "PATH": f"{build / 'bin'}:{os.environ['PATH']}", "GLIFT_QUIET": "1"}
+        if shutil.which("ccache"):  # so that only the first run compiles
+            self.environment |= {"CMAKE_CXX_COMPILER_LAUNCHER": "ccache", "CCACHE_BASEDIR": str(folder), "CCACHE_NOHASHDIR": "1"}
 
     def do(self, page, line, comment, language, title, text, picture):
         where = f"{page.relative_to(root)}:{line}"
@@ -60,12 +62,14 @@ class Run:
             end = next((i for i in range(at + 1, len(lines)) if lines[i].startswith("$ ")), len(lines))
             result = subprocess.run(["bash", "-c", command], cwd=self.folder, env=self.environment, text=True,
                                     stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            self.commands += 1
             if not matches(lines[at + 1 : end], result.stdout):
                 expected = "\n".join(lines[at + 1 : end])
                 self.problems.append(f"{where}: '{command}' prints\n{result.stdout}\nand not\n{expected}")
             at = end
 
     def compare_picture(self, where, made, shown):
+        self.pictures += 1
         if not made.is_file():
             self.problems.append(f"{where}: no command wrote {made.name}")
         elif self.update:
@@ -84,8 +88,8 @@ def main():
             for step in STEP.finditer(text):
                 comment, language, title, body, picture = step.groups()
                 run.do(page, text[: step.start()].count("\n") + 1 + comment.count("\n"), comment, language, title, body, picture)
-                if run.problems:
-                    sys.exit("\n".join(run.problems))
+    print(f"{run.commands} commands, {run.pictures} pictures, {len(run.problems)} problems", *run.problems, sep="\n")
+    sys.exit(1 if run.problems or not run.commands else 0)
 
 
 main()
