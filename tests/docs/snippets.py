@@ -17,7 +17,7 @@ import sys
 import tempfile
 
 root = pathlib.Path(__file__).resolve().parents[2]
-BLOCK = re.compile(r"((?:^<!--[^\n]*-->\n)?)^```(\w+)[^\n]*\n(.*?)^```", re.S | re.M)
+BLOCK = re.compile(r"((?:^<!--[^\n]*-->\n)?)^```(\w+)([^\n]*)\n(.*?)^```", re.S | re.M)
 
 
 def pages():
@@ -31,16 +31,19 @@ def pages():
 def blocks(page, language):
     text = page.read_text(encoding="utf-8")
     for block in BLOCK.finditer(text):
-        if block[2] == language and "fragment" not in block[1]:
-            yield text[: block.start(3)].count("\n") + 1, block[1], block[3]
+        is_file_of_tutorial = language == "cpp" and "title=" in block[3]
+        if block[2] == language and "fragment" not in block[1] and not is_file_of_tutorial:
+            yield text[: block.start(4)].count("\n") + 1, block[1], block[4]
 
 
 def check_glift(gliftc):
-    """Checks each block by itself, in a folder with the modules of the page, which it may import."""
+    """Checks each block by itself, in a folder with the modules of the page and of those beside it, which it may import."""
     passed, failures = 0, []
     for page in pages():
         with tempfile.TemporaryDirectory() as folder:
             sources = []
+            for module, source in ((m, s) for other in page.parent.glob("*.md") for m, s in modules_of(other).items()):
+                (pathlib.Path(folder) / f"{module}.glift").write_text(source)
             for line, _, source in blocks(page, "glift"):
                 name = re.search(r"^module (\w+);", source, re.M)
                 path = pathlib.Path(folder) / f"{name[1] if name else f'snippet_{line}'}.glift"
