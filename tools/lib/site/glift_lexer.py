@@ -5,6 +5,8 @@ import re
 from pygments.lexer import RegexLexer, words
 from pygments.token import Comment, Keyword, Name, Number, Operator, Punctuation, String, Text
 
+__all__ = ["GliftLexer"]
+
 tokens_def = (pathlib.Path(__file__).resolve().parents[3] / "compiler/syntax/tokens.def").read_text(encoding="utf-8")
 KEYWORDS = re.findall(r"^KEYWORD\((\w+)\)", tokens_def, re.M)
 WORDS = re.findall(r"^WORD\((\w+)\)", tokens_def, re.M)
