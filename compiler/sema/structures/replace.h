@@ -14,11 +14,10 @@ bool check_replace(Body&, const ast::Stmt&);
 /// to replace N as well, by a temporary made with M's new memory. Reports the replacement of M otherwise.
 void check_replaced_together(Body&);
 
-/// Once all pipelines are known: reports members that would keep an old memory,
-/// - a member whose constructor takes a structure inside another member, if a pipeline may replace that structure or one
-///   that contains it (check_replaced_together() checks the other member itself);
-/// - a memory that is a level or layer of an image in a member, if that member, or the structure with the image, may be
-///   replaced.
+/// Once all pipelines are known: reports members that would keep an old memory. That is a member whose constructor
+/// takes a structure inside another member, if a pipeline may replace that structure or one that contains it
+/// (check_replaced_together() checks the other member itself). It is also a memory that is a level or layer of an image
+/// in a member, if that member, or the structure with the image, may be replaced.
 void check_given(Context&);
 
 }  // namespace gliftc::sema
