@@ -5,6 +5,8 @@ import sys
 from pygments.lexers import LEXERS
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import glift_lexer  # noqa: F401  mkdocs takes the folder off the path again; the module stays loaded
+
 LEXERS["GliftLexer"] = ("glift_lexer", "Glift", ("glift",), ("*.glift",), ())
 
 

@@ -58,7 +58,7 @@ def rewritten(text, page, names):
 def main():
     shutil.rmtree(output, ignore_errors=True)
     names = staged_names()
-    doxygen = "The site has [all classes and functions](../cpp/index.html), made by Doxygen.\n" if len(sys.argv) > 2 else ""
+    doxygen = "The site has [all classes and functions](../cpp/annotated.html), made by Doxygen.\n" if len(sys.argv) > 2 else ""
     for page, name in list(names.items()):
         (output / name).parent.mkdir(parents=True, exist_ok=True)
         if page.suffix != ".md":
@@ -68,7 +68,8 @@ def main():
         (output / name).write_text(text.replace("<!-- doxygen -->\n", doxygen), encoding="utf-8")
     if doxygen:
         shutil.copytree(sys.argv[2], output / "cpp")
-    shutil.copyfile(pathlib.Path(__file__).parent / "glift.css", output / "glift.css")
+    for name in ("glift.css", "iframe-worker.js"):
+        shutil.copyfile(pathlib.Path(__file__).parent / name, output / name)
 
 
 main()
