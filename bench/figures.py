@@ -2,7 +2,7 @@
 rivals write them.
 
 A group is {"device": name, "rows": [...]}; a row has by, algorithm, variant, elements, seconds, bytes_moved, runs, and, where it
-was measured, error: the largest relative one. docs/performance.md says what the algorithms and their variants are.
+was measured, error: the largest relative one. docs/internals/measurements.md says what the algorithms and their variants are.
 """
 import json
 import statistics

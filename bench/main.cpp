@@ -1,4 +1,4 @@
-// glift_bench: generated shaders against hand-written ones (docs/performance.md).
+// glift_bench: generated shaders against hand-written ones (docs/internals/measurements.md).
 //
 //     glift_bench [--device NAME] [--runs N] [--seconds S] [--scale N] [--only CASE] [--json FILE]
 #include "instructions.h"

@@ -6,7 +6,7 @@
 # include directories in which gliftc looks for the headers of `extern struct`: the folders of the files, and
 # IMPORT_DIRS.
 #
-# Outputs for each file: docs/language.md, "Names". Code that several files use is in the sources of one of
+# Outputs for each file: docs/reference/language.md, "Names". Code that several files use is in the sources of one of
 # them: the first in an order in which a file comes after those that it imports.
 #
 # IMPORT_DIRS: folders in which `use` finds modules (gliftc -I). DEFINES: name=value, values for constants of the
@@ -21,7 +21,7 @@
 # ADDRESS_BITS (32 or 64, default 32): of physical addresses in kernels (gliftc --address-bits). With 64, memories may
 # have 2^32 elements and more.
 #
-# CHECKED: kernels report accesses by address outside a structure (gliftc --checked; docs/language.md,
+# CHECKED: kernels report accesses by address outside a structure (gliftc --checked; docs/reference/language.md,
 # "Checked builds").
 #
 # GLIFT_SPIRV_FILES, a cache variable (detected once; set it to OFF for C++ that needs no files): SPIR-V is in files

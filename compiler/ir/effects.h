@@ -44,8 +44,8 @@ inline bool has_own_range(Pattern pattern) {
 /// applies, and not a table that translators read.
 bool is_addressed(const Program& program, const Kernel& kernel, const PassBinding& binding);
 
-/// Whether the two bindings may be aliases of one element (docs/language.md, "One memory given twice", where all are
-/// `each`): both hold the elements of their parameters, which are of one structure type and access only the
+/// Whether the two bindings may be aliases of one element (docs/reference/language.md, "Aliasing", where
+/// all are `each`): both hold the elements of their parameters, which are of one structure type and access only the
 /// invocation's own element. The other ways of giving one memory twice do not count here.
 bool may_be_one_place(const Program& program, const Kernel& kernel, const PassBinding& one, const PassBinding& other);
 

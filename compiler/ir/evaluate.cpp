@@ -531,7 +531,7 @@ Lane convert(const Types& types, TypeId from, TypeId to, Lane lane) {
     if (floating_from && floating_to) return normalize(types, to, lane);
     if (floating_to) return normalize(types, to, {.number = floating(types, from, to, lane.bits)});
     if (!floating_from) return normalize(types, to, lane);
-    // Saturates; NaN gives zero: docs/language.md, "What is defined".
+    // Saturates; NaN gives zero: docs/reference/language.md, "What is defined".
     double low = types.is_signed(to) ? (types.kind(to) == TypeKind::int64 ? -0x1p63 : -0x1p31) : 0;
     double high = types.kind(to) == TypeKind::int_    ? 0x1p31
                   : types.kind(to) == TypeKind::uint  ? 0x1p32

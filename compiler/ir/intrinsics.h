@@ -12,7 +12,7 @@ enum class Intrinsic : std::uint8_t {
 #undef INTRINSIC
 };
 
-/// Whether results may differ between devices (docs/language.md, "Accuracy").
+/// Whether results may differ between devices (docs/reference/language.md, "Accuracy").
 enum class Exactness : std::uint8_t { exact, exact_for_integers, inexact };
 
 std::string_view name_of(Intrinsic intrinsic);

@@ -3,7 +3,7 @@
 //
 // The parts exchange values with the rasteriser through locals that neither part declares: the vertex part assigns the
 // position of the vertex, its distances to clip planes and the values to interpolate; the fragment part reads the
-// interpolated values and assigns colours and depth. docs/language.md calls a vertex a corner.
+// interpolated values and assigns colours and depth. docs/reference/language.md calls a vertex a corner.
 #pragma once
 
 #include "base/arena.h"

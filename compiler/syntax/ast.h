@@ -157,8 +157,8 @@ struct GenericParam {
 /// Whether a parameter is read, written or both. `none`: the source does not say.
 enum class Direction : std::uint8_t { none, in, out, inout };
 
-/// The access pattern of a parameter: how it may be accessed, and which elements (docs/language.md, "Kernels and
-/// iterators" and "Draws"). `none`: no pattern is written. `range` is for pipelines, not for kernels: a parameter
+/// The access pattern of a parameter: how it may be accessed, and which elements (docs/reference/language.md, "Kernels
+/// and iterators" and "Draws"). `none`: no pattern is written. `range` is for pipelines, not for kernels: a parameter
 /// `range<N, T>` takes any structure or slice with N-dimensional addresses and elements T, and a result may be one.
 enum class Pattern : std::uint8_t { none, each, near, any, at, scatter, coherent, calls, target, instance, range };
 

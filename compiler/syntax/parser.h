@@ -1,5 +1,5 @@
-// The parser: tokens to the syntax tree. The grammar is docs/grammar.ebnf; most parsing functions have their rule above
-// them.
+// The parser: tokens to the syntax tree. The grammar is docs/reference/grammar.ebnf; most parsing functions have their
+// rule above them.
 #pragma once
 
 #include "diag/diagnostics.h"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the table of docs/taxonomy.md: what the compiler infers of each structure of this folder, beside the thesis.
+"""Writes the table of docs/explanation/taxonomy.md: what the compiler infers of each structure of this folder, beside the thesis.
 
     rows.py GLIFTC            writes it
     rows.py GLIFTC --check    fails if it is not what would be written
@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 folder = pathlib.Path(__file__).resolve().parent
-target = folder.parent.parent / "docs" / "taxonomy.md"
+target = folder.parent.parent / "docs" / "explanation" / "taxonomy.md"
 BEGIN, END = "<!-- rows -->\n", "<!-- end of rows -->\n"
 
 # The rows of table 8.1 (its text in the thesis is scrambled; these are from the journal version, ACM Transactions on Graphics 25(1), 2006):
@@ -59,7 +59,7 @@ def row(gliftc, file):
     mapping = re.sub(r" \(.*?\)", "", via["mapping"]).replace("one to one or many to one: not known", "not known whether one to one")
     properties = (f"{memory}; {via['access_complexity']}, {via['access_consistency']}; {via['totality']}, {mapping}; "
                   f"invertible: {via['invertible'].split(' ')[0].strip(':,')}")
-    return (f"| [{file.stem}](../examples/taxonomy/{file.name}) | {via['virtual']} to {via['physical'].rstrip('?')} | "
+    return (f"| [{file.stem}](../../examples/taxonomy/{file.name}) | {via['virtual']} to {via['physical'].rstrip('?')} | "
             f"{properties} | {THESIS[file.stem]} |")
 
 
@@ -76,7 +76,7 @@ def main():
     made = before + BEGIN + table(sys.argv[1]) + END + after
     if "--check" in sys.argv:
         if made != text:
-            sys.exit("docs/taxonomy.md is not what explain says: run examples/taxonomy/rows.py GLIFTC")
+            sys.exit("docs/explanation/taxonomy.md is not what explain says: run examples/taxonomy/rows.py GLIFTC")
     else:
         target.write_text(made, encoding="utf-8")
 

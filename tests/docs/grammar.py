@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks docs/grammar.ebnf against the tables of the lexer: it lists the same keywords and contextual keywords (words), uses each
+"""Checks docs/reference/grammar.ebnf against the tables of the lexer: it lists the same keywords and contextual keywords (words), uses each
 of them in a rule except those that are reserved for later, uses every punctuation, and defines each rule that it uses exactly
 once."""
 import pathlib
@@ -8,7 +8,7 @@ import sys
 
 root = pathlib.Path(__file__).resolve().parents[2]
 tokens = (root / "compiler/syntax/tokens.def").read_text()
-grammar = (root / "docs/grammar.ebnf").read_text()
+grammar = (root / "docs/reference/grammar.ebnf").read_text()
 table = {kind: set(re.findall(rf"^{kind}\((\w+)\)", tokens, re.M)) for kind in ("KEYWORD", "WORD")}
 lists = re.search(r"Keywords are never names.*?\*\)", grammar, re.S)[0]
 keywords, words = lists.split("Words mean something", 1)

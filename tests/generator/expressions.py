@@ -311,7 +311,7 @@ class Expressions:
         return node
 
     def inexact(self, t, scope, depth):
-        """A call of a function with an error bound, with arguments in the range of that bound (docs/language.md)."""
+        """A call of a function with an error bound, with arguments in the range of that bound (docs/reference/language.md)."""
         named = [i for i in INTRINSICS if not i.exact and i.params[0][0] in "GFV" and (i.result != "=" or t == FLOAT)]
         found = [(i, types) for i in named if (types := i.arguments_for(t, self.random)) is not None]
         intrinsic, types = self.random.choice(found)

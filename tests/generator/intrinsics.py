@@ -13,7 +13,7 @@ SCALARS = {"F": FLOATS, "G": FLOATS[:2], "V": FLOATS, "N": NUMBERS, "I": INTEGER
 EVALUATED = {"abs", "sign", "floor", "ceil", "round", "trunc", "min", "max", "clamp", "mod", "sqrt", "any", "all", "lessThan",
              "lessThanEqual", "greaterThan", "greaterThanEqual", "equal", "notEqual", "bitCount", "findLSB", "findMSB"}
 
-# Ranges of arguments for inexact functions, within those for which docs/language.md bounds their error; EVERYWHERE for all others.
+# Ranges of arguments for inexact functions, within those for which docs/reference/language.md bounds their error; EVERYWHERE for all others.
 RANGES = {"exp": (-10, 10), "exp2": (-10, 10), "log": (0.01, 1e6), "log2": (0.01, 1e6), "pow": (0.01, 4), "tan": (-1.5, 1.5),
           "asin": (-1, 1), "acos": (-1, 1), "sinh": (-5, 5), "cosh": (-5, 5), "tanh": (-80, 80), "inversesqrt": (0.01, 1e6)}
 EVERYWHERE = (-100, 100)

@@ -1,5 +1,5 @@
 // Names in generated C++: as in the source where C++ allows it, else with a '_' or a number appended, an 'n' before, or
-// one '_' in place of several in a row. docs/language.md, "Names in C++".
+// one '_' in place of several in a row. docs/reference/language.md, "Names in C++".
 #pragma once
 
 #include <initializer_list>

@@ -1,5 +1,5 @@
 // What generated code tells the runtime about a kernel's bindings if a call may give one memory for several parameters
-// (docs/language.md, "One memory given twice").
+// (docs/reference/language.md, "Aliasing").
 #pragma once
 
 #include "emit/cpp/unit.h"

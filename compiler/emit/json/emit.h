@@ -1,4 +1,4 @@
-// Reflection: what a module holds, and how to dispatch its shaders, as JSON (docs/reflection.schema.json).
+// Reflection: what a module holds, and how to dispatch its shaders, as JSON (docs/reference/reflection.schema.json).
 #pragma once
 
 #include "ir/pass.h"

@@ -1,5 +1,6 @@
 // Aliases: calls may pass one memory for two parameters if each invocation accesses only its own element by both
-// (docs/language.md, "One memory given twice"). The two parameters then have "one place": they name the same element.
+// (docs/reference/language.md, "Aliasing"). The two parameters then have "one place": they name the same
+// element.
 //
 // The general form is valid for such calls: a store by one binding counts as a store by all bindings that
 // may alias it (number.h), so that no load is moved past it. No passes are compiled for particular aliases, since there

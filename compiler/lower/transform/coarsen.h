@@ -1,6 +1,6 @@
 // Thread coarsening: an invocation of a shader takes several elements: two, with large neighbourhoods four, in kernels
 // over blocks up to eight. If each invocation takes one element that needs little work, GPUs spend most of the time on
-// starting invocations and on waiting for memory (docs/performance.md).
+// starting invocations and on waiting for memory (docs/internals/measurements.md).
 //
 // Needs: the statements of a kernel after "expand". Guarantees: at the end of the range, where an invocation has no
 // second element, the code for the second one stores nothing, or the same again as that for the first one. In kernels

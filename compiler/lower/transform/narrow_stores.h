@@ -8,8 +8,8 @@
 //   the order of the stores and whatever addresses are equal (`next` and `address` of a coarsened body, say).
 // - No store between the load and this one may change the member of the binding or of a binding that may alias it
 //   (PassBinding::one_place). Other invocations do not write the element: the language has no invocation write what
-//   another one reads or writes (docs/language.md, "One memory given twice"), except by updates and by coherent access.
-//   The pass leaves bindings with either alone.
+//   another one reads or writes (docs/reference/language.md, "Aliasing"), except by updates and by
+//   coherent access. The pass leaves bindings with either alone.
 //
 // Bindings that are no aliases by one_place do not lead to the same element: passes that move loads rely on this, too.
 //

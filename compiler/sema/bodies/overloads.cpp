@@ -294,8 +294,8 @@ std::optional<Candidate> try_overload(Body& body, ast::DeclId id, const Env* own
     return candidate;
 }
 
-/// The order of docs/language.md, "Overload resolution": expected result, no optionals made of arguments, more
-/// specialised parameters, not generic, default types of literals.
+/// The order of docs/reference/language.md, "Overload resolution": expected result, no optionals made of arguments,
+/// more specialised parameters, not generic, default types of literals.
 bool is_better(const Context& c, const Candidate& a, const Candidate& b) {
     if (a.gives_wanted != b.gives_wanted) return a.gives_wanted;
     if (a.takes_as_they_are != b.takes_as_they_are) return a.takes_as_they_are;

@@ -1,5 +1,5 @@
-// Uniformity analysis: barriers and derivatives must be in uniform control flow (docs/language.md, "Workgroups" and
-// "Draws").
+// Uniformity analysis: barriers and derivatives must be in uniform control flow (docs/reference/language.md,
+// "Workgroups" and "Draws").
 #pragma once
 
 #include "sema/context.h"

@@ -109,8 +109,8 @@ void require_transfers(Context& c, ir::StructureId index, Span use) {
         element.kind = MetaKind::type;
         element.type = structure.element;
         write = transfer_kernel(c, "write_box", {linear, self}, use);
-        // The kernel visits all elements of the box, not the structure's blocks (docs/language.md, "What a kernel
-        // visits").
+        // The kernel visits all elements of the box, not the structure's blocks (docs/reference/language.md,
+        // "Iteration space").
         if (write) c.program.kernels[write].space.reset();
         fill = transfer_kernel(c, "fill_box", {self, element}, use);
     }

@@ -9,15 +9,15 @@ namespace gliftc::sema {
 /// unless there is an error.
 bool check_replace(Body&, const ast::Stmt&);
 
-/// At the end of a pipeline: reports the replacement of a member M if the constructor of another member N is given M or
-/// a part of it, unless N is replaced in the same block by a temporary whose constructor was given M's new memory.
-/// Otherwise N would keep M's old memory.
+/// At the end of a pipeline: checks that members which share memory are replaced together. If the constructor of a
+/// member N takes a member M or a part of it, then replacing M alone would leave N with M's old memory: the block has
+/// to replace N as well, by a temporary made with M's new memory. Reports the replacement of M otherwise.
 void check_replaced_together(Body&);
 
-/// Once all pipelines are known: reports a member whose constructor is given a structure that lies inside another
-/// member, if some pipeline may replace that structure or one that contains it. The other member itself does not count:
-/// check_replaced_together() checks it. Also reports a memory that is a level or layer of an image in a member, if that
-/// member, or the structure in it that has the image, may be replaced. Both would keep the old memory.
+/// Once all pipelines are known: reports members that would keep an old memory. That is a member whose constructor
+/// takes a structure inside another member, if a pipeline may replace that structure or one that contains it
+/// (check_replaced_together() checks the other member itself). It is also a memory that is a level or layer of an image
+/// in a member, if that member, or the structure with the image, may be replaced.
 void check_given(Context&);
 
 }  // namespace gliftc::sema

@@ -1,4 +1,4 @@
-// The limits on types and parameters: docs/language.md, "Limits".
+// The limits on types and parameters: docs/reference/language.md, "Limits".
 #pragma once
 
 #include "sema/context.h"

@@ -28,7 +28,7 @@ struct InspectionOptions {
     std::uint64_t most_elements = std::uint64_t{1} << 25;  ///< where more are resident, only planes are read
 };
 
-/// A structure as text in the format that docs/inspection.md describes.
+/// A structure as text in the format that docs/how-to/inspect.md describes.
 class Inspection {
 public:
     explicit Inspection(std::string text) : text_(std::move(text)) {}

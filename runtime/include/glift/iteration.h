@@ -36,9 +36,9 @@ public:
         add_any(detail::box_of(name, range), range.is_whole());
     }
 
-    /// For a kernel over the blocks of a structure (docs/language.md, Blocks): it visits {elements of a block, number
-    /// of blocks} of the first range. If the device computes the number of blocks, that is `count`, and `visited.y` is
-    /// an upper bound of it.
+    /// For a kernel over the blocks of a structure (docs/reference/language.md, Blocks): it visits {elements of a
+    /// block, number of blocks} of the first range. If the device computes the number of blocks, that is `count`, and
+    /// `visited.y` is an upper bound of it.
     void blocks(uint2 visited) {
         visited_ = visited;
         if (visited_.x == 0 || visited_.y == 0) visited_ = {0, 0};

@@ -136,8 +136,8 @@ struct HostCall {
     const HostTargets* targets = nullptr;  ///< draws: never null
 };
 
-/// The order in which a kernel's update adds floats, the same on every device: docs/language.md, Updates. The elements
-/// of a sum are those that differ along `axes`.
+/// The order in which a kernel's update adds floats, the same on every device: docs/reference/language.md, Updates. The
+/// elements of a sum are those that differ along `axes`.
 struct SumOrder {
     std::uint8_t axes;         ///< a bit for each axis of the iteration
     std::uint8_t axis;         ///< one of them, along which a sum is cut into parts; else each element is a part

@@ -15,8 +15,8 @@
 
 namespace glift {
 
-/// The tolerance between two devices in tests that are not exact (docs/language.md, Accuracy), relative to the larger
-/// of 1 and the value.
+/// The tolerance between two devices in tests that are not exact (docs/reference/language.md, Accuracy), relative to
+/// the larger of 1 and the value.
 inline constexpr double inexact_tolerance = 1e-3;
 /// The absolute tolerance, in tests that are not exact, of colours that are drawn to channels of eight bits: devices
 /// round these in different ways, and again at each blending. Also the tolerance of tests that filter texels of eight

@@ -134,7 +134,8 @@ TEST_P(Function, IsWithinItsBound) {
     }
 }
 
-/// Checks that the table "Accuracy" of docs/language.md has the function's row, with its range, its bound and `least`.
+/// Checks that the table "Accuracy" of docs/reference/language.md has the function's row, with its range, its bound and
+/// `least`.
 TEST_P(Function, HasItsBoundInTheDocs) {
     std::ifstream file(GLIFT_LANGUAGE_MD);
     const std::string text{std::istreambuf_iterator<char>(file), {}};

@@ -1,4 +1,5 @@
-// The functions to test, with their error bounds as in docs/language.md ("Accuracy") and the ranges of their arguments.
+// The functions to test, with their error bounds as in docs/reference/language.md ("Accuracy") and the ranges of their
+// arguments.
 #pragma once
 
 #include "accuracy.glift.hpp"

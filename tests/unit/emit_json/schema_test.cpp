@@ -1,4 +1,4 @@
-// Reflections (what gliftc writes of a module as JSON) conform to docs/reflection.schema.json.
+// Reflections (what gliftc writes of a module as JSON) conform to docs/reference/reflection.schema.json.
 #include "driver/compile.h"
 
 #include <gtest/gtest.h>
@@ -100,7 +100,7 @@ std::vector<std::string> modules() {
 class Reflection : public testing::TestWithParam<std::string> {};
 
 TEST_P(Reflection, HasTheShapeOfTheSchema) {
-    std::ifstream file(std::string(GLIFT_SOURCE_DIR) + "/docs/reflection.schema.json");
+    std::ifstream file(std::string(GLIFT_SOURCE_DIR) + "/docs/reference/reflection.schema.json");
     const Json schema = Json::parse(file);
     const std::string text = reflection_of_file(GetParam());
     ASSERT_NE(text, "");

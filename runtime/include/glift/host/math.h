@@ -1,6 +1,6 @@
 // The built-in functions of the language for scalars, vectors and matrices, with the semantics of GLSL where GLSL
 // defines the result. Those that compiler/ir/intrinsics.def marks as exact give the same bits as on a GPU, but for what
-// docs/language.md, Accuracy, excepts (the bits of a NaN, the sign of a zero).
+// docs/reference/language.md, Accuracy, excepts (the bits of a NaN, the sign of a zero).
 #pragma once
 
 #include <glift/vector.h>
@@ -334,7 +334,8 @@ template <class T, unsigned N> constexpr mat<T, N, N> inverse(const mat<T, N, N>
     return result;
 }
 
-// ------------------------------------------------------------------------- not exact: docs/language.md has the bounds
+// ------------------------------------------------------------------------- not exact: docs/reference/language.md has
+// the bounds
 
 #define GLIFT_INEXACT_1(name, function)                                                                                \
     template <class T>                                                                                                 \

@@ -38,8 +38,9 @@
 #define GLIFT_INDEPENDENT
 #endif
 
-// The same for a short loop: over `block_elements` elements, or over a row of a block of a structure (docs/language.md,
-// Blocks). GCC is told not to unroll such a loop, since it could not vectorise it afterwards.
+// The same for a short loop: over `block_elements` elements, or over a row of a block of a structure
+// (docs/reference/language.md, Blocks). GCC is told not to unroll such a loop, since it could not vectorise it
+// afterwards.
 #if defined(__clang__)
 #define GLIFT_BLOCK _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
@@ -307,8 +308,8 @@ private:
     std::int64_t from_ = 0, to_ = INT64_MAX;
 };
 
-/// An array for the values in and around one block of a structure (docs/language.md, Blocks). Not initialised; indices
-/// are not checked.
+/// An array for the values in and around one block of a structure (docs/reference/language.md, Blocks). Not
+/// initialised; indices are not checked.
 template <class T, std::size_t N> struct Scratch {
     alignas(64) T values[N];
 
