@@ -3,6 +3,7 @@
 #include "driver/command_line.h"
 #include "driver/commands.h"
 #include "driver/environment.h"
+#include "lsp/server.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -20,6 +21,7 @@ int run(const gliftc::Options& options) {
     case gliftc::Command::test: return gliftc::run_tests(options);
     case gliftc::Command::explain: return gliftc::run_explain(options);
     case gliftc::Command::fmt: return gliftc::run_format(options);
+    case gliftc::Command::lsp: return gliftc::run_language_server(options);
     }
     return 0;
 }

@@ -232,6 +232,16 @@ CLI::App* add_command(CLI::App& app, Options& options, const char* name, const c
     return sub;
 }
 
+void add_server(CLI::App& app, Options& options) {
+    CLI::App* sub =
+        app.add_subcommand("lsp", "Serve an editor: the language server protocol on standard input and output");
+    sub->fallthrough();
+    sub->add_flag_callback(
+           "--stdio", [] {}, "Accepted, since some editors pass it")
+        ->group("");
+    sub->parse_complete_callback([&options] { options.command = Command::lsp; });
+}
+
 }  // namespace
 
 std::variant<Options, ExitCode> read_command_line(int argc, char** argv) {
@@ -273,6 +283,7 @@ std::variant<Options, ExitCode> read_command_line(int argc, char** argv) {
         ->footer("Exit status: 0 done, 1 a file cannot be read or has errors, which are shown, or is not formatted "
                  "(--check),\n"
                  "4 a file cannot be written. The other files are done in any case.");
+    add_server(app, options);
     app.require_subcommand(0, 1);
     try {
         std::vector<std::string> words(argv + 1, argv + argc);
@@ -282,7 +293,7 @@ std::variant<Options, ExitCode> read_command_line(int argc, char** argv) {
         std::reverse(words.begin(), words.end());  // the order that CLI11 expects
         app.parse(std::move(words));
         finish(options, typed);
-        if (options.files.empty()) throw CLI::RequiredError("a file");
+        if (options.files.empty() && options.command != Command::lsp) throw CLI::RequiredError("a file");
         check_combinations(options);
     } catch (const CLI::ParseError& error) {
         bool asked = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);

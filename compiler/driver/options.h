@@ -10,7 +10,7 @@
 
 namespace gliftc {
 
-enum class Command : std::uint8_t { compile, test, explain, fmt };
+enum class Command : std::uint8_t { compile, test, explain, fmt, lsp };
 
 /// What gliftc writes; each is one `--target=`.
 enum class Target : std::uint8_t { glsl, spirv, cpp, host, json };

@@ -16,6 +16,8 @@
 
 namespace gliftc::sema {
 
+struct Index;
+
 struct Settings {
     /// `-D name=value`: names of constants of the root modules, and the values that replace the written ones.
     std::vector<std::pair<std::string, std::string>> defines;
@@ -26,6 +28,8 @@ struct Settings {
     /// Gives the name of a module that could be imported and declares this public name, or "". For messages; called
     /// only if no loaded module declares the name as public.
     std::function<std::string(std::string_view name)> module_with;
+    /// Receives the meanings of names and expressions (sema/index.h); null: they are not recorded.
+    Index* index = nullptr;
 };
 
 /// A parsed module, and what the loader knows of it.

@@ -6,6 +6,7 @@
 #include "sema/kernels/raster.h"
 #include "sema/kernels/texture.h"
 #include "sema/names/lookup.h"
+#include "sema/names/record.h"
 #include "sema/names/unknown_names.h"
 #include "sema/pipelines/values.h"
 #include "sema/structures/blocks.h"
@@ -101,11 +102,12 @@ static std::optional<std::vector<std::size_t>> written_order(Body& body, ir::Typ
             const ir::StructField& field = body.program().structs[type.struct_].fields[i];
             at = static_cast<std::size_t>(std::ranges::find(call.labels, field.name, &ast::Identifier::name) -
                                           call.labels.begin());
+            Context& c = body.context;
             if (at == call.labels.size()) {
-                Context& c = body.context;
                 c.error(Diag::missing_field, call.span, {c.text(field.name), c.text(id)});
                 return std::nullopt;
             }
+            record_field(c, call.labels[at].span, type.struct_, i);
         }
         order[at] = i;
     }

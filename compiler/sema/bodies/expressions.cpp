@@ -1,6 +1,7 @@
 #include "sema/bodies/closures.h"
 #include "sema/bodies/order.h"
 
+#include "sema/names/record.h"
 #include "sema/names/unknown_names.h"
 #include "sema/pipelines/predication.h"
 #include "sema/pipelines/values.h"
@@ -134,7 +135,10 @@ Operand symbol_operand(Body& body, Symbol& symbol, const ast::Expr& name) {
 Operand check_name(Body& body, ast::ExprId id) {
     Context& c = body.context;
     const ast::Expr& expr = c[id];
-    if (Symbol* symbol = find_symbol(body, expr.name)) return symbol_operand(body, *symbol, expr);
+    if (Symbol* symbol = find_symbol(body, expr.name)) {
+        record_use(c, expr.span, symbol->span);
+        return symbol_operand(body, *symbol, expr);
+    }
     Meta meta = find_meta(c, body.env, {expr.name, expr.span});
     if (meta.kind == MetaKind::value)
         return value_operand(body, ir::materialize(body.program(), meta.value, expr.span), expr.span);
@@ -310,10 +314,11 @@ Operand value_operand(Body& body, ir::ExprId expr, Span span) {
 
 Operand check(Body& body, ast::ExprId id, ir::TypeId wanted) {
     if (!id) return error_operand({});
-    if (body.kind != BodyKind::pipeline) return check_kind(body, id, wanted);
     const bool is_part = std::exchange(body.is_open, false);
     Operand operand = check_kind(body, id, wanted);
     body.is_open = is_part;
+    record_operand(body, body.context[id], operand);
+    if (body.kind != BodyKind::pipeline) return operand;
     return is_part ? opened(body, std::move(operand)) : closed(body, std::move(operand));
 }
 

@@ -1,6 +1,7 @@
 // `a.b` and `a[b]`: swizzles, fields, members of structures, elements.
 #include "sema/bodies/order.h"
 
+#include "sema/names/record.h"
 #include "sema/names/unknown_names.h"
 #include "sema/pipelines/values.h"
 #include "sema/structures/projection.h"
@@ -47,6 +48,7 @@ Operand struct_field(Body& body, ir::ExprId value, ast::Identifier member) {
         if (record.fields[i].name == member.name) {
             ir::ExprId field = add(body.program(), ir::Op::field, record.fields[i].type, member.span, {value});
             body.program().exprs[field].slot = i;
+            record_field(c, member.span, body.types()[type].struct_, i);
             add_part(body, value, field);
             return value_operand(body, field, member.span);
         }
@@ -62,6 +64,7 @@ Operand enumerator(Body& body, const ir::Type& type, ir::TypeId id, ast::Identif
         if (declared.enumerators[i] == member.name) {
             ir::ExprId value = add(body.program(), ir::Op::constant, id, member.span);
             body.program().exprs[value].bits = declared.values[i];
+            record_enumerator(body.context, member.span, declared, i);
             return value_operand(body, value, member.span);
         }
         known.push_back(body.context.text(declared.enumerators[i]));
@@ -287,23 +290,31 @@ Operand structure_member(Body& body, const Operand& left, ast::Identifier member
         const ir::Local& local = body.program().locals[structure.constructor[i]];
         known.push_back(c.text(local.name));
         if (local.name != member.name) continue;
+        record_use(c, member.span, local.span);
         ir::ExprId value = structure_operation(body, ir::Op::member, local.type, left, member.span);
         body.program().exprs[value].slot = i;
         return value_operand(body, value, member.span);
     }
     for (std::uint32_t i = 0; i < structure.members.size(); ++i) {
         known.push_back(c.text(structure.members[i].name));
-        if (structure.members[i].name == member.name) return member_at(body, left, {i}, member.span);
+        if (structure.members[i].name != member.name) continue;
+        if (structure.members[i].is_component) record_component(c, left.structure, member);
+        else record_use(c, member.span, structure.members[i].span);
+        return member_at(body, left, {i}, member.span);
     }
     if (!structure.base.empty()) {
         known.push_back(c.text(structure.base_name));
-        if (structure.base_name == member.name) return member_at(body, left, structure.base, member.span);
+        if (structure.base_name == member.name) {
+            record_use(c, member.span, structure.base_span);
+            return member_at(body, left, structure.base, member.span);
+        }
     }
     for (std::uint32_t i = 0; i < structure.memories.size(); ++i) {
         const Name name = structure.memories[i].declared;
         if (!name) continue;
         known.push_back(c.text(name));
         if (name != member.name) continue;
+        record_use(c, member.span, structure.memories[i].span);
         Operand memory = left;
         memory.kind = OperandKind::memory;
         memory.span = member.span;
@@ -313,13 +324,16 @@ Operand structure_member(Body& body, const Operand& left, ast::Identifier member
     for (std::uint32_t i = 0; i < structure.host.size(); ++i) {
         known.push_back(c.text(structure.host[i].name));
         if (structure.host[i].name != member.name) continue;
+        record_use(c, member.span, structure.host[i].span);
         ir::ExprId value = structure_operation(body, ir::Op::host_state, structure.host[i].type, left, member.span);
         body.program().exprs[value].slot = i;
         return value_operand(body, value, member.span);
     }
     for (std::string_view field : component_names(c, left.structure)) known.push_back(field);
-    if (const auto component = component_of(c, left.structure, member))
+    if (const auto component = component_of(c, left.structure, member)) {
+        record_component(c, left.structure, member);
         return member_at(body, left, {*component}, member.span);
+    }
     return unknown_member(body, body.program().structures[left.structure].display, member, known);
 }
 

@@ -3,6 +3,7 @@
 #include "sema/bodies/order.h"
 #include "sema/kernels/writing.h"
 #include "sema/names/lookup.h"
+#include "sema/names/record.h"
 #include "sema/pipelines/values.h"
 #include "sema/structures/components.h"
 #include "sema/types/generics.h"
@@ -228,6 +229,7 @@ Operand call_instance(Body& body, ir::FunctionId function, const std::vector<Ope
 Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments& arguments,
                     const std::vector<ast::ExprId>& written, const ast::Expr& call, const Operand* self) {
     Context& c = body.context;
+    record_choice(c, call, id);
     const auto& function = std::get<ast::Function>(c[id].body);
     const Parts parts(body);
     ir::Operands values;

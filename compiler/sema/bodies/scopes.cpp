@@ -1,4 +1,5 @@
 #include "sema/bodies/order.h"
+#include "sema/names/record.h"
 
 #include <algorithm>
 
@@ -22,6 +23,9 @@ void close_scope(Body& body) {
 
 void declare(Body& body, ast::Identifier name, Symbol symbol) {
     symbol.span = name.span;
+    record_use(body.context, name.span, name.span);
+    const bool is_structure = symbol.kind == SymbolKind::structure || symbol.kind == SymbolKind::iterator;
+    record_type(body.context, name.span, is_structure ? body.types().of_structure(symbol.structure) : symbol.type);
     auto [found, added] = body.scopes.back().emplace(name.name, symbol);
     if (added || !name.name) return;
     note(body.context.error(Diag::duplicate_name, name.span, {body.context.text(name.name)}), found->second.span,
@@ -72,6 +76,7 @@ static void bind_symbols(Body& body, ast::ExprId id, std::vector<std::pair<Name,
     Symbol* symbol = find_symbol(body, expr.name);
     if (!symbol) return;
     symbol->used = true;
+    record_use(body.context, expr.span, symbol->span);
     bindings.emplace_back(expr.name, meta_of_symbol(body, *symbol));
 }
 

@@ -4,6 +4,7 @@
 #include "ir/effects.h"
 #include "ir/reads.h"
 #include "ir/spelling.h"
+#include "sema/names/record.h"
 #include "sema/types/instances.h"
 
 #include <algorithm>
@@ -209,7 +210,10 @@ Symbol* written_member(Body& body, const ast::MemberPattern& pattern) {
                           c.program.structures[symbol->structure].kind == ir::StructureKind::no_elements;
     const bool is_member = symbol != nullptr && symbol->kind == SymbolKind::structure &&
                            (!is_whole || pattern.pattern == ast::Pattern::calls);
-    if (is_member) return symbol;
+    if (is_member) {
+        record_use(c, pattern.member.span, symbol->span);
+        return symbol;
+    }
     Diagnostic& diagnostic = c.error(Diag::with_member, pattern.member.span, {c.text(pattern.member.name)});
     if (!body.container)
         note(diagnostic, pattern.pattern_span,

@@ -1,6 +1,7 @@
 #include "sema/names/lookup.h"
 
 #include "sema/bodies/closures.h"
+#include "sema/names/record.h"
 #include "sema/types/meta.h"
 
 #include <algorithm>
@@ -116,12 +117,18 @@ static Visible look_in(Context& c, const std::vector<ir::ModuleId>& modules, ast
     return visible;
 }
 
-Visible look_up(Context& c, ir::ModuleId module, ast::Identifier name) {
+static Visible visible_in(Context& c, ir::ModuleId module, ast::Identifier name) {
     const ModuleScope& scope = c.scopes[module];
     if (auto own = scope.names.find(name.name); own != scope.names.end()) return {own->second, {}};
     Visible visible = look_in(c, scope.imports, name);
     if (visible.found.empty())
         if (Visible prelude = look_in(c, scope.prelude, name); !prelude.found.empty()) return prelude;
+    return visible;
+}
+
+Visible look_up(Context& c, ir::ModuleId module, ast::Identifier name) {
+    Visible visible = visible_in(c, module, name);
+    record_uses(c, name.span, visible.found);
     return visible;
 }
 

@@ -1,5 +1,6 @@
 // Names behind a module's name: `std.array.Array`, `array.Array`.
 #include "sema/names/lookup.h"
+#include "sema/names/record.h"
 #include "sema/names/unknown_names.h"
 #include "sema/types/meta.h"
 
@@ -35,6 +36,7 @@ Meta find_in_module(Context& c, const Env& env, ir::ModuleId module, ast::Identi
         report_private(c, name, found->second[0]);
         meta.declarations = found->second;
     }
+    record_uses(c, name.span, meta.declarations);
     return meta;
 }
 

@@ -5,6 +5,7 @@
 #include "sema/bodies/closures.h"
 #include "sema/bodies/order.h"
 #include "sema/kernels/aliasing.h"
+#include "sema/names/record.h"
 #include "sema/pipelines/pass_overloads.h"
 #include "sema/pipelines/predication.h"
 #include "sema/pipelines/values.h"
@@ -589,6 +590,7 @@ std::optional<Operand> check_pipeline_call(Body& body, const std::vector<ast::De
     if (failed) return std::nullopt;
     const auto chosen = choose_pass(body, decls, generics, {arguments.begin(), arguments.end()}, call, owner);
     if (!chosen) return std::nullopt;
+    record_choice(c, call, *chosen);
     if (std::holds_alternative<ast::Kernel>(c[*chosen].body))
         return call_kernel(body, *chosen, generics, call, arguments);
     return call_pipeline(body, *chosen, generics, call, owner, arguments);

@@ -4,6 +4,7 @@
 #include "sema/bodies/body.h"
 #include "sema/names/defines.h"
 #include "sema/names/lookup.h"
+#include "sema/names/record.h"
 #include "sema/names/unknown_names.h"
 #include "sema/structures/projection.h"
 #include "sema/types/builtin_names.h"
@@ -283,7 +284,7 @@ Meta find_meta(Context& c, const Env& env, ast::Identifier name) {
     return meta;
 }
 
-Meta meta_of(Context& c, const Env& env, ast::ExprId id) {
+static Meta meaning_of(Context& c, const Env& env, ast::ExprId id) {
     const ast::Expr& expr = c[id];
     switch (expr.kind) {
     case ast::ExprKind::error: return {};
@@ -321,6 +322,12 @@ Meta meta_of(Context& c, const Env& env, ast::ExprId id) {
     auto value = constant_of(c, env, id);
     Meta meta;
     if (value) meta.kind = MetaKind::value, meta.value = *value;
+    return meta;
+}
+
+Meta meta_of(Context& c, const Env& env, ast::ExprId id) {
+    Meta meta = meaning_of(c, env, id);
+    if (meta.kind == MetaKind::type) record_type(c, c[id].span, meta.type);
     return meta;
 }
 
