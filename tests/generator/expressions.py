@@ -1,4 +1,6 @@
 """Random expressions of a given type. Their results are the same on every device, except for those of `inexact`."""
+import re
+
 from intrinsics import EVALUATED, EVERYWHERE, RANGES, read_table
 from model import (BOOL, DOUBLE, FLOAT, FLOATS, HALF, INT, INT64, INTEGERS, NUMBERS, SIGNED, UINT, UINT64, Array, Enum, Matrix, Node,
                    Optional, Scalar, Struct, Vector, is_shaped, joined, literal, scalar_of, size_of, vector)
@@ -8,6 +10,10 @@ WHOLE = [0, 1, 1, 2, 3, 5, 7, 8, 31, 32, 33, 63, 64, 255, 1000, 65535, 65536, 16
 FRACTIONS = ["0.0", "1.0", "0.5", "2.0", "3.0", "0.1", "0.75", "7.0", "1e-3", "100.0", "1000.5"]
 WIDE_FRACTIONS = ["16777216.0", "1e20", "1e-30", "3e38", "1e-40"]
 INTRINSICS = read_table()
+CAPTURED = re.compile(r"[vp]\d+")  # names of variables and parameters, not of iterators
+
+# Calls a function that it is given, twice.
+APPLIED = "fn applied_twice<T: type, F: Function<T, T>>(f: F, x: T) -> T { return f(f(x)); }"
 
 
 class Scope:
@@ -39,7 +45,7 @@ class Expressions:
         """An expression of type t."""
         if depth <= 0:
             return self.leaf(t, scope)
-        makers = [(3, self.leaf), (3, self.call), (2, self.choice), (2, self.part), (2, self.read)]
+        makers = [(3, self.leaf), (3, self.call), (2, self.choice), (2, self.part), (2, self.read), (1, self.closure)]
         if isinstance(t, Scalar) or isinstance(t, Vector):
             makers += self._shaped_makers(t)
         elif isinstance(t, Matrix):
@@ -279,6 +285,15 @@ class Expressions:
         function = self.random.choice(found)
         arguments = [self.of(type, scope, depth - 2) for type in function.params]
         return Node(function.name, "(", *joined(arguments), ")", type=t)
+
+    def closure(self, t, scope, depth):
+        """A call of a function that is given a closure, which captures variables."""
+        if scope.evaluable or depth < 2:
+            return None
+        name = f"c{depth}"
+        captured = [v for v in scope.variables if CAPTURED.fullmatch(v[0])]
+        inner = Scope([(name, t, False), *[(n, kind, False) for n, kind, _ in captured]], scope.functions)
+        return Node(f"applied_twice(|{name}| ", self.of(t, inner, depth - 2), ", ", self.of(t, scope, depth - 1), ")", type=t)
 
     def digest(self, t, scope, depth):
         if scope.evaluable:

@@ -117,10 +117,15 @@ class Kernels:
         if not found:
             return
         structure, radius = self.random.choice(found), self.random.between(1, 2)
-        kernel.params.append(Parameter(name, f"in near<{structure.name}, {radius}>", structure, moves=True))
+        radii, text = [radius] * kernel.axes, str(radius)
+        if kernel.axes > 1 and self.random.chance(35):
+            radii = [self.random.between(0, 2) for _ in range(kernel.axes)]
+            radii[self.random.below(kernel.axes)] = radius
+            text = f"uint{kernel.axes}({', '.join(map(str, radii))})"
+        kernel.params.append(Parameter(name, f"in near<{structure.name}, {text}>", structure, moves=True))
 
         def offset(expressions, scope, depth):
-            lanes = [str(expressions.random.between(-radius, radius)) for _ in range(kernel.axes)]
+            lanes = [str(expressions.random.between(-along, along)) for along in radii]
             text = lanes[0] if kernel.axes == 1 else f"int{kernel.axes}({', '.join(lanes)})"
             return Node(f"{name}[{text}]", type=structure.element)
         kernel.scope.reads += [(structure.element, offset)] * 3
@@ -133,7 +138,7 @@ class Kernels:
             at = i if kernel.axes == 1 else f"int{kernel.axes}({', '.join(lanes)})"
             digest = self.types.digest(structure.element)
             scope.variables.append((result, UINT, True))
-            return Node(f"var {result} = 0u;\nfor {i} in -{radius}..{radius + 1} {{\n{result} = {result} * 31u + {digest}({name}[{at}]);\n}}")
+            return Node(f"var {result} = 0u;\nfor {i} in -{radii[axis]}..{radii[axis] + 1} {{\n{result} = {result} * 31u + {digest}({name}[{at}]);\n}}")
         kernel.writes.append(window)
 
     def add_any(self, kernel, name):

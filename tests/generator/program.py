@@ -1,13 +1,13 @@
 """Makes a random program: a module of kernels with tests, and constant expressions for the compile-time evaluator."""
 from declarations import Functions, Types
-from expressions import Expressions, Scope
+from expressions import APPLIED, Expressions, Scope
 from kernels import BAG_TEXT, Kernels
 from model import Items, Node, joined
 from random_numbers import Random
 from statements import Statements
 from structures import Structures
 
-USES = ["std.address", "std.array", "std.edge", "std.linear", "std.tiled"]
+USES = ["std.address", "std.array", "std.edge", "std.functions", "std.linear", "std.tiled"]
 
 
 class Program:
@@ -21,7 +21,7 @@ class Program:
         self.functions = Functions(random, self.types, self.statements)
         self.items = Items(self.types.declarations())
         self.items.parts += self.structures.declarations(random.between(4, 6))
-        self.items.parts.append(Node(BAG_TEXT.strip()))
+        self.items.parts += [Node(BAG_TEXT.strip()), Node(APPLIED)]
         self.items.parts += self.functions.declarations(random.between(6, 12))
         self.add_evaluated()
         maker = Kernels(random, self.types, self.structures, self.statements, self.functions)
