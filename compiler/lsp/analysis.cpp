@@ -25,9 +25,10 @@ void run_front_end(const Options& options, const FileSystem& files, Analysis& an
     Compilation& c = analysis.compilation;
     c.loaded = load_modules(options, files, c.sources, c.names, c.tree, c.diagnostics);
     run_stage(c, [&] { import_structs(options, files, c); });
+    const bool is_shown = c.diagnostics.error_count() <= c.loaded.misnamed;
     run_stage(c, [&] {
         const auto module_with = [&](std::string_view name) {
-            return c.diagnostics.has_errors() ? std::string() : module_with_declaration(options, files, name);
+            return is_shown ? module_with_declaration(options, files, name) : std::string();
         };
         c.program = sema::check(c.loaded.modules, c.tree, c.names, c.diagnostics,
                                 {.defines = options.defines, .module_with = module_with, .index = &analysis.index});
