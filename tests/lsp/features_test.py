@@ -287,6 +287,7 @@ class Completion(Session):
         items = self.items(doc, "g = m")
         self.assertLessEqual({"middle", "sum", "speed", "f", "g", "twice", "spread", "Field", "Drop", "mix", "float"},
                              set(items))
+        self.assertEqual(items["middle"]["detail"], "float")
         self.assertNotIn("heavy", items)
         self.assertNotIn("hidden", items)
 
@@ -313,7 +314,7 @@ class Completion(Session):
         found = doc.ask("signatureHelp", doc.after("spread(f, 0.5, "))
         [signature] = found["signatures"]
         self.assertEqual([each["label"] for each in signature["parameters"]],
-                         ["f: in near<Field, 1", "speed: float", "g: out each<Field"])
+                         ["f: in near<Field, 1>", "speed: float", "g: out each<Field>"])
         self.assertEqual(found["activeParameter"], 2)
         doc = self.changed("mix(sum, middle, speed)", "mix(sum, ")
         found = doc.ask("signatureHelp", doc.after("mix(sum, "))

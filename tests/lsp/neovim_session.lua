@@ -1,8 +1,6 @@
 -- A session in Neovim without a screen: writes what the editor shows. neovim_test.py runs it and compares the text.
 local source = vim.env.GLIFT_SOURCE_DIR
-vim.opt.runtimepath:append(source .. "/tools/editors/vim")
 package.path = package.path .. ";" .. source .. "/tools/editors/neovim/?.lua"
-vim.cmd("filetype plugin on | syntax on")
 require("glift").setup { compiler = vim.env.GLIFTC }
 
 local lines = {}

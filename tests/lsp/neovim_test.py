@@ -47,8 +47,9 @@ def main():
         transcript = pathlib.Path(folder) / "transcript.txt"
         environment = {**os.environ, "GLIFT_SOURCE_DIR": str(here.parents[1]), "GLIFTC": str(pathlib.Path(sys.argv[1]).resolve()),
                        "TRANSCRIPT": str(transcript), "HOME": folder, "XDG_STATE_HOME": folder, "XDG_DATA_HOME": folder}
-        ran = subprocess.run(["nvim", "--headless", "--clean", "-i", "NONE", "-n", "-S", str(here / "neovim_session.lua")],
-                             cwd=folder, env=environment, text=True, capture_output=True, timeout=300)
+        ran = subprocess.run(["nvim", "--headless", "--clean", "-i", "NONE", "-n",
+                              "--cmd", f"set runtimepath+={here.parents[1]}/tools/editors/vim",
+                              "-S", str(here / "neovim_session.lua")], cwd=folder, env=environment, text=True, capture_output=True, timeout=300)
         if not transcript.exists():
             print(f"nvim ended with {ran.returncode}:\n{ran.stdout}{ran.stderr}")
             return 1
