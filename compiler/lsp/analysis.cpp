@@ -25,12 +25,13 @@ void run_front_end(const Options& options, const FileSystem& files, Analysis& an
     Compilation& c = analysis.compilation;
     c.loaded = load_modules(options, files, c.sources, c.names, c.tree, c.diagnostics);
     run_stage(c, [&] { import_structs(options, files, c); });
+    const bool is_shown = c.diagnostics.error_count() <= c.loaded.misnamed;
     run_stage(c, [&] {
         const auto module_with = [&](std::string_view name) {
-            return c.diagnostics.has_errors() ? std::string() : module_with_declaration(options, files, name);
+            return is_shown ? module_with_declaration(options, files, name) : std::string();
         };
         c.program = sema::check(c.loaded.modules, c.tree, c.names, c.diagnostics,
-                                {.defines = options.defines, .module_with = module_with, .index = &analysis.index});
+                                {.defines = options.defines, .module_with = module_with, .index = &analysis.recorded});
     });
 }
 
@@ -38,11 +39,6 @@ void lex_document(Analysis& analysis) {
     Diagnostics unused;  // the parser's run has reported the same
     Compilation& c = analysis.compilation;
     if (c.sources.size() > 0) analysis.tokens = lex(0, c.sources, c.names, unused);
-}
-
-void sort(sema::Index& index) {
-    std::ranges::stable_sort(index.uses, {}, [](const sema::NameUse& use) { return use.name.begin; });
-    std::ranges::stable_sort(index.types, {}, [](const sema::TypedSpan& typed) { return typed.span.end; });
 }
 
 }  // namespace
@@ -56,13 +52,21 @@ std::unique_ptr<Analysis> analyse(const Options& options, const FileSystem& file
         run_front_end(own, files, *analysis);
     } catch (const std::exception& error) {
         analysis->failure = error.what();
-        analysis->index = {};  // its types are of a program that was not finished
+        analysis->recorded = {};  // its types are of a program that was not finished
     }
     for (const sema::LoadedModule& module : analysis->compilation.loaded.modules)
         if (module.is_root) analysis->module = module.tree;
     lex_document(*analysis);
-    sort(analysis->index);
     return analysis;
+}
+
+const sema::Index& Analysis::index() const {
+    if (is_sorted_) return sorted_;
+    is_sorted_ = true;
+    sorted_ = recorded;
+    std::ranges::stable_sort(sorted_.uses, {}, [](const sema::NameUse& use) { return use.name.begin; });
+    std::ranges::stable_sort(sorted_.types, {}, [](const sema::TypedSpan& typed) { return typed.span.end; });
+    return sorted_;
 }
 
 const std::vector<Entity>& Analysis::entities(std::uint32_t file) const {

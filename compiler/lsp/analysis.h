@@ -14,9 +14,9 @@ namespace gliftc::lsp {
 /// The document is file 0 of the compilation's sources; the files that it imports follow.
 struct Analysis {
     Compilation compilation;
-    sema::Index index;    ///< uses sorted by name, types by the end of their spans
-    TokenList tokens;     ///< of the document
-    std::string failure;  ///< the text of an exception that ended the analysis early; else empty
+    sema::Index recorded;  ///< in the order of checking
+    TokenList tokens;      ///< of the document
+    std::string failure;   ///< the text of an exception that ended the analysis early; else empty
 
     const ast::Module* module = nullptr;  ///< of the document; null if it could not be read
 
@@ -24,12 +24,17 @@ struct Analysis {
     std::string_view text(const Token& token) const {
         return std::string_view(text()).substr(token.begin, token.end - token.begin);
     }
+    /// The index with uses sorted by name, and types by the end of their spans; entries for one span are in the order
+    /// of checking. The first call sorts it, which takes longer than diagnostics should wait.
+    const sema::Index& index() const;
     /// What a file declares. Empty for a file that is no module of the compilation.
     const std::vector<Entity>& entities(std::uint32_t file) const;
     /// The entity whose name is declared at this place; null if there is none.
     const Entity* entity_at(Span declared) const;
 
 private:
+    mutable sema::Index sorted_;
+    mutable bool is_sorted_ = false;
     mutable std::map<std::uint32_t, std::vector<Entity>> entities_;
 };
 

@@ -1,5 +1,7 @@
 #include "lsp/entities.h"
 
+#include <algorithm>
+
 namespace gliftc::lsp {
 
 namespace {
@@ -216,8 +218,17 @@ bool is_callable(EntityKind kind) {
            kind == EntityKind::pipeline || kind == EntityKind::structure || kind == EntityKind::struct_;
 }
 
-std::string header_of(const Entity& entity, std::string_view file_text) {
+/// The text of the declaration with its body. A parameter's pattern, as `near<S, 1>`, ends behind its last argument.
+static std::string_view whole_text(const Entity& entity, std::string_view file_text) {
     std::string_view text = file_text.substr(entity.written.begin, entity.written.end - entity.written.begin);
+    const bool is_open = entity.kind == EntityKind::parameter && entity.written.end < file_text.size() &&
+                         file_text[entity.written.end] == '>' &&
+                         std::ranges::count(text, '<') > std::ranges::count(text, '>');
+    return is_open ? file_text.substr(entity.written.begin, text.size() + 1) : text;
+}
+
+std::string header_of(const Entity& entity, std::string_view file_text) {
+    std::string_view text = whole_text(entity, file_text);
     int depth = 0;
     std::size_t end = 0;
     for (; end < text.size(); ++end) {

@@ -51,7 +51,7 @@ std::vector<Entity> entities_of(const ast::Module& module, const ast::Tree& tree
 
 /// Whether the name can be called, with arguments in parentheses.
 bool is_callable(EntityKind kind);
-/// The text of a declaration up to its body: `kernel difference<N: uint>(f: in near<S, 1>)`.
+/// The text of a declaration, without line breaks, up to its body: `kernel difference<N: uint>(f: in near<S, 1>)`.
 std::string header_of(const Entity& entity, std::string_view file_text);
 
 }  // namespace gliftc::lsp

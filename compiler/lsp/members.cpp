@@ -105,7 +105,7 @@ private:
 /// The longest of the typed expressions that end at the byte.
 const sema::TypedSpan* typed_before(const Analysis& analysis, std::size_t end) {
     const sema::TypedSpan* best = nullptr;
-    const auto& types = analysis.index.types;
+    const auto& types = analysis.index().types;
     auto typed = std::ranges::lower_bound(types, end, {}, [](const sema::TypedSpan& each) { return each.span.end; });
     for (; typed != types.end() && typed->span.end == end; ++typed)
         if (best == nullptr || typed->span.begin < best->span.begin) best = &*typed;
@@ -116,8 +116,12 @@ const sema::TypedSpan* typed_before(const Analysis& analysis, std::size_t end) {
 
 Suggestion suggestion_of(const Analysis& analysis, const Entity& entity) {
     const Compilation& c = analysis.compilation;
-    return {c.names[entity.name.name], header_of(entity, c.sources[entity.name.span.file].text), entity.doc,
-            completion_kind(entity.kind), &entity};
+    std::string detail = header_of(entity, c.sources[entity.name.span.file].text);
+    if (entity.kind == EntityKind::variable) {
+        const ir::TypeId type = type_of_declared(analysis, entity.name.span);
+        detail = type ? to_text(c.program, type) : std::string();
+    }
+    return {c.names[entity.name.name], std::move(detail), entity.doc, completion_kind(entity.kind), &entity};
 }
 
 std::vector<Suggestion> members_before(const Analysis& analysis, std::size_t end) {

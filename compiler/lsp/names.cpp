@@ -89,7 +89,7 @@ const Token* token_at(const Analysis& analysis, std::size_t offset) {
 std::vector<Span> declarations_of(const Analysis& analysis, const Token& token) {
     if (auto module = imported_module(analysis, token); !module.empty()) return module;
     if (!is_name(token)) return {};
-    if (auto found = recorded(analysis.index, span_of(token)); !found.empty()) return found;
+    if (auto found = recorded(analysis.index(), span_of(token)); !found.empty()) return found;
     if (analysis.entity_at(span_of(token)) != nullptr) return {span_of(token)};
     if (follows_dot(analysis, token) || is_label(analysis, token)) return {};
     std::vector<Span> declared;
@@ -136,8 +136,17 @@ std::vector<const Entity*> parts_of(const Analysis& analysis, const Entity& whol
     return parts;
 }
 
+ir::TypeId type_of_declared(const Analysis& analysis, Span name) {
+    const auto& types = analysis.index().types;
+    auto typed =
+        std::ranges::lower_bound(types, name.end, {}, [](const sema::TypedSpan& each) { return each.span.end; });
+    for (; typed != types.end() && typed->span.end == name.end; ++typed)
+        if (typed->span == name) return typed->type;
+    return {};
+}
+
 std::optional<sema::TypedSpan> type_at(const Analysis& analysis, const Token& token) {
-    const auto& types = analysis.index.types;
+    const auto& types = analysis.index().types;
     auto typed =
         std::ranges::lower_bound(types, token.end, {}, [](const sema::TypedSpan& each) { return each.span.end; });
     std::optional<sema::TypedSpan> best;

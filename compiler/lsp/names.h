@@ -29,6 +29,9 @@ std::vector<const Entity*> parts_of(const Analysis& analysis, const Entity& whol
 /// All entities whose plain names mean something at the offset, inner ones first; also public ones of imports.
 std::vector<const Entity*> visible_at(const Analysis& analysis, std::size_t offset);
 
+/// The type that sema gave to a declared name; the absent type if it gave none.
+ir::TypeId type_of_declared(const Analysis& analysis, Span name);
+
 /// The type of what ends with the token: of `a.b` at its `b`. Absent if sema gave it none.
 std::optional<sema::TypedSpan> type_at(const Analysis& analysis, const Token& token);
 

@@ -80,7 +80,7 @@ nlohmann::json signature_of(const Analysis& analysis, const Entity& entity) {
     for (const Entity* part : parts_of(analysis, entity)) {
         const bool is_parameter = part->kind == EntityKind::parameter ||
                                   (part->kind == EntityKind::field && entity.kind == EntityKind::struct_);
-        if (is_parameter) parameters.emplace_back(sources.text(part->written));
+        if (is_parameter) parameters.push_back(header_of(*part, sources[part->name.span.file].text));
     }
     std::string label = header_of(entity, sources[entity.name.span.file].text);
     if (entity.kind == EntityKind::struct_) {
