@@ -1,38 +1,75 @@
-# Rules of `cmake --install`: the compiler, the runtime, the standard library, and files for find_package(glift) and
-# pkg-config. Only where both the compiler and the runtime are built.
+# Rules of `cmake --install`, in the components that tools/package makes packages of: the compiler, the runtime, what
+# programs are built with (development), and documents with the examples (docs). Only where both the compiler and the
+# runtime are built.
+
+if(NOT TARGET gliftc OR NOT TARGET glift_runtime)
+    return()
+endif()
 
 include(CMakePackageConfigHelpers)
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/glift)
+set(GLIFT_DEBIAN OFF CACHE BOOL "Install what Debian's policy asks of packages: tools/package sets it")
+set(GLIFT_ZSH_COMPLETIONS share/zsh/site-functions CACHE STRING "Where completion for zsh is installed")
+set(GLIFT_DOC_DIR share/doc/glift CACHE STRING "Where the documents and examples are installed")
 
-if(TARGET gliftc AND TARGET glift_runtime)
-    set_target_properties(glift_runtime PROPERTIES EXPORT_NAME runtime)
-    install(TARGETS gliftc glift_runtime EXPORT gliftTargets
-            RUNTIME DESTINATION bin
-            ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-            LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-    install(EXPORT gliftTargets NAMESPACE glift:: DESTINATION ${config_dir})
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/stdlib/ DESTINATION share/glift/stdlib FILES_MATCHING PATTERN "*.glift")
-    # The files that `gliftc explain ID` shows as examples of diagnostics.
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/errors/ DESTINATION share/glift/diagnostics
-            FILES_MATCHING PATTERN "*.glift" PATTERN "*.*.glift" EXCLUDE PATTERN support EXCLUDE)
-    if(TARGET glift_clang)
-        install(TARGETS glift_clang LIBRARY DESTINATION lib/glift)
-    endif()
-    configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/gliftConfig.cmake.in
-        ${PROJECT_BINARY_DIR}/gliftConfig.cmake INSTALL_DESTINATION ${config_dir})
-    write_basic_package_version_file(${PROJECT_BINARY_DIR}/gliftConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-    install(FILES ${PROJECT_BINARY_DIR}/gliftConfig.cmake ${PROJECT_BINARY_DIR}/gliftConfigVersion.cmake
-                  ${PROJECT_SOURCE_DIR}/cmake/GliftCompile.cmake ${PROJECT_SOURCE_DIR}/cmake/GliftDepfile.cmake
-            DESTINATION ${config_dir})
-    # find_package(glift) finds the build tree, too.
-    export(EXPORT gliftTargets NAMESPACE glift:: FILE ${PROJECT_BINARY_DIR}/gliftTargets.cmake)
-    foreach(file GliftCompile.cmake GliftDepfile.cmake)
-        configure_file(${PROJECT_SOURCE_DIR}/cmake/${file} ${PROJECT_BINARY_DIR}/${file} COPYONLY)
-    endforeach()
-    # The prefix in glift.pc is relative to that file, since `cmake --install --prefix` may put it anywhere.
-    cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX BASE_DIRECTORY ${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/pkgconfig
-               OUTPUT_VARIABLE GLIFT_PREFIX_FROM_PKGCONFIG)
-    configure_file(${PROJECT_SOURCE_DIR}/cmake/glift.pc.in ${PROJECT_BINARY_DIR}/glift.pc @ONLY)
-    install(FILES ${PROJECT_BINARY_DIR}/glift.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+# The compiler.
+install(TARGETS gliftc EXPORT gliftTargets RUNTIME DESTINATION bin COMPONENT compiler)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/stdlib/ DESTINATION share/glift/stdlib COMPONENT compiler
+        FILES_MATCHING PATTERN "*.glift")
+# The files that `gliftc explain ID` shows as examples of diagnostics.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/errors/ DESTINATION share/glift/diagnostics COMPONENT compiler
+        FILES_MATCHING PATTERN "*.glift" PATTERN "*.*.glift" EXCLUDE PATTERN support EXCLUDE)
+if(TARGET glift_clang)
+    install(TARGETS glift_clang LIBRARY DESTINATION lib/glift COMPONENT compiler)
+endif()
+# Manual pages and shell completion, from the options that gliftc declares.
+set(shell_files ${PROJECT_BINARY_DIR}/shell)
+set(compress)
+if(GLIFT_DEBIAN)
+    set(compress COMMAND gzip -9nf ${shell_files}/man1/*.1)
+endif()
+add_custom_command(OUTPUT ${shell_files}/stamp
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${shell_files} COMMAND gliftc shell-files ${shell_files} ${compress}
+    COMMAND ${CMAKE_COMMAND} -E touch ${shell_files}/stamp DEPENDS gliftc)
+add_custom_target(gliftc_shell_files ALL DEPENDS ${shell_files}/stamp)
+install(DIRECTORY ${shell_files}/man1/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT compiler)
+install(FILES ${shell_files}/bash/gliftc DESTINATION share/bash-completion/completions COMPONENT compiler)
+install(FILES ${shell_files}/zsh/_gliftc DESTINATION ${GLIFT_ZSH_COMPLETIONS} COMPONENT compiler)
+install(FILES ${shell_files}/fish/gliftc.fish DESTINATION share/fish/vendor_completions.d COMPONENT compiler)
+
+# The runtime, and what programs are built with.
+set_target_properties(glift_runtime PROPERTIES EXPORT_NAME runtime)
+install(TARGETS glift_runtime EXPORT gliftTargets
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT development
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+install(EXPORT gliftTargets NAMESPACE glift:: DESTINATION ${config_dir} COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+install(PROGRAMS ${PROJECT_SOURCE_DIR}/tools/inspect DESTINATION share/glift/tools COMPONENT development)
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/gliftConfig.cmake.in
+    ${PROJECT_BINARY_DIR}/gliftConfig.cmake INSTALL_DESTINATION ${config_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/gliftConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/gliftConfig.cmake ${PROJECT_BINARY_DIR}/gliftConfigVersion.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/GliftCompile.cmake ${PROJECT_SOURCE_DIR}/cmake/GliftDepfile.cmake
+        DESTINATION ${config_dir} COMPONENT development)
+# find_package(glift) finds the build tree, too: tests/cmake uses it so.
+export(EXPORT gliftTargets NAMESPACE glift:: FILE ${PROJECT_BINARY_DIR}/gliftTargets.cmake)
+foreach(file GliftCompile.cmake GliftDepfile.cmake)
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/${file} ${PROJECT_BINARY_DIR}/${file} COPYONLY)
+endforeach()
+# The prefix in glift.pc is relative to that file, since `cmake --install --prefix` may put it anywhere.
+cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX BASE_DIRECTORY ${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/pkgconfig
+           OUTPUT_VARIABLE GLIFT_PREFIX_FROM_PKGCONFIG)
+configure_file(${PROJECT_SOURCE_DIR}/cmake/glift.pc.in ${PROJECT_BINARY_DIR}/glift.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/glift.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+
+# Documents and examples.
+install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENCE DESTINATION ${GLIFT_DOC_DIR} COMPONENT docs)
+if(NOT GLIFT_DEBIAN)  # there it is changelog.gz
+    install(FILES ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${GLIFT_DOC_DIR} COMPONENT docs)
+endif()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${GLIFT_DOC_DIR}/docs COMPONENT docs)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/ DESTINATION ${GLIFT_DOC_DIR}/examples COMPONENT docs)
+
+if(PROJECT_IS_TOP_LEVEL)
+    include(GliftPackages)
 endif()

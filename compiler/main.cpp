@@ -22,6 +22,7 @@ int run(const gliftc::Options& options) {
     case gliftc::Command::explain: return gliftc::run_explain(options);
     case gliftc::Command::fmt: return gliftc::run_format(options);
     case gliftc::Command::lsp: return gliftc::run_language_server(options);
+    case gliftc::Command::make_project: return gliftc::make_project(options);
     }
     return 0;
 }

@@ -1,7 +1,9 @@
 #include "driver/command_line.h"
 
+#include "base/version.h"
 #include "driver/load.h"
 #include "driver/response_file.h"
+#include "driver/shell_files.h"
 #include "lower/passes.h"
 
 #include <CLI/CLI.hpp>
@@ -9,10 +11,6 @@
 #include <filesystem>
 #include <set>
 #include <string_view>
-
-#ifndef GLIFT_VERSION
-#define GLIFT_VERSION "0.1.0"
-#endif
 
 namespace gliftc {
 
@@ -242,30 +240,20 @@ void add_server(CLI::App& app, Options& options) {
     sub->parse_complete_callback([&options] { options.command = Command::lsp; });
 }
 
-}  // namespace
-
-std::variant<Options, ExitCode> read_command_line(int argc, char** argv) {
-    Options options;
-    Typed typed;
-    CLI::App app("The Glift compiler: GPU data structures to GLSL, SPIR-V and C++.", "gliftc");
-    app.set_version_flag("--version", "gliftc " GLIFT_VERSION);
-    app.get_formatter()->column_width(34);
-    app.footer(
-        "@FILE is replaced by the arguments in FILE. NO_COLOR in the environment turns colours off.\n"
-        "Exit status: 0 done, 1 errors in the source, a file that cannot be read or tests that fail, 2 wrong usage,\n"
-        "3 a bug in gliftc, 4 a file that cannot be written or a program that is not there.");
-    app.add_option("files", options.files, "The files to compile; '-' is standard input")->type_name("FILE");
-    add_output_options(app, options, typed);
-    add_input_options(app, options, typed);
-    add_stage_options(app, options, typed);
-    add_diagnostics_options(app, options, typed);
+void add_test_command(CLI::App& app, Options& options) {
     CLI::App* test = add_command(app, options, "test",
                                  "Build and run the tests in the files, on the CPU and on a device", Command::test);
     test->add_option("--device", options.device, "The device to compare with the host: gpu, lavapipe, host or a name")
         ->type_name("NAME");
     test->add_option("--filter", options.test_filter, "Only the tests with this in their title")->type_name("TEXT");
+    test->add_option("--timeout", options.test_timeout,
+                     "Seconds that one test may take on both devices (default: 600; 0: no limit)")
+        ->type_name("SECONDS");
     test->add_flag("!--no-validate", options.validate, "Without Vulkan's validation layer");
     test->add_flag("--list", options.list_tests, "Print the titles of the tests and run none");
+}
+
+void add_explain_command(CLI::App& app, Options& options) {
     CLI::App* explain = add_command(app, options, "explain",
                                     "Print what is known of every translator and structure in the files; or, given the "
                                     "id of a diagnostic, what it\n"
@@ -278,12 +266,54 @@ std::variant<Options, ExitCode> read_command_line(int argc, char** argv) {
             "Also the bytes of this structure's memories with these arguments, repeatable: 'Grid(1024, 1024, 64)'")
         ->type_name("NAME(NUMBERS)")
         ->allow_extra_args(false);
+}
+
+void add_format_command(CLI::App& app, Options& options) {
     add_command(app, options, "fmt", "Format the files in place; with --check, say which are not formatted",
                 Command::fmt)
         ->footer("Exit status: 0 done, 1 a file cannot be read or has errors, which are shown, or is not formatted "
                  "(--check),\n"
                  "4 a file cannot be written. The other files are done in any case.");
+}
+
+void add_new_command(CLI::App& app, Options& options) {
+    CLI::App* make = app.add_subcommand("new", "Make a project that builds: a kernel with a test, a program, CMake");
+    make->add_option("name", options.project, "The folder to make; its name is the project's")
+        ->type_name("NAME")
+        ->required();
+    make->parse_complete_callback([&options] { options.command = Command::make_project; });
+}
+
+/// For the build: writes what installations have beside gliftc into a folder.
+void add_hidden_command(CLI::App& app, std::string& folder) {
+    CLI::App* shell = app.add_subcommand("shell-files", "Write manual pages and shell completion")->group("");
+    shell->add_option("folder", folder)->required();
+}
+
+}  // namespace
+
+std::variant<Options, ExitCode> read_command_line(int argc, char** argv) {
+    Options options;
+    Typed typed;
+    std::string shell_folder;
+    CLI::App app("The Glift compiler: GPU data structures to GLSL, SPIR-V and C++.", "gliftc");
+    app.set_version_flag("--version", "gliftc " + std::string(version()));
+    app.get_formatter()->column_width(34);
+    app.footer(
+        "@FILE is replaced by the arguments in FILE. NO_COLOR in the environment turns colours off.\n"
+        "Exit status: 0 done, 1 errors in the source, a file that cannot be read or tests that fail, 2 wrong usage,\n"
+        "3 a bug in gliftc, 4 a file that cannot be written or a program that is not there.");
+    app.add_option("files", options.files, "The files to compile; '-' is standard input")->type_name("FILE");
+    add_output_options(app, options, typed);
+    add_input_options(app, options, typed);
+    add_stage_options(app, options, typed);
+    add_diagnostics_options(app, options, typed);
+    add_test_command(app, options);
+    add_explain_command(app, options);
+    add_format_command(app, options);
+    add_new_command(app, options);
     add_server(app, options);
+    add_hidden_command(app, shell_folder);
     app.require_subcommand(0, 1);
     try {
         std::vector<std::string> words(argv + 1, argv + argc);
@@ -293,6 +323,11 @@ std::variant<Options, ExitCode> read_command_line(int argc, char** argv) {
         std::reverse(words.begin(), words.end());  // the order that CLI11 expects
         app.parse(std::move(words));
         finish(options, typed);
+        if (!shell_folder.empty()) {
+            write_shell_files(app, std::string(version()), shell_folder);
+            return ExitCode::done;
+        }
+        if (options.command == Command::make_project) return options;
         if (options.files.empty() && options.command != Command::lsp) throw CLI::RequiredError("a file");
         check_combinations(options);
     } catch (const CLI::ParseError& error) {

@@ -22,6 +22,10 @@ int run_explain(const Options& options);
 /// files are formatted all the same.
 int run_format(const Options& options);
 
+/// `gliftc new NAME`: makes a folder with a project. Wrong usage if there is such a folder or file already, or the name
+/// cannot be that of a module and a target of CMake.
+int make_project(const Options& options);
+
 /// Sets which warnings are reported, which are errors, and the error limit.
 void configure(Diagnostics& diagnostics, const Options& options);
 

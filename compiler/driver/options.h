@@ -10,7 +10,7 @@
 
 namespace gliftc {
 
-enum class Command : std::uint8_t { compile, test, explain, fmt, lsp };
+enum class Command : std::uint8_t { compile, test, explain, fmt, make_project, lsp };
 
 /// What gliftc writes; each is one `--target=`.
 enum class Target : std::uint8_t { glsl, spirv, cpp, host, json };
@@ -51,10 +51,12 @@ struct Options {
     bool warnings_are_errors = false;
     std::vector<Diag> silenced, promoted;
     std::size_t error_limit = 50;
-    std::string device;       ///< test: which device to compare with the host; empty: as Device::open chooses
-    std::string test_filter;  ///< test: only tests with this in their title
-    bool validate = true;     ///< test: with Vulkan's validation layer
-    bool list_tests = false;  ///< test: print titles, run nothing
+    std::string device;                ///< test: which device to compare with the host; empty: as Device::open chooses
+    std::string test_filter;           ///< test: only tests with this in their title
+    bool validate = true;              ///< test: with Vulkan's validation layer
+    std::uint32_t test_timeout = 600;  ///< test: seconds that one test may take; 0: no limit
+    bool list_tests = false;           ///< test: print titles, run nothing
+    std::string project;               ///< new: the folder to make; its last part is the project's name
     bool explain_as_json = false;
     std::vector<std::string> explain_made;  ///< --made: structures with arguments; prints the sizes of their memories
 

@@ -37,6 +37,7 @@ bool run_program(const Options& options, const std::string& program) {
     std::vector<std::string> words{program};
     if (!options.test_filter.empty()) words.insert(words.end(), {"--filter", options.test_filter});
     if (!options.device.empty()) words.insert(words.end(), {"--device", options.device});
+    words.insert(words.end(), {"--timeout", std::to_string(options.test_timeout)});
     const Ended ended = run_and_wait(words);
     const std::string test = text_of(now);
     std::error_code ignored;

@@ -2,6 +2,7 @@
 #include "host/host_device.h"
 #include "measuring.h"
 #include "objects.h"
+#include "profile/process_profile.h"
 #include "recording_scope.h"
 #include "vulkan/vulkan_device.h"
 
@@ -40,8 +41,8 @@ Device Device::open(std::string_view which) {
     if (which.empty()) {
         if (const char* wanted = std::getenv("GLIFT_DEVICE")) which = wanted;
     }
-    if (which == "host") return Device(detail::open_host_device());
-    const Device device(detail::open_vulkan_device(which));
+    const Device device(which == "host" ? detail::open_host_device() : detail::open_vulkan_device(which));
+    detail::profile_if_asked(device.share());
     if (which.empty() && device.properties().kind == DeviceKind::cpu) log_cpu_default(device.properties());
     return device;
 }

@@ -1,6 +1,7 @@
 // Interfaces of the objects behind the public handles, implemented in vulkan/ and host/.
 #pragma once
 
+#include "profile/profiler.h"
 #include "workspace.h"
 
 #include <glift/commands.h>
@@ -143,6 +144,16 @@ public:
     virtual std::shared_ptr<RecordingObject> end_recording(Stream& stream) = 0;
     virtual Statistics statistics() = 0;
     virtual std::vector<std::string> validation_messages() = 0;
+
+    Profiler& profiler() { return profiler_; }
+    const Profiler& profiler() const { return profiler_; }
+    /// Turns the profiler on for one more user. Throws missing_feature where the device cannot tell times.
+    virtual void start_profile() { profiler_.turn_on(); }
+    /// Waits for what was submitted, and gives the profiler what it does not know of yet.
+    virtual void finish_profile() {}
+
+private:
+    Profiler profiler_;
 };
 
 /// The object behind the handle; throws for an empty one.

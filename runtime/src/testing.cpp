@@ -1,9 +1,12 @@
 // The code of test programs that does not depend on the types of their structures.
+#include "test_watchdog.h"
+
 #include <glift/inspected_values.h>
 #include <glift/testing.h>
 #include <glift/translation_checks.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -99,14 +102,16 @@ Test run_on(const Device& device, const TestCase& test) {
 /// Runs tests on all devices and prints their results.
 class TestRunner {
 public:
-    explicit TestRunner(std::vector<Device> devices) : devices_(std::move(devices)) {}
+    TestRunner(std::vector<Device> devices, std::chrono::seconds most)
+        : devices_(std::move(devices)), watchdog_(most) {}
 
     void run(const TestCase& test) {
         ++ran_;
-        announce(test);
+        const detail::TestWatchdog::Watch watch(watchdog_);
         std::vector<std::string> failures, notes;
         std::vector<Test> runs;
         for (const Device& device : devices_) {
+            announce(test, device);
             Test& run = runs.emplace_back(run_on(device, test));
             for (const std::string& failure : run.failures)
                 failures.push_back(failure + " [" + device.properties().name + "]");
@@ -152,12 +157,15 @@ public:
     }
 
 private:
-    /// Leaves the test's name where `gliftc test` finds it if a signal ends the program.
-    static void announce(const TestCase& test) {
+    /// Leaves the names of the test and of the device where the watchdog finds them, and `gliftc test` if a signal ends
+    /// the program.
+    void announce(const TestCase& test, const Device& device) {
         std::fflush(stdout);
+        const std::string title = std::string(test.title) + " (" + test.place + ")";
+        watchdog_.name(title, device.properties().name);
         const char* path = std::getenv("GLIFT_TEST_NOW");
         if (std::FILE* file = path ? std::fopen(path, "w") : nullptr) {
-            std::fprintf(file, "%s (%s)", test.title, test.place);
+            std::fprintf(file, "%s [%s]", title.c_str(), device.properties().name.c_str());
             std::fclose(file);
         }
     }
@@ -173,6 +181,7 @@ private:
     }
 
     std::vector<Device> devices_;
+    detail::TestWatchdog watchdog_;
     std::map<std::string, Findings> translations_;
     std::map<std::string, std::string> unchecked_;  ///< why, by the title of the check
     std::size_t ran_ = 0, failed_ = 0, number_unchecked_ = 0;
@@ -329,13 +338,16 @@ void Test::note_given_up(const char* name, const Error& error) {
 }
 
 int run_tests(std::span<const TestCase> tests, int argc, char** argv) {
-    std::string filter, name;
-    for (int i = 1; i + 1 < argc; i += 2) (std::string_view(argv[i]) == "--filter" ? filter : name) = argv[i + 1];
+    std::string filter, name, seconds = "0";
+    for (int i = 1; i + 1 < argc; i += 2) {
+        const std::string_view option = argv[i];
+        (option == "--filter" ? filter : option == "--timeout" ? seconds : name) = argv[i + 1];
+    }
     try {
         const Device host = Device::open("host");
         std::vector<Device> devices{host};
         if (name != "host") devices.push_back(Device::open(name));
-        TestRunner runner(std::move(devices));
+        TestRunner runner(std::move(devices), std::chrono::seconds(std::atol(seconds.c_str())));
         const auto is_wanted = [&](const TestCase& test) {
             return std::string_view(test.title).find(filter) != std::string_view::npos;
         };

@@ -105,7 +105,27 @@ here.write("crash.h", "#pragma once\n#include <csignal>\n#include <cstdlib>\n"
            "{ std::raise(SIGKILL); }); } } killer; }\n")
 (here.path / "killer").chmod(0o755)
 ran = here.run("test", "--device", "host", "--filter", "halves", wrong, CXX=str(here.path / "killer"))
-says(ran, 1, "FAIL  halves (wrong_translations.glift:", "ended by signal 9 (Killed)")
+says(ran, 1, "FAIL  halves (wrong_translations.glift:", "[host]", "ended by signal 9 (Killed)")
+
+# A test that hangs is named, too, with the device, and ends after the time-out; the ones before it have been reported.
+here.write("hang.glift", """module hang;
+structure Line = Array<1, uint>;
+kernel never_ends(to: out each<Line>) {
+    var x = 1u;
+    while x != 0u {
+        x = (x * 1664525u + 1013904223u) | 1u;
+    }
+    to = x;
+}
+test "quick" { expect(1u == 1u); }
+test "endless" {
+    temp line = Line(1u);
+    never_ends(line);
+    expect(await line[0] == 0u);
+}
+""")
+ran = here.run("test", "--device", "host", "--timeout", "2", "hang.glift", timeout=300)
+says(ran, 1, "pass  quick", "FAIL  endless (hang.glift:11)", "no result after 2 s (--timeout) [host]")
 
 # What the surroundings cause is no bug in gliftc, whatever the compiler says.
 here.write("env.glift", "module env;\nuse std.array;\nkernel f(x: out each<Array<1, uint>>) { x = 1u; }\n"

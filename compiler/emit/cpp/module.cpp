@@ -16,6 +16,7 @@
 // run, one defines the function of a kernel or pipeline, or the members of a class (cpp::Defined); the sources of a
 // test program define all that it uses. Instances of generics and functions of other modules are weak symbols, so that
 // sources of other runs may define them, too.
+#include "base/version.h"
 #include "emit/cpp/unit.h"
 
 #include <algorithm>
@@ -288,6 +289,16 @@ void ModulePrinter::print_headers(Writer& out, const std::string& ending) const 
     for (const std::string& header : headers) out.line("#include \"" + header + "\"");
 }
 
+/// Asserts that the runtime's headers are of this compiler's version (<glift/version.h>).
+void print_version_check(Writer& out) {
+    const std::string major(major_version()), minor(minor_version());
+    out.line("static_assert(GLIFT_VERSION_MAJOR == " + major + " && GLIFT_VERSION_MINOR == " + minor + ",");
+    out.line("              \"gliftc " + major + "." + minor +
+             " made this, and the Glift headers found are of another version: \"");
+    out.line("              \"run the gliftc that belongs to them, or compile with the headers and library of \"");
+    out.line("              \"Glift " + major + "." + minor + "\");");
+}
+
 std::string ModulePrinter::header() {
     Writer out;
     out.line(begin_of_file(stem_));
@@ -298,6 +309,8 @@ std::string ModulePrinter::header() {
     out.gap();
     out.line("#include <glift/glift.h>");
     out.line("#include <glift/structure.h>");
+    out.gap();
+    print_version_check(out);
     out.gap();
     write_doc(out, program_.modules[module_].doc);
     Spaces spaces(out);

@@ -38,7 +38,7 @@ struct PipelinePrinter {
     bool tracks = false;                ///< in tests: structures live to the end, to be compared
 
     PipelinePrinter(Unit& unit, const Pipeline& pipeline) : unit(unit), pipeline(pipeline), p(unit.globals) {
-        p.names.reserve({"commands", "test"});
+        p.names.reserve({"commands", "mark", "test"});
         if (pipeline.owner) {
             p.class_names = &unit.globals.class_names[pipeline.owner].all;
             p.names.avoid(unit.globals.class_names[pipeline.owner].own);
@@ -426,8 +426,14 @@ void print_pipeline(Unit& unit, Writer& out, ir::PipelineId index) {
              (is_test(unit, index) ? quoted(pipeline.display) : pipeline.display));
     const std::string owner = pipeline.owner ? unit.own_name(pipeline.owner) + "::" : "";
     const std::string body = printer.p.out.take();
-    const std::string mark = body.find("commands") == std::string::npos ? "[[maybe_unused]] " : "";
+    const bool uses_commands = body.find("commands") != std::string::npos;
+    const std::string mark = uses_commands ? "" : "[[maybe_unused]] ";
     out.open(unit.linkage(pipeline.key) + signature(unit, index, printer.p, owner, false, mark));
+    // What profiles and debuggers show (<glift/mark.h>). A value's pipeline is a part of its caller, and a test is no
+    // part of a program.
+    if (uses_commands && !pipeline.is_value && !printer.tracks)
+        out.line("const glift::PipelineMark mark(" + quoted(pipeline.display) + ", \"" +
+                 place_text(unit.sources, pipeline.span) + "\");");
     out.raw(body);
     out.close();
 }

@@ -1,6 +1,7 @@
 #include "host_device.h"
 
 #include "../machine_memory.h"
+#include "../profile/process_profile.h"
 #include "host_memory.h"
 #include "host_stream.h"
 
@@ -28,6 +29,8 @@ public:
         properties_.subgroup_shuffle = properties_.subgroup_shuffle_relative = true;
         properties_.subgroup_extended_types = true;
     }
+
+    ~HostDevice() override { keep_profile(*this); }
 
     const DeviceProperties& properties() const override { return properties_; }
 

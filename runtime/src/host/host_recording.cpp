@@ -10,9 +10,8 @@ template <class T> std::vector<T> copied(std::span<const T> values) { return {va
 
 class HostRecording final : public RecordingObject {
 public:
-    HostRecording(std::shared_ptr<DeviceObject> device, std::vector<std::function<void(HostStream&)>> steps,
-                  std::vector<Memory> held, std::vector<std::shared_ptr<HostStorage>> workspace,
-                  std::uint64_t workspace_bytes)
+    HostRecording(std::shared_ptr<DeviceObject> device, std::vector<HostStep> steps, std::vector<Memory> held,
+                  std::vector<std::shared_ptr<HostStorage>> workspace, std::uint64_t workspace_bytes)
         : device_(std::move(device)), steps_(std::move(steps)), held_(std::move(held)),
           workspace_(std::move(workspace)), workspace_bytes_(workspace_bytes) {}
 
@@ -21,13 +20,14 @@ public:
         require_current(held_);
         auto& stream = static_cast<HostStream&>(device_->stream());
         const auto lock = stream.lock();
-        for (const auto& step : steps_) step(stream);
+        const Run run = device_->profiler().next_replay();
+        for (const HostStep& step : steps_) stream.replay(step.command, step.path, run);
     }
     std::uint64_t workspace_bytes() const override { return workspace_bytes_; }
 
 private:
     std::shared_ptr<DeviceObject> device_;
-    std::vector<std::function<void(HostStream&)>> steps_;
+    std::vector<HostStep> steps_;
     std::vector<Memory> held_;                             ///< memories that the steps use
     std::vector<std::shared_ptr<HostStorage>> workspace_;  ///< the workspace's blocks: workspace_bytes_ in total
     std::uint64_t workspace_bytes_;
@@ -71,10 +71,11 @@ std::shared_ptr<KeptTargets> HostRecordingStream::held(const DrawTargets& target
     return std::make_shared<KeptTargets>(std::move(colours), held(targets.depth), targets.origin, targets.extent);
 }
 
-void HostRecordingStream::note(std::function<void(HostStream&)> step) {
+void HostRecordingStream::note(std::function<void(HostStream&)> command) {
     const auto held = lock();
     if (is_closed()) throw_closed("Commands");
-    steps_.push_back(std::move(step));
+    Profiler& profiler = device_.profiler();
+    steps_.push_back({std::move(command), profiler.is_on() ? profiler.path() : std::vector<PathStep>()});
 }
 
 Memory HostRecordingStream::allocate(const MemoryDescription& description) {

@@ -91,6 +91,11 @@ bool hold(std::span<const Condition> conditions) {
     });
 }
 
+Nanoseconds now() {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
 constexpr std::size_t small_count = 16;
 
 bool tests_promises() {
@@ -99,6 +104,30 @@ bool tests_promises() {
 }
 
 }  // namespace
+
+template <class MakeWork, class Body> void HostStream::timed(MakeWork&& work, Body&& body) {
+    Profiler& profiler = device_.profiler();
+    if (!profiler.is_on()) return body();
+    const Nanoseconds begin = now();
+    body();
+    const Nanoseconds end = now();
+    Tag tag = profiler.tag(work());
+    if (replayed_ != nullptr) tag.path = replayed_->path;
+    profiler.add(tag, replayed_ != nullptr ? replayed_->run : Profiler::run_of_thread(), begin, end);
+}
+
+void HostStream::replay(const std::function<void(HostStream&)>& command, const std::vector<PathStep>& path, Run run) {
+    const auto held = lock();
+    const Replayed replayed{path, run};
+    replayed_ = &replayed;
+    try {
+        command(*this);
+    } catch (...) {
+        replayed_ = nullptr;
+        throw;
+    }
+    replayed_ = nullptr;
+}
 
 bool HostStream::can_be_direct(const Kernel& kernel, std::span<const Memory> memories,
                                const std::array<std::uint32_t, 4>&, Sharing) {
@@ -134,14 +163,20 @@ void HostStream::dispatch(const Kernel& kernel, const Call& call) {
     const bool runs = host.size[0] && host.size[1] && host.size[2] && host.size[3];
     const bool is_promised = runs && tests_promises() && !call.targets && relies_on_promise(kernel, call.memories);
     if (is_promised) check_promises(kernel, form, call.memories, host);
-    if (runs) form.host(host);
+    timed([&] { return work_of(kernel, call); },
+          [&] {
+              if (runs) form.host(host);
+          });
     if (kernel.reports && record.code != StatusRecord::fine) throw_report(Reporter(kernel), record);
 }
 
 void HostStream::fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) {
     const auto held = lock();
-    auto* words = reinterpret_cast<std::uint32_t*>(host_memory(memory).data() + offset);
-    std::fill(words, words + bytes / 4, value);
+    timed([&] { return Work{.name = "fill", .bytes = bytes}; },
+          [&] {
+              auto* words = reinterpret_cast<std::uint32_t*>(host_memory(memory).data() + offset);
+              std::fill(words, words + bytes / 4, value);
+          });
 }
 
 void HostStream::fill_where(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value,
@@ -152,64 +187,89 @@ void HostStream::fill_where(const Memory& memory, std::uint64_t offset, std::uin
 
 void HostStream::clear(const Memory& memory) {
     const auto held = lock();
-    std::memset(host_memory(memory).data(), 0, memory.object()->description().bytes);
+    timed([&] { return Work{.name = "clear", .bytes = memory.description().bytes}; },
+          [&] { std::memset(host_memory(memory).data(), 0, memory.object()->description().bytes); });
 }
 
 void HostStream::copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) {
     const auto held = lock();
-    for (const CopyRegion& r : regions) {
-        std::memcpy(host_memory(to).data() + r.to, host_memory(from).data() + r.from, r.bytes);
-    }
+    timed([&] { return work_of("copy", regions); },
+          [&] {
+              for (const CopyRegion& r : regions) {
+                  std::memcpy(host_memory(to).data() + r.to, host_memory(from).data() + r.from, r.bytes);
+              }
+          });
 }
 
 void HostStream::copy_to_image(const Memory& buffer, const Memory& image, std::span<const ImageRegion> regions) {
     const auto held = lock();
-    const std::byte* packed = host_memory(buffer).data();
-    each_row(image, regions, [&](std::byte* texels, std::uint64_t offset, std::uint64_t length) {
-        std::memcpy(texels, packed + offset, length);
-    });
+    timed([&] { return work_of("copy", image, regions); },
+          [&] {
+              const std::byte* packed = host_memory(buffer).data();
+              each_row(image, regions, [&](std::byte* texels, std::uint64_t offset, std::uint64_t length) {
+                  std::memcpy(texels, packed + offset, length);
+              });
+          });
 }
 
 void HostStream::copy_from_image(const Memory& image, const Memory& buffer, std::span<const ImageRegion> regions) {
     const auto held = lock();
-    std::byte* packed = host_memory(buffer).data();
-    each_row(image, regions, [&](std::byte* texels, std::uint64_t offset, std::uint64_t length) {
-        std::memcpy(packed + offset, texels, length);
-    });
+    timed([&] { return work_of("copy", image, regions); },
+          [&] {
+              std::byte* packed = host_memory(buffer).data();
+              each_row(image, regions, [&](std::byte* texels, std::uint64_t offset, std::uint64_t length) {
+                  std::memcpy(packed + offset, texels, length);
+              });
+          });
 }
 
 void HostStream::copy_images(const Memory& from, const Memory& to, std::span<const ImageCopyRegion> regions) {
     const auto held = lock();
-    const std::uint64_t texel = texel_bytes(from.description().format);
-    for (const ImageCopyRegion& r : regions) {
-        for (std::uint32_t z = 0; z < r.extent[2]; ++z) {
-            for (std::uint32_t y = 0; y < r.extent[1]; ++y) {
-                std::memcpy(texel_address(to, {r.to[0], r.to[1] + y, r.to[2] + z}, r.to_mip, r.to_face),
-                            texel_address(from, {r.from[0], r.from[1] + y, r.from[2] + z}, r.from_mip, r.from_face),
-                            r.extent[0] * texel);
-            }
-        }
-    }
+    timed([&] { return work_of("copy", from, regions); },
+          [&] {
+              const std::uint64_t texel = texel_bytes(from.description().format);
+              for (const ImageCopyRegion& r : regions) {
+                  for (std::uint32_t z = 0; z < r.extent[2]; ++z) {
+                      for (std::uint32_t y = 0; y < r.extent[1]; ++y) {
+                          std::memcpy(
+                              texel_address(to, {r.to[0], r.to[1] + y, r.to[2] + z}, r.to_mip, r.to_face),
+                              texel_address(from, {r.from[0], r.from[1] + y, r.from[2] + z}, r.from_mip, r.from_face),
+                              r.extent[0] * texel);
+                      }
+                  }
+              }
+          });
 }
 
 void HostStream::upload(const Memory& to, std::span<const CopyRegion> regions, std::span<const std::byte> bytes) {
     const auto held = lock();
-    for (const CopyRegion& r : regions) copy_bytes(host_memory(to).data() + r.to, bytes.data() + r.from, r.bytes);
+    timed([&] { return work_of("upload", regions); },
+          [&] {
+              for (const CopyRegion& r : regions)
+                  copy_bytes(host_memory(to).data() + r.to, bytes.data() + r.from, r.bytes);
+          });
 }
 
 void HostStream::upload_image(const Memory& image, std::span<const ImageRegion> regions,
                               std::span<const std::byte> bytes) {
     const auto held = lock();
-    each_row(image, regions, [&](std::byte* texels, std::uint64_t offset, std::uint64_t length) {
-        std::memcpy(texels, bytes.data() + offset, length);
-    });
+    timed([&] { return work_of("upload", image, regions); },
+          [&] {
+              each_row(image, regions, [&](std::byte* texels, std::uint64_t offset, std::uint64_t length) {
+                  std::memcpy(texels, bytes.data() + offset, length);
+              });
+          });
 }
 
 std::shared_ptr<DownloadObject> HostStream::download(const Memory& from, std::span<const CopyRegion> regions,
                                                      std::uint64_t count) {
     const auto held = lock();
     std::vector<std::byte> bytes(count);
-    for (const CopyRegion& r : regions) copy_bytes(bytes.data() + r.to, host_memory(from).data() + r.from, r.bytes);
+    timed([&] { return work_of("download", regions); },
+          [&] {
+              for (const CopyRegion& r : regions)
+                  copy_bytes(bytes.data() + r.to, host_memory(from).data() + r.from, r.bytes);
+          });
     return std::make_shared<HostDownload>(std::move(bytes));
 }
 
@@ -217,9 +277,12 @@ std::shared_ptr<DownloadObject> HostStream::download_image(const Memory& image, 
                                                            std::uint64_t count) {
     const auto held = lock();
     std::vector<std::byte> bytes(count);
-    each_row(image, regions, [&](std::byte* texels, std::uint64_t offset, std::uint64_t length) {
-        std::memcpy(bytes.data() + offset, texels, length);
-    });
+    timed([&] { return work_of("download", image, regions); },
+          [&] {
+              each_row(image, regions, [&](std::byte* texels, std::uint64_t offset, std::uint64_t length) {
+                  std::memcpy(bytes.data() + offset, texels, length);
+              });
+          });
     return std::make_shared<HostDownload>(std::move(bytes));
 }
 

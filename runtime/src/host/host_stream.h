@@ -42,13 +42,31 @@ public:
     /// Keeps other threads' commands from running as long as the result lives.
     std::unique_lock<std::recursive_mutex> lock() { return std::unique_lock(mutex_); }
 
+    /// Runs a command of a recording that is submitted.
+    void replay(const std::function<void(HostStream&)>& command, const std::vector<PathStep>& path, Run run);
+
 protected:
     DeviceObject& device_;
     HostCounters& counters_;
 
 private:
+    struct Replayed {
+        const std::vector<PathStep>& path;  ///< the pipelines in which the command was recorded
+        Run run;
+    };
+
+    /// Runs `body`. If the device is profiled, notes how long that took, of what work() returns.
+    template <class MakeWork, class Body> void timed(MakeWork&& work, Body&& body);
+
+    const Replayed* replayed_ = nullptr;  ///< the lock is held where this is not null
     /// Recursive: submitting a recording holds the lock while the steps run, and each step takes it again.
     std::recursive_mutex mutex_;
+};
+
+/// A recorded command.
+struct HostStep {
+    std::function<void(HostStream&)> command;
+    std::vector<PathStep> path;  ///< the pipelines in which it was recorded; empty if the device was not profiled
 };
 
 /// Records commands with copies of their arguments, except for kernels, which it refers to (kernel.h).
@@ -80,7 +98,7 @@ public:
     std::shared_ptr<RecordingObject> finish();
 
 private:
-    void note(std::function<void(HostStream&)> step);
+    void note(std::function<void(HostStream&)> command);
     Memory held(const Memory& memory);
     std::vector<Memory> held_all(std::span<const Memory> memories);
     std::vector<Patch> held_all(std::span<const Patch> patches);
@@ -92,7 +110,7 @@ private:
     std::shared_ptr<Workspace> workspace_ = std::make_shared<Workspace>();
     std::vector<std::shared_ptr<HostStorage>>
         blocks_;  ///< storage of the recording's temporaries; workspace_ says where in which block each lies
-    std::vector<std::function<void(HostStream&)>> steps_;
+    std::vector<HostStep> steps_;
     std::vector<Memory> held_;  ///< memories that the steps use
     std::unordered_set<const MemoryObject*> held_objects_;
 };

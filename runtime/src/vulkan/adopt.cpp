@@ -1,5 +1,6 @@
 // The functions of glift/vulkan.h.
 #include "../check.h"
+#include "../profile/process_profile.h"
 #include "../text.h"
 #include "vulkan_device.h"
 
@@ -63,7 +64,9 @@ Device adopt(const Objects& objects) {
                                            objects.queue_family,
                                            {objects.extensions.begin(), objects.extensions.end()},
                                            objects.get_instance_proc_addr});
-    return Device(std::make_shared<detail::VulkanDevice>(std::move(context)));
+    const Device device(std::make_shared<detail::VulkanDevice>(std::move(context)));
+    detail::profile_if_asked(device.share());
+    return device;
 }
 
 Device open(const Extensions& extensions, std::string_view which) {
@@ -74,8 +77,10 @@ Device open(const Extensions& extensions, std::string_view which) {
         throw Error(ErrorCode::wrong_argument, "the host device has no Vulkan extensions", "glift::vulkan::open", {},
                     "choose a Vulkan device, with GLIFT_DEVICE=lavapipe for example");
     }
-    return Device(detail::open_vulkan_device(which, {{extensions.instance.begin(), extensions.instance.end()},
-                                                     {extensions.device.begin(), extensions.device.end()}}));
+    const Device device(detail::open_vulkan_device(which, {{extensions.instance.begin(), extensions.instance.end()},
+                                                           {extensions.device.begin(), extensions.device.end()}}));
+    detail::profile_if_asked(device.share());
+    return device;
 }
 
 Commands record_into(const Device& device, VkCommandBuffer commands) {

@@ -1,6 +1,7 @@
 // A command buffer and what must live as long as it: parameters, staging, descriptor sets.
 #pragma once
 
+#include "pass_times.h"
 #include "pipelines.h"
 #include "vulkan/memory/chunks.h"
 
@@ -34,9 +35,10 @@ struct CommandBatch {
     VkCommandBuffer commands = VK_NULL_HANDLE;
     Arena parameters, upload, readback;
     DescriptorSets sets;
-    std::uint64_t value = 0;       ///< the timeline's value once the device is done with it
-    std::uint64_t operations = 0;  ///< recorded
-    std::uint64_t passes = 0;      ///< calls of kernels in a recording
+    std::shared_ptr<RecordedTimes> times;  ///< of a recording that was made while the device was profiled; else null
+    std::uint64_t value = 0;               ///< the timeline's value once the device is done with it
+    std::uint64_t operations = 0;          ///< recorded
+    std::uint64_t passes = 0;              ///< calls of kernels in a recording
 };
 
 }  // namespace glift::detail

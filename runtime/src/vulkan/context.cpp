@@ -120,6 +120,7 @@ void Context::read_limits(const FeatureChain& features) {
     instance->vk().vkGetPhysicalDeviceMemoryProperties(physical, &memory);
     const VkQueueFamilyProperties family = queue_families(*instance, physical)[queue_family];
     timestamp_bits = family.timestampValidBits;
+    has_labels = is_looked_at();
     can_draw = (family.queueFlags & VK_QUEUE_GRAPHICS_BIT) != 0;
     max_piece_bytes = properties.max_allocation_bytes;
     // Of an adopted device it is not known whether the feature sparseBinding was enabled.
@@ -137,6 +138,21 @@ void Context::read_limits(const FeatureChain& features) {
     VkPhysicalDeviceProperties2 all = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &push};
     instance->vk().vkGetPhysicalDeviceProperties2(physical, &all);
     max_push_descriptors = push.maxPushDescriptors;
+}
+
+/// Whether a tool that may show labels is active: drivers and layers list themselves. Without one labels would cost
+/// some hundred nanoseconds a pass, and nobody would see them.
+bool Context::is_looked_at() const {
+    const InstanceTable& all = instance->vk();
+    if (!all.vkCmdBeginDebugUtilsLabelEXT || !all.vkCmdEndDebugUtilsLabelEXT) return false;
+    // Old layers, such as the validation layer of Debian 12, know the extension's function only.
+    using List = Function<PFN_vkGetPhysicalDeviceToolProperties>;
+    const List of_extension(instance->entry()(instance->handle(), "vkGetPhysicalDeviceToolPropertiesEXT"));
+    for (const List& list : {all.vkGetPhysicalDeviceToolProperties, of_extension}) {
+        std::uint32_t tools = 0;
+        if (list && list(physical, &tools, nullptr) == VK_SUCCESS && tools != 0) return true;
+    }
+    return false;
 }
 
 DrawLimits Context::draw_limits() const {

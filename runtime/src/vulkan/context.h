@@ -60,7 +60,8 @@ public:
     DeviceTable vk;
     DeviceProperties properties;
     SubgroupSizes subgroups;
-    bool can_draw = false;  ///< the queue's family has graphics
+    bool has_labels = false;  ///< a debugger or a layer looks at the device: passes get labels
+    bool can_draw = false;    ///< the queue's family has graphics
     VkPhysicalDeviceProperties core = {};
     VkPhysicalDeviceMemoryProperties memory = {};
     std::uint32_t max_push_descriptors = 0;
@@ -76,6 +77,7 @@ private:
     std::vector<std::string> names_;  ///< copies, since the user's strings may be gone before the device
     void make_device(const FeatureChain& features);
     void read_limits(const FeatureChain& features);
+    bool is_looked_at() const;
 };
 
 }  // namespace glift::detail

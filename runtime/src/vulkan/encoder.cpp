@@ -66,7 +66,7 @@ constexpr VkMemoryBarrier2 between_everything = {
 
 }  // namespace
 
-Encoder::Encoder(VulkanDevice& device) : device_(device), context_(device.context()) {}
+Encoder::Encoder(VulkanDevice& device) : device_(device), context_(device.context()), labels_(device.context()) {}
 
 void Encoder::barrier() { barrier(between_work(draws_)); }
 

@@ -5,6 +5,7 @@
 #include "command_batch.h"
 #include "groups.h"
 #include "hazards.h"
+#include "labels.h"
 #include "vulkan/memory/vulkan_memory.h"
 
 namespace glift::detail {
@@ -21,6 +22,9 @@ public:
         prepared_ = {};
     }
     CommandBatch& batch() { return *batch_; }
+    VkCommandBuffer commands() const { return commands_; }
+    Labels& labels() { return labels_; }
+    void close_labels() { labels_.close(commands_); }
     void forget_pipeline() { bound_ = VK_NULL_HANDLE; }
 
     bool can_be_direct(const Kernel& kernel, std::span<const Memory> memories, const std::array<std::uint32_t, 4>& size,
@@ -86,6 +90,7 @@ private:
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
     CommandBatch* batch_ = nullptr;
     VkPipeline bound_ = VK_NULL_HANDLE;
+    Labels labels_;
     Hazards hazards_;
     /// The list of passes that the last preparing pass prepares (prepare_indirect.comp). Passes are added to the list
     /// as long as it has room and, since prepared_at_, no command has written the values that the added pass needs.

@@ -27,7 +27,12 @@ public:
         require_current(held_);
         const std::lock_guard lock(device_->mutex());
         device_->stream_of_device().submit();
-        batch_->value = device_->submit(batch_->commands);
+        if (batch_->times) await_times();
+        if (device_->profiler().is_on() && !batch_->times) {
+            device_->stream_of_device().timed({.name = "recording", .has_uncounted_bytes = true}, [&] { run(); });
+        } else {
+            run();
+        }
         device_->counters().passes += batch_->passes;
         device_->collect();
     }
@@ -35,6 +40,19 @@ public:
     std::uint64_t workspace_bytes() const override { return workspace_bytes_; }
 
 private:
+    void run() {
+        batch_->value = device_->submit(batch_->commands);
+        if (device_->profiler().is_on() && batch_->times) device_->pass_times().add(batch_->times, batch_->value);
+    }
+
+    /// The replay would write over the timestamps of the last one.
+    void await_times() {
+        const std::uint64_t value = device_->pass_times().unread(*batch_->times);
+        if (value == 0) return;
+        device_->timeline().wait(value);
+        device_->collect();
+    }
+
     std::shared_ptr<VulkanDevice> device_;
     std::unique_ptr<CommandBatch> batch_;
     std::vector<Memory> held_;
@@ -125,11 +143,19 @@ RecordingStream::RecordingStream(std::shared_ptr<VulkanDevice> device) : Holding
 
 void RecordingStream::count_pass() { ++batch_->passes; }
 
+Query RecordingStream::take_query() {
+    if (!batch_->times) batch_->times = std::make_shared<RecordedTimes>(device_.context());
+    return batch_->times->take(batch_->commands);
+}
+
+void RecordingStream::note_times(TimedWork times) { batch_->times->add(std::move(times)); }
+
 std::shared_ptr<RecordingObject> RecordingStream::finish() {
     const std::lock_guard lock(device_.mutex());
     open();
     close();
     encoder_.full_barrier();
+    encoder_.close_labels();
     Context& context = device_.context();
     context.check(context.vk.vkEndCommandBuffer(batch_->commands), "vkEndCommandBuffer");
     return std::make_shared<VulkanRecording>(keep_, std::move(batch_), std::move(held_), workspace_->bytes());

@@ -64,6 +64,10 @@ void ImmediateStream::open() {
     if (!batch_) open_batch();
 }
 
+Query ImmediateStream::take_query() { return device_.queries().take(); }
+
+void ImmediateStream::note_times(TimedWork times) { device_.pass_times().add(std::move(times), open_value()); }
+
 void ImmediateStream::open_batch() {
     device_.context().require_not_lost();
     device_.collect();
@@ -101,6 +105,7 @@ void ImmediateStream::submit() {
     ends_in_download_ = false;
     staged_bytes_ = 0;
     encoder_.full_barrier();
+    encoder_.close_labels();
     Context& context = device_.context();
     context.check(context.vk.vkEndCommandBuffer(batch->commands), "vkEndCommandBuffer");
     try {
@@ -122,7 +127,8 @@ void ImmediateStream::collect(std::uint64_t completed) {
 void ImmediateStream::clear_new(const VulkanMemory& memory) {
     if (memory.is_buffer() && !memory.description().zeroed) return;
     open();
-    encoder_.clear_new(memory);
+    marked([&] { return Work{.name = "clear", .bytes = memory.description().bytes}; },
+           [&] { encoder_.clear_new(memory); });
     recorded();
 }
 
@@ -139,14 +145,20 @@ std::shared_ptr<DownloadObject> ImmediateStream::download(const Memory& from, st
                                                           std::uint64_t bytes) {
     const std::lock_guard lock(device_.mutex());
     if (!batch_) open_batch();
-    return ticket(encoder_.download(vulkan_memory(from), regions, bytes), bytes);
+    Slice slice;
+    marked([&] { return work_of("download", regions); },
+           [&] { slice = encoder_.download(vulkan_memory(from), regions, bytes); });
+    return ticket(slice, bytes);
 }
 
 std::shared_ptr<DownloadObject>
 ImmediateStream::download_image(const Memory& image, std::span<const ImageRegion> regions, std::uint64_t bytes) {
     const std::lock_guard lock(device_.mutex());
     if (!batch_) open_batch();
-    return ticket(encoder_.download_image(vulkan_memory(image), regions, bytes), bytes);
+    Slice slice;
+    marked([&] { return work_of("download", image, regions); },
+           [&] { slice = encoder_.download_image(vulkan_memory(image), regions, bytes); });
+    return ticket(slice, bytes);
 }
 
 std::shared_ptr<TimestampObject> ImmediateStream::timestamp() {

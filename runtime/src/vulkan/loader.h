@@ -53,11 +53,14 @@ private:
     X(vkCreateDevice) \
     X(vkGetDeviceProcAddr)
 
-// Those of extensions, null where the extension is not enabled.
+// Those of extensions, null where the extension is not enabled, and one that old layers lack.
 #define GLIFT_INSTANCE_EXTENSION_FUNCTIONS(X) \
     X(vkCreateDebugUtilsMessengerEXT) \
     X(vkDestroyDebugUtilsMessengerEXT) \
-    X(vkSetDebugUtilsObjectNameEXT)
+    X(vkSetDebugUtilsObjectNameEXT) \
+    X(vkCmdBeginDebugUtilsLabelEXT) \
+    X(vkCmdEndDebugUtilsLabelEXT) \
+    X(vkGetPhysicalDeviceToolProperties)
 
 #define GLIFT_DEVICE_FUNCTIONS(X) \
     X(vkAllocateCommandBuffers) \
@@ -83,6 +86,7 @@ private:
     X(vkCmdFillBuffer) \
     X(vkCmdPipelineBarrier2) \
     X(vkCmdPushConstants) \
+    X(vkCmdResetQueryPool) \
     X(vkCmdSetScissor) \
     X(vkCmdSetViewport) \
     X(vkCmdWriteTimestamp2) \

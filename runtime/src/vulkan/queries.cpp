@@ -2,6 +2,8 @@
 
 #include <glift/error.h>
 
+#include <cmath>
+
 namespace glift::detail {
 
 namespace {
@@ -39,13 +41,28 @@ void Queries::give_back(Query query) {
     idle_.push_back(query);
 }
 
-double Queries::seconds(Query query) {
+std::optional<std::uint64_t> Queries::ticks(Query query, VkQueryResultFlags flags) {
     std::uint64_t ticks = 0;
-    context_.check(context_.vk.vkGetQueryPoolResults(context_.device, query.pool, query.index, 1, sizeof ticks, &ticks,
-                                                     sizeof ticks, VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
-                   "vkGetQueryPoolResults");
+    const VkResult result = context_.vk.vkGetQueryPoolResults(context_.device, query.pool, query.index, 1, sizeof ticks,
+                                                              &ticks, sizeof ticks, VK_QUERY_RESULT_64_BIT | flags);
+    context_.check(result, "vkGetQueryPoolResults");
+    if (result == VK_NOT_READY) return std::nullopt;
     if (context_.timestamp_bits < 64) ticks &= (std::uint64_t(1) << context_.timestamp_bits) - 1;
-    return static_cast<double>(ticks) * context_.properties.timestamp_seconds;
+    return ticks;
+}
+
+double Queries::seconds(Query query) {
+    return static_cast<double>(ticks(query, VK_QUERY_RESULT_WAIT_BIT).value_or(0)) *
+           context_.properties.timestamp_seconds;
+}
+
+// Clocks may count from 1970: doubles, of 53 bits, would round nanoseconds to hundreds.
+std::optional<std::int64_t> Queries::nanoseconds(Query query) {
+    const std::optional<std::uint64_t> count = ticks(query, 0);
+    if (!count) return std::nullopt;
+    const double tick = context_.properties.timestamp_seconds * 1e9;
+    if (std::abs(tick - 1) < 1e-6) return static_cast<std::int64_t>(*count);
+    return static_cast<std::int64_t>(static_cast<long double>(*count) * tick);
 }
 
 }  // namespace glift::detail

@@ -4,6 +4,7 @@
 #include "context.h"
 
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace glift::detail {
@@ -21,8 +22,12 @@ public:
     Query take();                 ///< the device's lock is held; the query is reset
     void give_back(Query query);  ///< from any thread, after the device is done with it
     double seconds(Query query);  ///< of a query that the device has written
+    /// Nothing if the device has not written the query.
+    std::optional<std::int64_t> nanoseconds(Query query);
 
 private:
+    std::optional<std::uint64_t> ticks(Query query, VkQueryResultFlags flags);
+
     Context& context_;
     std::mutex mutex_;
     std::vector<VkQueryPool> pools_;

@@ -1,5 +1,6 @@
 #include "vulkan_device.h"
 
+#include "../profile/process_profile.h"
 #include "../report.h"
 #include "../text.h"
 #include "fill_words.h"
@@ -28,6 +29,7 @@ VulkanDevice::VulkanDevice(std::unique_ptr<Context> context)
     : context_(std::move(context)), timeline_(std::make_unique<Timeline>(*context_)), exit_wait_(*timeline_),
       allocator_(std::make_unique<Allocator>(*context_)), chunks_(std::make_unique<ChunkPool>(*context_, *allocator_)),
       pipelines_(std::make_unique<Pipelines>(*context_)), queries_(std::make_unique<Queries>(*context_)),
+      pass_times_(std::make_unique<PassTimes>(*queries_, profiler())),
       prepare_(*context_, "glift prepare indirect", ::prepare_indirect, sizeof(VkDeviceAddress)),
       fill_(*context_, "glift fill", ::fill_words, sizeof(FillArguments)),
       stream_(std::make_unique<ImmediateStream>(*this)) {
@@ -44,14 +46,38 @@ VulkanDevice::~VulkanDevice() {
         // If the device was lost meanwhile there is nothing to wait for. If host memory ran out, this call may succeed.
         if (!context_->lost) std::ignore = context_->vk.vkQueueWaitIdle(context_->queue);
     }
+    keep_times();
     stream_.reset();
     completed_ = UINT64_MAX;
     destroy_retired(completed_);
     idle_batches_.clear();
     status_.reset();
+    pass_times_.reset();
     queries_.reset();
     pipelines_.reset();
     chunks_->clear();
+}
+
+void VulkanDevice::start_profile() {
+    if (!context_->timestamp_bits)
+        throw Error(ErrorCode::missing_feature, "the device's queue has no timestamps, which a profile needs",
+                    context_->properties.name, {}, "profile on the host device (GLIFT_DEVICE=host) or on another one");
+    profiler().turn_on();
+}
+
+void VulkanDevice::finish_profile() {
+    timeline_->wait(timeline_->submitted());
+    const std::lock_guard lock(mutex_);
+    collect();
+}
+
+void VulkanDevice::keep_times() {
+    try {
+        if (!context_->lost) pass_times_->read(timeline_->completed());
+    } catch (const Error&) {
+        // A lost device has no times.
+    }
+    keep_profile(*this);
 }
 
 MemoryId VulkanDevice::new_id() {
@@ -323,6 +349,7 @@ void VulkanDevice::destroy_retired(std::uint64_t completed) {
 void VulkanDevice::collect() {
     completed_ = timeline_->completed();
     stream_->collect(completed_);
+    pass_times_->read(completed_);
     destroy_retired(completed_);
     chunks_->trim();
 }

@@ -5,6 +5,7 @@
 #include "exit_wait.h"
 #include "immediate_stream.h"
 #include "internal_pass.h"
+#include "pass_times.h"
 #include "queries.h"
 #include "timeline.h"
 #include "vulkan/memory/vulkan_memory.h"
@@ -33,6 +34,8 @@ public:
     std::shared_ptr<RecordingObject> end_recording(Stream& stream) override;
     Statistics statistics() override;
     std::vector<std::string> validation_messages() override { return context_->instance->take_messages(); }
+    void start_profile() override;
+    void finish_profile() override;
 
     /// The device's lock, held around everything that records, submits or allocates.
     std::mutex& mutex() { return mutex_; }
@@ -51,6 +54,7 @@ public:
     ChunkPool& chunks() { return *chunks_; }
     Pipelines& pipelines() { return *pipelines_; }
     Queries& queries() { return *queries_; }
+    PassTimes& pass_times() { return *pass_times_; }
     VkBuffer status_buffer() const { return status_->buffer; }
     /// Runs prepare_indirect.comp. The push constant is the address of the list of passes that it prepares.
     InternalPass& prepare_pass() { return prepare_; }
@@ -103,6 +107,7 @@ private:
     void destroy(Retired& retired);
     void destroy_retired(std::uint64_t completed);
     void check_reports();
+    void keep_times();
     MemoryId new_id();
 
     std::unique_ptr<Context> context_;
@@ -114,6 +119,7 @@ private:
     std::unique_ptr<ChunkPool> chunks_;
     std::unique_ptr<Pipelines> pipelines_;
     std::unique_ptr<Queries> queries_;
+    std::unique_ptr<PassTimes> pass_times_;
     std::shared_ptr<Chunk> status_;
     InternalPass prepare_, fill_;
     std::vector<std::unique_ptr<CommandBatch>> idle_batches_;

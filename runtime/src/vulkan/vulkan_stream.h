@@ -26,15 +26,37 @@ public:
 
 protected:
     /// Called with the device's lock held.
-    virtual void open() = 0;               ///< before something is recorded
-    virtual void recorded() {}             ///< after a command
-    virtual void count_pass();             ///< after a call of a kernel, however many elements it is for
-    virtual void hold(const Memory&) {}    ///< a recorded command uses this memory
+    virtual void open() = 0;                   ///< before something is recorded
+    virtual void recorded() {}                 ///< after a command
+    virtual void count_pass();                 ///< after a call of a kernel, however many elements it is for
+    virtual void hold(const Memory&) {}        ///< a recorded command uses this memory
+    virtual Query take_query() { return {}; }  ///< for a timestamp; none: times are not taken
+    virtual void note_times(TimedWork) {}
     virtual void staged(std::uint64_t) {}  ///< after an upload or a part of a large one: its bytes of staging
+
+    /// Records what `encode` does, with a label and timestamps around it where they are wanted. work() says what it is;
+    /// it is called only then.
+    template <class MakeWork, class Encode> void marked(MakeWork&& work, Encode&& encode);
+    void begin_marked(const Work& work, std::optional<TimedWork>& times);
+    void end_marked(std::optional<TimedWork>& times);
+    bool is_marked() const;
 
     VulkanDevice& device_;
     Encoder encoder_;
 };
+
+template <class MakeWork, class Encode> void VulkanStream::marked(MakeWork&& work, Encode&& encode) {
+    if (!is_marked()) return encode();
+    std::optional<TimedWork> times;
+    begin_marked(work(), times);
+    try {
+        encode();
+    } catch (...) {
+        encoder_.labels().end(encoder_.commands());
+        throw;
+    }
+    end_marked(times);
+}
 
 /// Records once for many submissions, or into the user's command buffer. Holds every memory that recorded commands use;
 /// temporaries with disjoint lifetimes share storage.
@@ -71,6 +93,8 @@ public:
 
 private:
     void count_pass() override;  ///< counted again at each submission
+    Query take_query() override;
+    void note_times(TimedWork times) override;
 };
 
 class ExternalStream final : public HoldingStream {
@@ -80,6 +104,7 @@ public:
 
 private:
     void open() override;
+    void recorded() override { encoder_.close_labels(); }  // the program may record labels of its own now
 };
 
 }  // namespace glift::detail

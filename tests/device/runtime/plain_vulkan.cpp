@@ -85,6 +85,22 @@ VKAPI_ATTR VkResult VKAPI_CALL submit_in_the_old_way(VkQueue queue, std::uint32_
     return vkQueueSubmit(queue, count, infos, fence);
 }
 
+VKAPI_ATTR void VKAPI_CALL begin_label(VkCommandBuffer, const VkDebugUtilsLabelEXT* label) {
+    pretence.labels.push_back(std::string("begin ") + label->pLabelName);
+}
+
+VKAPI_ATTR void VKAPI_CALL end_label(VkCommandBuffer) { pretence.labels.push_back("end"); }
+
+VKAPI_ATTR VkResult VKAPI_CALL set_name(VkDevice, const VkDebugUtilsObjectNameInfoEXT* info) {
+    pretence.names.push_back(info->pObjectName);
+    return VK_SUCCESS;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL list_tools(VkPhysicalDevice, std::uint32_t* count, VkPhysicalDeviceToolProperties*) {
+    *count = pretence.tools;
+    return VK_SUCCESS;
+}
+
 template <class Function> PFN_vkVoidFunction erased(Function function) {
     return reinterpret_cast<PFN_vkVoidFunction>(function);
 }
@@ -165,6 +181,12 @@ PFN_vkVoidFunction VKAPI_CALL pretending_loader(VkInstance instance, const char*
     if (!std::strcmp(name, "vkGetPhysicalDeviceProperties2")) return erased(get_more_properties);
     if (!std::strcmp(name, "vkGetPhysicalDeviceFeatures2")) return erased(get_features);
     if (!std::strcmp(name, "vkGetDeviceProcAddr")) return erased(device_function);
+    if (pretence.notes_labels) {
+        if (!std::strcmp(name, "vkCmdBeginDebugUtilsLabelEXT")) return erased(begin_label);
+        if (!std::strcmp(name, "vkCmdEndDebugUtilsLabelEXT")) return erased(end_label);
+        if (!std::strcmp(name, "vkSetDebugUtilsObjectNameEXT")) return erased(set_name);
+        if (std::strstr(name, "vkGetPhysicalDeviceToolProperties")) return erased(list_tools);
+    }
     return vkGetInstanceProcAddr(instance, name);
 }
 

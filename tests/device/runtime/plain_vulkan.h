@@ -31,6 +31,11 @@ struct Pretence {
     VkResult failure = VK_ERROR_OUT_OF_HOST_MEMORY;
     const char* failed = "";  ///< name of the function that failed
 
+    bool notes_labels = false;  ///< labels and names are noted, and the tools are these
+    std::uint32_t tools = 0;
+    std::vector<std::string> labels;  ///< `begin NAME`, `end`
+    std::vector<std::string> names;   ///< of objects
+
     std::uint64_t submissions = 0;      ///< submissions to the device, if failing_call is 0
     std::uint64_t command_buffers = 0;  ///< command buffers in them
 };

@@ -6,6 +6,11 @@
 #include <glift/glift.h>
 #include <glift/structure.h>
 
+static_assert(GLIFT_VERSION_MAJOR == 0 && GLIFT_VERSION_MINOR == 1,
+              "gliftc 0.1 made this, and the Glift headers found are of another version: "
+              "run the gliftc that belongs to them, or compile with the headers and library of "
+              "Glift 0.1");
+
 /// Operators that are values of structs. A kernel's shader has a push constant for each scalar field of its
 /// operator: one for `Affine`, none for `Max`, which has no fields. Functions of the shader take the struct itself,
 /// and no parameter for one without fields.

@@ -6,6 +6,11 @@
 #include <glift/glift.h>
 #include <glift/structure.h>
 
+static_assert(GLIFT_VERSION_MAJOR == 0 && GLIFT_VERSION_MINOR == 1,
+              "gliftc 0.1 made this, and the Glift headers found are of another version: "
+              "run the gliftc that belongs to them, or compile with the headers and library of "
+              "Glift 0.1");
+
 /// Random reads: a gather through a structure of addresses.
 
 namespace std_array {

@@ -6,6 +6,11 @@
 #include <glift/glift.h>
 #include <glift/structure.h>
 
+static_assert(GLIFT_VERSION_MAJOR == 0 && GLIFT_VERSION_MINOR == 1,
+              "gliftc 0.1 made this, and the Glift headers found are of another version: "
+              "run the gliftc that belongs to them, or compile with the headers and library of "
+              "Glift 0.1");
+
 /// Memory that is a structure: made for the one that has it (as in `Paged`), or a given one (as in `Same`). A frame
 /// that the table gives may be beyond the memory: its elements are absent. Of a physical address, {element in its
 /// page, frame}, only the frame is checked: the compiler proves that the other lies inside.
