@@ -236,7 +236,9 @@ void add_server(CLI::App& app, Options& options) {
     CLI::App* sub =
         app.add_subcommand("lsp", "Serve an editor: the language server protocol on standard input and output");
     sub->fallthrough();
-    sub->add_flag_callback("--stdio", [] {}, "Accepted, since some editors pass it")->group("");
+    sub->add_flag_callback(
+           "--stdio", [] {}, "Accepted, since some editors pass it")
+        ->group("");
     sub->parse_complete_callback([&options] { options.command = Command::lsp; });
 }
 
