@@ -1,6 +1,7 @@
 // Interfaces of the objects behind the public handles, implemented in vulkan/ and host/.
 #pragma once
 
+#include "messages.h"
 #include "workspace.h"
 
 #include <glift/commands.h>
@@ -143,6 +144,10 @@ public:
     virtual std::shared_ptr<RecordingObject> end_recording(Stream& stream) = 0;
     virtual Statistics statistics() = 0;
     virtual std::vector<std::string> validation_messages() = 0;
+    MessageOutlet& messages() { return messages_; }
+
+private:
+    MessageOutlet messages_;
 };
 
 /// The object behind the handle; throws for an empty one.

@@ -7,5 +7,6 @@
 #include <glift/error.h>
 #include <glift/log.h>
 #include <glift/memory.h>
+#include <glift/message.h>
 #include <glift/pass.h>
 #include <glift/recording.h>

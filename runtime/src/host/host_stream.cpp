@@ -134,8 +134,24 @@ void HostStream::dispatch(const Kernel& kernel, const Call& call) {
     const bool runs = host.size[0] && host.size[1] && host.size[2] && host.size[3];
     const bool is_promised = runs && tests_promises() && !call.targets && relies_on_promise(kernel, call.memories);
     if (is_promised) check_promises(kernel, form, call.memories, host);
-    if (runs) form.host(host);
+    if (runs) run(kernel, form, host);
     if (kernel.reports && record.code != StatusRecord::fine) throw_report(Reporter(kernel), record);
+}
+
+/// Runs the kernel, and delivers what it prints.
+void HostStream::run(const Kernel& kernel, const Form& form, HostCall& call) {
+    if (kernel.messages.empty()) return form.host(call);
+    if (messages_.empty()) {
+        messages_.resize(message_bytes() / sizeof(MessageHeader));
+        messages_[0].capacity = static_cast<std::uint32_t>((messages_.size() - 1) * sizeof(MessageHeader) / 4);
+    }
+    MessageHeader& header = messages_[0];
+    call.messages = &header;
+    PrintingKernels kernels;
+    const std::uint32_t number = kernels.number_of(kernel.digest, kernel);
+    reinterpret_cast<std::uint32_t*>(&header + 1)[header.used++] = PrintingKernels::mark_of(number);
+    form.host(call);
+    device_.messages().deliver(kernels.take(header));
 }
 
 void HostStream::fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) {
@@ -207,6 +223,7 @@ void HostStream::upload_image(const Memory& image, std::span<const ImageRegion> 
 
 std::shared_ptr<DownloadObject> HostStream::download(const Memory& from, std::span<const CopyRegion> regions,
                                                      std::uint64_t count) {
+    device_.messages().throw_failed();
     const auto held = lock();
     std::vector<std::byte> bytes(count);
     for (const CopyRegion& r : regions) copy_bytes(bytes.data() + r.to, host_memory(from).data() + r.from, r.bytes);
@@ -215,6 +232,7 @@ std::shared_ptr<DownloadObject> HostStream::download(const Memory& from, std::sp
 
 std::shared_ptr<DownloadObject> HostStream::download_image(const Memory& image, std::span<const ImageRegion> regions,
                                                            std::uint64_t count) {
+    device_.messages().throw_failed();
     const auto held = lock();
     std::vector<std::byte> bytes(count);
     each_row(image, regions, [&](std::byte* texels, std::uint64_t offset, std::uint64_t length) {

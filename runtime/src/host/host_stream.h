@@ -37,7 +37,7 @@ public:
                                                    std::uint64_t bytes) override;
     std::shared_ptr<TimestampObject> timestamp() override;
     void flush() override {}
-    void wait() override {}
+    void wait() override { device_.messages().throw_failed(); }
 
     /// Keeps other threads' commands from running as long as the result lives.
     std::unique_lock<std::recursive_mutex> lock() { return std::unique_lock(mutex_); }
@@ -47,6 +47,9 @@ protected:
     HostCounters& counters_;
 
 private:
+    void run(const Kernel& kernel, const Form& form, HostCall& call);
+
+    std::vector<MessageHeader> messages_;  ///< the buffer of messages: a header, and words in the place of others
     /// Recursive: submitting a recording holds the lock while the steps run, and each step takes it again.
     std::recursive_mutex mutex_;
 };

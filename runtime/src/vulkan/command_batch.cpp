@@ -78,6 +78,7 @@ bool CommandBatch::reset() {
     upload.clear();
     readback.clear();
     operations = passes = 0;
+    prints = false;
     return context.vk.vkResetCommandPool(context.device, pool, 0) == VK_SUCCESS && sets.reset();
 }
 

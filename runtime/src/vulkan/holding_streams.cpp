@@ -28,6 +28,7 @@ public:
         const std::lock_guard lock(device_->mutex());
         device_->stream_of_device().submit();
         batch_->value = device_->submit(batch_->commands);
+        if (batch_->prints) device_->note_printing(batch_->value);
         device_->counters().passes += batch_->passes;
         device_->collect();
     }
