@@ -32,7 +32,7 @@
 #
 # Call it in the folder that makes the target. The files of a target must differ in name. Kernels are compiled with -O3
 # in builds of every type, and without a type, Debug aside. In builds of type Release and MinSizeRel their SPIR-V is
-# made smaller (gliftc -O).
+# made smaller (gliftc -O), and `print` and `assert` are left out (gliftc --no-print; OPTIONS --print keeps them).
 #
 # gliftc rewrites an output only if its bytes change. So the build rule's output is a stamp file, and gliftc's outputs
 # are byproducts: where an import was touched but not changed, no C++ is compiled again, and a second build does
@@ -173,7 +173,8 @@ function(glift_compile)
         OUTPUT ${stamp}
         BYPRODUCTS ${headers} ${codes} ${spirv}
         COMMAND glift::gliftc -o ${out} --depfile ${out}/${first}.d --target=cpp --target=host
-                "$<$<CONFIG:Debug,RelWithDebInfo>:-g>" "$<$<CONFIG:Release,MinSizeRel>:-O>" ${arguments} ${sources}
+                "$<$<CONFIG:Debug,RelWithDebInfo>:-g>" "$<$<CONFIG:Release,MinSizeRel>:-O>" "$<$<CONFIG:Release,MinSizeRel>:--no-print>"
+                ${arguments} ${sources}
         COMMAND ${CMAKE_COMMAND} -D DEPFILE=${out}/${first}.d -D STAMP=${stamp}
                 -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/GliftDepfile.cmake
         DEPENDS ${sources} $<TARGET_FILE:glift::gliftc>

@@ -151,6 +151,9 @@ void add_output_options(CLI::App& app, Options& options, Typed& typed) {
         ->check(CLI::IsMember({32, 64}))
         ->group("Output");
     app.add_flag("--checked", options.checked, "Generated code reports accesses out of range")->group("Output");
+    app.add_flag("--print,!--no-print", options.messages,
+                 "Compile print and assert in, which is the default; --no-print leaves them out")
+        ->group("Output");
     app.add_flag("--host-only", options.host_only, "Generated C++ holds no SPIR-V: it runs on the host device only")
         ->group("Output");
     app.add_option("--shards", options.shards,

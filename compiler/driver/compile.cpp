@@ -75,6 +75,8 @@ Result compile(const Options& options, const FileSystem& files, Compilation& c) 
         c.loaded.modules, c.tree, c.names, c.diagnostics,
         {.defines = options.defines,
          .looks_into_tables = options.command == Command::test,
+         .messages = options.messages,
+         .source_text = [&](Span span) { return c.sources.text(span); },
          .module_with = [&](std::string_view name) { return module_with_declaration(options, files, name); }});
     clock.lap("sema");
     if (options.dump == Stage::sema) result.dump = ir::print(c.program);

@@ -33,6 +33,7 @@ struct Options {
     std::string stop_after_pass, dump_after;  ///< names of passes (lower/passes.h); empty: none
     bool check_only = false;                  ///< --check: report, write nothing (fmt: say what is not formatted)
     bool checked = false;                     ///< --checked: generated code reports accesses out of range
+    bool messages = true;                     ///< --no-print: `print` and `assert` make no code
     bool optimize = false;                    ///< -O: SPIR-V through spirv-opt
     std::uint32_t address_bits = 32;          ///< --address-bits: of physical addresses in kernels, 32 or 64
     bool host_only = false;                   ///< --host-only: C++ without SPIR-V inside

@@ -187,6 +187,13 @@ struct Effect {
     bool is_own = false;  ///< the function itself declares it; false: inherited from a call
 };
 
+/// What a `print` or a failing `assert` prints.
+struct Message {
+    std::string text;  ///< with a placeholder for each scalar, as in glift::MessageFormat (glift/message.h)
+    bool is_assertion = false;
+    Span span;  ///< the statement
+};
+
 struct Function {
     Name name;            ///< the declaration's
     std::string display;  ///< name with generic arguments, for comments and messages: linearize<3>
@@ -205,10 +212,13 @@ struct Function {
     ModuleId module;
     std::string extern_name;  ///< the C++ function to call instead (host only); else empty
     std::string doc;
+    Span prints;             ///< where it, or a function that it calls, first prints or asserts; empty: nowhere
+    bool is_silent = false;  ///< messages are compiled out, so that it prints nothing
     bool grouped() const { return group[0] != 0; }
-    /// Whether calls are expanded as statements, not within expressions: a barrier or a write must be executed exactly
-    /// once, where the call stands.
-    bool is_statements() const { return grouped() || !effects.empty(); }
+    bool has_messages() const { return prints && !is_silent; }
+    /// Whether calls are expanded as statements, not within expressions: a barrier, a write or a message must be
+    /// executed exactly once, where the call stands.
+    bool is_statements() const { return grouped() || !effects.empty() || has_messages(); }
 };
 
 // --------------------------------------------------------------------------------------------------- declarations
@@ -488,6 +498,7 @@ struct Kernel {
     /// through the second one in the same pass.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> disjoint;
     bool fast_math = false;  ///< @fast_math: shaders divide and take roots as the device does, and may fuse arithmetic
+    bool has_messages = false;      ///< it, or a function that it calls, prints or asserts, and messages are compiled in
     bool accesses_outside = false;  ///< @accesses_outside: checked builds report no accesses outside structures
     std::optional<Raster> raster;   ///< of a kernel that draws: `body` is then the vertex part
     /// The parameter whose blocks the kernel visits (see Blocks); none: it visits a whole range.
@@ -574,6 +585,7 @@ struct Program {
     Table<Kernel> kernels;
     Table<Pipeline> pipelines;
     std::vector<Test> tests;
+    std::vector<Message> messages;  ///< in the order in which sema finds them; Stmt::slot of a `print` is an index
     /// The kernels that copy a box of a structure's elements to or from a linear buffer, which is a structure of the
     /// instance `box_structure`, or fill the box with a value. write_kernel and fill_kernel are empty if C++ may not
     /// write the structure (is_written_in_boxes() of ir/effects.h).

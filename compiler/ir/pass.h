@@ -164,6 +164,7 @@ struct Pass {
     bool has_reports = false;          ///< some statement is a `report`. The same in all forms
     std::vector<std::uint32_t> files;  ///< source files that errors reported by shaders (has_status()) name, the
                                        ///< kernel's first. The same in all forms
+    std::vector<std::uint32_t> messages;  ///< indices in Program::messages of those that it prints. The same in all forms
     bool exact = true;                 ///< devices agree bit for bit: no intrinsic that is inexact for its operands, no
                                        ///< sum of floats by atomic operations, no sampler that filters or compares, no
                                        ///< image of format r8, rg8 or rgba8, no rasterisation. The same in all forms
@@ -188,6 +189,8 @@ struct Pass {
     /// Whether there is a binding after the others for the status record, in which shaders report errors: accesses
     /// outside a structure, and loops that reach the device's limit.
     bool has_status() const { return has_reports || counts_rounds(); }
+    /// The number, among the pass's own, of the message that a `print` prints.
+    std::uint32_t message_of(const Stmt& print) const;
 };
 
 /// Calls visit(slot, struct) for each field of a store's path, outermost first. Returns the type of what the store

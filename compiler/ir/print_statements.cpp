@@ -56,6 +56,9 @@ void Printer::stmt(const Stmt& stmt) {
         line("}");
         break;
     case StmtOp::evaluate: line(expr(stmt.value) + ";"); break;
+    case StmtOp::print:
+        line("print(" + std::to_string(stmt.slot) + (stmt.value ? ", " + expr(stmt.value) : "") + ");");
+        break;
     case StmtOp::barrier: line("barrier();"); break;
     case StmtOp::subgroup_barrier: line("subgroupBarrier();"); break;
     case StmtOp::set_element: line(place(stmt.place) + field(stmt) + " = " + expr(stmt.value) + ";"); break;

@@ -105,6 +105,18 @@ Stmt Reader::cut() {
     return stmt;
 }
 
+/// Reads the rest of: print(message, words); or print(message);
+Stmt Reader::print() {
+    Stmt stmt;
+    stmt.op = StmtOp::print;
+    expect("(");
+    stmt.slot = static_cast<std::uint32_t>(number());
+    if (accept(",")) stmt.value = expr();
+    expect(")");
+    expect(";");
+    return stmt;
+}
+
 /// Reads the rest of: keep var name: type; where `let` or `tmp` may stand in place of `var`.
 Stmt Reader::keep() {
     const bool is_mutable = accept("var"), is_temporary = !is_mutable && accept("tmp");
@@ -223,6 +235,7 @@ Stmt Reader::statement() {
     if (accept("discard")) return simple(StmtOp::discard);
     if (accept("barrier()")) return simple(StmtOp::barrier);
     if (accept("subgroupBarrier()")) return simple(StmtOp::subgroup_barrier);
+    if (accept("print")) return print();
     if (accept("keep")) return keep();
     if (accept("invocations")) {
         Stmt stmt;

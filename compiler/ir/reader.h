@@ -72,6 +72,7 @@ private:
     Stmt move_of_rows(StmtOp op);
     Stmt copy_of_row();
     Stmt cut();
+    Stmt print();
     Stmt keep();
     Stmt memory_statement(StmtOp op, Combine combine);
     std::vector<std::uint32_t> path_of(ExprId member);

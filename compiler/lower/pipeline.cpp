@@ -128,7 +128,8 @@ std::vector<Variant> for_host(Context& cx, const Variant& variant) {
         made.body = pass.run(cx, made.body, {});
         finished(cx, pass.name, std::vector{made}, {}, "host");
     }
-    if (cx.is_stopped || cx.kernel.grouped() || cx.kernel.raster || cx.pass.items != 1) return {std::move(made)};
+    const bool is_in_rows = !cx.kernel.grouped() && !cx.kernel.raster && cx.pass.items == 1;
+    if (cx.is_stopped || !is_in_rows || cx.kernel.has_messages) return {std::move(made)};
     if (made.block) {
         std::optional<Variant> split = split_blocks(cx, made);
         if (!split) return {};
@@ -240,10 +241,13 @@ void lower_computation(Context& cx, Elements elements) {
     cx.traits.clear();
     const std::vector<StmtId> expanded = body;
     pass.plain().body = simplified(cx, "body", std::move(body), facts);
-    add_several(cx, expanded, expander, elements, facts);
     std::vector<StmtId> holders;
-    add_interior(cx, expander, facts, holders);
-    add_whole_block(cx, expander, facts);
+    // Variants for several elements execute statements for elements that are not visited, or twice.
+    if (!cx.kernel.has_messages) {
+        add_several(cx, expanded, expander, elements, facts);
+        add_interior(cx, expander, facts, holders);
+        add_whole_block(cx, expander, facts);
+    }
     pass.prologue = std::move(expander.size_statements);
     for (StmtId id : dispatch_prologue(cx)) pass.prologue.push_back(id);
 

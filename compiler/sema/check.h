@@ -25,6 +25,10 @@ struct Settings {
     /// then instantiated also for the structures that translators read, and for those that are the memory of another;
     /// the kernels that list which elements are there are not.
     bool looks_into_tables = false;
+    /// Whether `print` and `assert` are compiled in. If not, they are checked, and make no code.
+    bool messages = true;
+    /// The text of the source at a span, for messages that name expressions as they are written.
+    std::function<std::string_view(Span)> source_text;
     /// Gives the name of a module that could be imported and declares this public name, or "". For messages; called
     /// only if no loaded module declares the name as public.
     std::function<std::string(std::string_view name)> module_with;

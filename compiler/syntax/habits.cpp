@@ -15,7 +15,7 @@ struct Habit {
 
 constexpr std::string_view conversion = "conversions are written 'float(x)'";
 constexpr std::string_view no_pointers = "there are no pointers and no references: an optional has 'none'";
-constexpr std::string_view no_output = "kernels print nothing: write what you want to see into a structure";
+constexpr std::string_view output = "kernels print by the statement 'print(\"speed {}\", v);' or 'print(v);'";
 constexpr std::string_view own_address = "the address is an 'at' parameter of the kernel: 'a: at<S>'";
 constexpr std::string_view elements = "elements are read by address, 's[a]', and filtered by 's.sample(x)'";
 
@@ -33,10 +33,11 @@ constexpr Habit names[] = {
     {"fmod", "it is called 'mod', whose sign is that of 'y'"},
     {"fmodf", "it is called 'mod', whose sign is that of 'y'"},
     {"mul", "matrices and vectors are multiplied by '*'"},
-    {"printf", no_output},
-    {"print", no_output},
-    {"cout", no_output},
-    {"debugPrintfEXT", no_output},
+    {"printf", output},
+    {"print", output},
+    {"cout", output},
+    {"debugPrintfEXT", output},
+    {"assert", "it is a statement: 'assert(condition);'"},
     {"NULL", no_pointers},
     {"nullptr", no_pointers},
     {"null", no_pointers},

@@ -67,6 +67,10 @@ std::vector<std::string> Device::validation_messages() const {
     return object_.in("Device::validation_messages").validation_messages();
 }
 
+MessageSink Device::on_message(MessageSink sink) const {
+    return object_.in("Device::on_message").messages().set_sink(std::move(sink));
+}
+
 namespace detail {
 
 const std::shared_ptr<DeviceObject>& shared_device(const Device& device, const char* call) {

@@ -1,6 +1,7 @@
 // Interfaces of the objects behind the public handles, implemented in vulkan/ and host/.
 #pragma once
 
+#include "messages.h"
 #include "profile/profiler.h"
 #include "workspace.h"
 
@@ -152,8 +153,11 @@ public:
     /// Waits for what was submitted, and gives the profiler what it does not know of yet.
     virtual void finish_profile() {}
 
+    MessageOutlet& messages() { return messages_; }
+
 private:
     Profiler profiler_;
+    MessageOutlet messages_;
 };
 
 /// The object behind the handle; throws for an empty one.

@@ -84,12 +84,18 @@ void add_new(std::vector<std::string>& texts, const std::vector<std::string>& mo
 
 Test run_on(const Device& device, const TestCase& test) {
     Test run;
+    device.on_message([&run](const Message& message) { run.messages.push_back(message); });
     try {
         test.run(run, device);
         device.wait();
+    } catch (const Error& error) {
+        // What failed is among the messages.
+        if (error.code() != ErrorCode::assertion_failed)
+            run.failures.push_back(std::string(test.place) + ": " + error.what());
     } catch (const std::exception& error) {
         run.failures.push_back(std::string(test.place) + ": " + error.what());
     }
+    device.on_message({});
     // A message of the validation layer may list every stage and access that there is: its beginning says enough.
     std::size_t messages = 0;
     for (const std::string& message : device.validation_messages()) {
@@ -108,19 +114,25 @@ public:
     void run(const TestCase& test) {
         ++ran_;
         const detail::TestWatchdog::Watch watch(watchdog_);
-        std::vector<std::string> failures, notes;
+        Findings findings;
+        auto& [failures, notes, printed] = findings;
         std::vector<Test> runs;
         for (const Device& device : devices_) {
             announce(test, device);
             Test& run = runs.emplace_back(run_on(device, test));
             for (const std::string& failure : run.failures)
                 failures.push_back(failure + " [" + device.properties().name + "]");
+            for (const Message& message : run.messages) {
+                if (message.kind == Message::Kind::assertion) add_new(failures, {to_text(message)});
+                if (message.kind == Message::Kind::lost)
+                    add_new(notes, {to_text(message) + " [" + device.properties().name + "]"});
+            }
             if (const std::string why = run.why_nothing_was_made(); !why.empty())
                 run.notes.push_back("not checked: " + why);
             unchecked_.merge(run.unchecked);
             add_new(notes, run.notes);
             for (const auto& [title, found] : run.translations) {
-                auto& [all_failures, all_notes] = translations_[title];
+                auto& [all_failures, all_notes, none_printed] = translations_[title];
                 for (const std::string& failure : found.failures)
                     add_new(all_failures, {failure + " [" + device.properties().name + "]"});
                 add_new(all_notes, found.notes);
@@ -131,7 +143,12 @@ public:
                 detail::compare(runs[0].kept[i], "the host", runs[1].kept[i], devices_[1].properties().name,
                                 test.tolerance, std::string(test.place) + ": " + runs[0].kept[i].name, failures);
         }
-        report(test, "", {failures, notes});
+        if (runs.size() == 2)
+            detail::compare_messages(runs[0].messages, "the host", runs[1].messages, devices_[1].properties().name,
+                                     test.tolerance, test.place, failures);
+        for (const Message& message : runs[0].messages)
+            if (message.kind == Message::Kind::print) printed.push_back(to_text(message));
+        report(test, "", findings);
     }
 
     /// For a translator that is checked, if at all, with structures that other tests make: reports what was found, or
@@ -172,6 +189,11 @@ private:
 
     void report(const TestCase& test, const char* how, const Findings& findings) {
         std::printf("%s  %s%s (%s)\n", findings.failures.empty() ? "pass" : "FAIL", test.title, how, test.place);
+        constexpr std::size_t most_shown = 100;
+        for (std::size_t i = 0; i < std::min(findings.printed.size(), most_shown); ++i)
+            std::printf("      %s\n", findings.printed[i].c_str());
+        if (findings.printed.size() > most_shown)
+            std::printf("      … and %zu messages more\n", findings.printed.size() - most_shown);
         for (const std::string& failure : findings.failures) {
             std::istringstream lines(failure);
             for (std::string line; std::getline(lines, line);) std::printf("      %s\n", line.c_str());
@@ -230,6 +252,56 @@ void compare(const KeptStructure& a, const std::string& name_a, const KeptStruct
         }
     }
     if (differing > 3) failures.push_back(where + ": and more");
+}
+
+namespace {
+
+/// Whether two texts are equal but for numbers that differ by no more than the tolerance times the largest of 1 and
+/// their magnitudes.
+bool texts_agree(const char* a, const char* b, double tolerance) {
+    while (*a != 0 && *b != 0) {
+        char *end_a = nullptr, *end_b = nullptr;
+        const double x = std::strtod(a, &end_a), y = std::strtod(b, &end_b);
+        const bool are_numbers = end_a != a && end_b != b && std::isfinite(x) && std::isfinite(y);
+        if (are_numbers) {
+            if (!(std::fabs(x - y) <= tolerance * std::max(1.0, std::max(std::fabs(x), std::fabs(y))))) return false;
+            a = end_a;
+            b = end_b;
+        } else if (*a++ != *b++) {
+            return false;
+        }
+    }
+    return *a == *b;
+}
+
+bool messages_agree(const Message& a, const Message& b, double tolerance) {
+    if (a == b) return true;
+    Message with_text = b;
+    with_text.text = a.text;
+    return tolerance != 0 && a == with_text && texts_agree(a.text.c_str(), b.text.c_str(), tolerance);
+}
+
+bool were_lost(const std::vector<Message>& messages) {
+    return std::ranges::any_of(messages, [](const Message& one) { return one.kind == Message::Kind::lost; });
+}
+
+}  // namespace
+
+void compare_messages(const std::vector<Message>& a, const std::string& name_a, const std::vector<Message>& b,
+                      const std::string& name_b, double tolerance, const std::string& where,
+                      std::vector<std::string>& failures) {
+    if (were_lost(a) || were_lost(b)) return;
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+        if (messages_agree(a[i], b[i], tolerance)) continue;
+        if (++differing > 3) break;
+        failures.push_back(where + ": message " + std::to_string(i + 1) + ": " + name_a + " printed '" +
+                                    to_text(a[i]) + "' and " + name_b + " '" + to_text(b[i]) + "'");
+    }
+    if (differing > 3) failures.push_back(where + ": and more");
+    if (a.size() != b.size())
+        failures.push_back(where + ": " + name_a + " printed " + std::to_string(a.size()) + " messages and " +
+                                    name_b + " " + std::to_string(b.size()));
 }
 
 void fail_box(Test& test, const char* name, unsigned rank, const Extent& size, const Extent& origin,

@@ -128,6 +128,20 @@ void print_other_files(Unit& unit, Writer& out, const Pass& pass, const std::str
     out.line("const char* const " + name + "_other_files[] = {" + list + "};");
 }
 
+/// The table of what the kernel may print.
+void print_messages(Unit& unit, Writer& out, const Pass& pass, const std::string& name) {
+    if (pass.messages.empty()) return;
+    out.line("constexpr glift::MessageFormat " + name + "_messages[] = {");
+    out.indent();
+    for (std::uint32_t index : pass.messages) {
+        const ir::Message& message = unit.program.messages[index];
+        out.line("{" + quoted(message.text) + ", \"" + file_name(unit.sources, message.span.file) + "\", " +
+                 std::to_string(unit.sources.line_of(message.span)) + (message.is_assertion ? ", true" : "") + "},");
+    }
+    out.dedent();
+    out.line("};");
+}
+
 void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, const Kernel& kernel,
                     const std::string& name) {
     if (forms.general.bindings.empty()) return;
@@ -238,6 +252,11 @@ static void print_rare_fields(Unit& unit, Writer& out, const ir::Lowered::Forms&
     if (any.loop_rounds != 0 && any.longest_loop)
         out.line(".longest_loop = {\"" + file_name(unit.sources, any.longest_loop.file) + "\", " +
                  std::to_string(unit.sources.line_of(any.longest_loop)) + "},");
+    if (!any.messages.empty()) {
+        out.line(".messages = " + name + "_messages,");
+        const ir::TypeId address = unit.program.kernels[any.kernel].domain_type;
+        out.line(".address_rank = " + std::to_string(unit.program.types.components(address)) + ",");
+    }
     if (any.files.size() > 1) out.line(".other_files = " + name + "_other_files,");
 }
 
@@ -257,6 +276,7 @@ std::string kernel_code(Unit& unit, ir::KernelId index) {
     print_bindings(unit, code, forms, kernel, name);
     if (has_parameters) print_parameters(unit.program, code, forms.direct, name);
     print_other_files(unit, code, any, name);
+    print_messages(unit, code, any, name);
     if (kernel.raster) {
         const auto derives = [&](const Pass& pass) { return ir::derives_loads(unit.program, pass); };
         print_drawing(unit, code, kernel, name, derives(forms.direct) || derives(forms.general));

@@ -35,7 +35,7 @@ std::vector<std::vector<ir::KernelId>> spread(const ModuleParts& parts, const st
 void print_includes(const ModuleParts& parts, Writer& out, const std::string& stem,
                     const std::vector<ir::KernelId>& kernels) {
     bool has_images = false, has_cubes = false, has_atomics = false, has_updates = false, has_reports = false,
-         has_draws = false, has_runs = false, has_sums = false;
+         has_draws = false, has_messages = false, has_runs = false, has_sums = false;
     for (ir::KernelId kernel : kernels) {
         has_draws |= parts.program.kernels[kernel].raster.has_value();
         const ir::Pass& pass = parts.lowered.passes[kernel].general;
@@ -46,6 +46,7 @@ void print_includes(const ModuleParts& parts, Writer& out, const std::string& st
             (binding.coherent ? has_atomics : has_updates) |= binding.atomic || binding.coherent;
         }
         has_reports |= pass.has_reports;
+        has_messages |= !pass.messages.empty();
         has_sums |= !pass.sum_orders().empty();
         if (parts.program.kernels[kernel].grouped() || parts.program.kernels[kernel].raster) continue;
         for (const ir::Variant& variant : pass.variants) has_runs |= ir::is_in_lockstep(parts.program, variant.body);
@@ -58,6 +59,7 @@ void print_includes(const ModuleParts& parts, Writer& out, const std::string& st
     if (has_draws) out.line("#include <glift/host/fragments.h>");
     if (has_images) out.line("#include <glift/host/image.h>");
     out.line("#include <glift/host/math.h>");
+    if (has_messages) out.line("#include <glift/host/messages.h>");
     out.line("#include <glift/host/parallel.h>");
     if (has_reports) out.line("#include <glift/host/report.h>");
     if (has_runs) out.line("#include <glift/host/runs.h>");

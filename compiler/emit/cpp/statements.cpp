@@ -272,6 +272,7 @@ void print_statement(Printer& p, ir::StmtId id) {
         return p.out.close();
     case StmtOp::evaluate: return p.out.line(print_any(p, stmt.value) + ";");
     case StmtOp::subgroup_barrier: return;  // on the host device a subgroup has one invocation
+    case StmtOp::print:
     case StmtOp::barrier:
 #define STRUCTURE_STATEMENT(name) case StmtOp::name:
 #define HOST_STATEMENT(name) case StmtOp::name:
@@ -288,7 +289,7 @@ bool is_pure(const ir::Program& program, ir::FunctionId id) {
     const ir::Function& function = program.functions[id];
     ir::for_each_statement(program, function.body, [&](const Stmt& stmt) {
         if (stmt.op == StmtOp::store || stmt.op == StmtOp::image_store || stmt.op == StmtOp::atomic ||
-            stmt.op == StmtOp::report)
+            stmt.op == StmtOp::report || stmt.op == StmtOp::print)
             pure = false;
     });
     ir::for_each_expression(program, function.body, [&](ir::ExprId node) {

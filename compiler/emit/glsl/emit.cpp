@@ -56,6 +56,7 @@ void name_globals(Printer& p) {
     if (!p.pass.push_constants) name_parameter_reads(p);
     name_structs(p);
     name_status(p);
+    name_messages(p);
     name_order(p);
     name_shared(p);
     if (p.raster()) name_interface(p);
@@ -241,7 +242,7 @@ std::string glsl_of(const ir::Program& program, const Sources& sources, const ir
     std::string interface = parameters + bindings;
     const std::string first = p.raster() ? interface_text(p) : group_text(pass);
     return "#version 460\n" + heading(p) + extensions_text(p) + first + enumerators_text(p) + structs + interface +
-           shared + status + order_definitions(p) + helpers + atomics + functions + main;
+           shared + status + message_definitions(p) + order_definitions(p) + helpers + atomics + functions + main;
 }
 
 }  // namespace gliftc::glsl

@@ -101,6 +101,11 @@ struct StatusNames {
     std::string block, limit, rounds, another_round, report;
 };
 
+/// Names of what shaders that print declare: the buffer of messages, a function, and a local of each message.
+struct MessageNames {
+    std::string block, begin, place;
+};
+
 /// Names of the macros that shaders with atomic operations on coherent memory define; see order.cpp.
 struct OrderNames {
     std::string load, store, both, exchange;
@@ -140,6 +145,7 @@ struct Printer {
     std::vector<std::string> parameter_names;
     std::vector<std::string> member_names;  ///< names in the block of parameters; empty: those of parameter_names
     StatusNames status;                     ///< named only where the pass has a status record
+    MessageNames messages;                  ///< named only where the pass prints
     OrderNames order, image_order;          ///< named only where atomic operations order coherent memory
     std::string fences;                     ///< name of specialisation constant 102 (order.cpp); empty: not needed
     Table<std::string, ir::Struct> struct_names;
@@ -285,6 +291,11 @@ std::string round_test(const Printer& p, std::uint32_t idle_rounds, const std::s
 std::string round_test(const Printer& p, const ir::Stmt& loop);
 void print_round_start(Printer& p);
 std::string report_text(Printer& p, const ir::Stmt& stmt);
+
+// messages.cpp: how a shader prints
+void name_messages(Printer& p);
+std::string message_definitions(const Printer& p);
+void print_message(Printer& p, const ir::Stmt& stmt);
 
 // statements.cpp
 void print_body(Printer& p, const std::vector<ir::StmtId>& body);

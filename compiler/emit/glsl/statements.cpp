@@ -281,6 +281,7 @@ void print_statement(Printer& p, StmtId id) {
     case StmtOp::image_store: return print_store(p, stmt);
     case StmtOp::atomic: return line(p, atomic_text(p, stmt));
     case StmtOp::discard: return line(p, "discard;");
+    case StmtOp::print: return print_message(p, stmt);
     case StmtOp::report: return line(p, report_text(p, stmt));
 #define STRUCTURE_STATEMENT(name) case StmtOp::name:
 #define HOST_STATEMENT(name) case StmtOp::name:

@@ -290,6 +290,7 @@ void Writer::form(const ir::Pass& pass, const std::vector<Root>& roots) {
         out.field("exact", pass.exact);
         if (pass.shared_bytes) out.field("shared_bytes", pass.shared_bytes);
         if (pass.has_status()) out.field("status_binding", pass.bindings.size() + 1);
+        if (!pass.messages.empty()) out.field("messages_binding", pass.bindings.size() + 2);
     });
 }
 

@@ -167,6 +167,15 @@ void add_files(const Program& program, const Pass& pass, std::vector<std::uint32
     for (FunctionId function : pass.functions) add(program.functions[function].body);
 }
 
+/// Adds the messages that the pass prints, in the order of its bodies.
+void add_messages(const Program& program, const Pass& pass, std::vector<std::uint32_t>& messages) {
+    for (const auto* body : bodies_of(pass))
+        for_each_statement(program, *body, [&](const Stmt& stmt) {
+            if (stmt.op != StmtOp::print || std::ranges::find(messages, stmt.slot) != messages.end()) return;
+            messages.push_back(stmt.slot);
+        });
+}
+
 /// Whether conversions of the texels may differ between devices in the last bit: those between eight bits and floats.
 bool rounds_freely(Format format) { return format == Format::r8 || format == Format::rg8 || format == Format::rgba8; }
 
@@ -245,14 +254,16 @@ void agree(const Program& program, std::span<Pass* const> forms) {
         const bool is_sampled = std::ranges::all_of(forms, [&](Pass* pass) { return pass->bindings[i].sampled; });
         for (Pass* pass : forms) pass->bindings[i].sampled = is_sampled;
     }
-    std::vector<std::uint32_t> files{program.kernels[forms[0]->kernel].span.file};
+    std::vector<std::uint32_t> files{program.kernels[forms[0]->kernel].span.file}, messages;
     for (Pass* pass : forms) {
         pass->loop_rounds = rounds;
         pass->longest_loop = loop;
         pass->has_reports = has_reports;
         pass->exact = is_exact;
         if (pass->has_status()) add_files(program, *pass, files);
+        add_messages(program, *pass, messages);
     }
+    for (Pass* pass : forms) pass->messages = messages;
     for (Pass* pass : forms)
         if (pass->has_status()) pass->files = files;
 }

@@ -297,6 +297,7 @@ bool RowSlopes::run(const std::vector<ir::StmtId>& body, std::optional<Slopes>& 
         case StmtOp::break_:
         case StmtOp::continue_:
         case StmtOp::evaluate:
+        case StmtOp::print:
         case StmtOp::barrier:
         case StmtOp::subgroup_barrier:
 #define STRUCTURE_STATEMENT(name) case StmtOp::name:

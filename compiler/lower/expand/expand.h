@@ -393,6 +393,10 @@ private:
     ExprId element_in(const Rows& rows, const std::vector<ExprId>& vectors, std::uint32_t lane);
     ExprId vector_of(const Rows& rows, ExprId items, ExprId row, std::uint32_t part);
 
+    // print.cpp
+    void print(const ir::Stmt& stmt);
+    ExprId visited_element();
+
     // check.cpp
     bool checks_range(const ir::Place& place);
     void check_range(const ir::Place& place, ExprId address, ir::Access access, Span span);

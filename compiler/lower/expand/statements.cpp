@@ -96,6 +96,7 @@ void Expander::expand_statement(StmtId id) {
         if (copy.value && !(is_call && p.exprs[copy.value].op == Op::local)) append(std::move(copy));
         break;
     }
+    case StmtOp::print: print(stmt); break;
     case StmtOp::break_:
     case StmtOp::continue_:
     case StmtOp::barrier:

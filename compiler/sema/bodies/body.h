@@ -132,6 +132,7 @@ struct Body {
     std::vector<ir::Effect>* effects = nullptr;
     /// Pipelines: whether the returned values seen so far lie on the host or on the device.
     enum class Returns : std::uint8_t { nothing, host, device } returns = Returns::nothing;
+    Span* prints = nullptr;  ///< where the kernel or function first prints; null: `print` and `assert` are errors here
     std::optional<RangeResult> range_result;  ///< pipelines that return a range
     bool in_test = false;
     /// Pipelines: the expression being checked is part of a larger one that a pass may compute, so that values on the

@@ -1,5 +1,6 @@
 // Which function a call means, and the call itself: overloads, their generic arguments, their arguments.
 #include "sema/bodies/closures.h"
+#include "sema/bodies/messages.h"
 #include "sema/bodies/order.h"
 #include "sema/kernels/writing.h"
 #include "sema/names/lookup.h"
@@ -257,6 +258,7 @@ Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments
     if (!fits_group(body, id, env, call)) return error_operand(call.span);
     auto instance = instantiate_function(c, id, env, structures, call.span);
     if (!instance || !add_effects(body, *instance, given, self != nullptr, call.span)) return error_operand(call.span);
+    if (!add_messages(body, *instance, call.span)) return error_operand(call.span);
     return call_instance(body, *instance, given, std::move(values), call.span);
 }
 

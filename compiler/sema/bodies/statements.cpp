@@ -1,4 +1,5 @@
 #include "ir/empty.h"
+#include "sema/bodies/messages.h"
 #include "sema/bodies/order.h"
 #include "sema/kernels/raster.h"
 #include "sema/pipelines/predication.h"
@@ -304,6 +305,7 @@ std::optional<ir::StmtOp> barrier_of(Body& body, const ast::Expr& expr) {
 
 void check_expression_statement(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
+    if (check_message(body, stmt)) return;
     if (const auto barrier = barrier_of(body, c[stmt.value])) {
         if (!body.grouped())
             note(c.error(Diag::needs_group, stmt.span, {barrier_name(*barrier)}), stmt.span,

@@ -377,6 +377,7 @@ ir::KernelId instantiate_kernel(Context& c, ast::DeclId id, const Env& env, Span
     kernel.is_pub = decl.is_pub && decl.generics.empty();
     kernel.doc = decl.doc;
     kernel.group = group_of(c, env, written.group);
+    Span prints;
     Body body{.context = c,
               .env = env,
               .kind = BodyKind::kernel,
@@ -385,7 +386,8 @@ ir::KernelId instantiate_kernel(Context& c, ast::DeclId id, const Env& env, Span
               .kernel = &kernel,
               .group = kernel.group,
               .shared = &kernel.shared,
-              .effects = &kernel.effects};
+              .effects = &kernel.effects,
+              .prints = written.raster ? nullptr : &prints};
     if (written.raster) kernel.raster.emplace();
     for (const ast::Param& param : written.params) add_param(body, param, kernel);
     if (kernel.raster) check_raster(body, written);
@@ -393,6 +395,7 @@ ir::KernelId instantiate_kernel(Context& c, ast::DeclId id, const Env& env, Span
     if (c.diagnostics.own_error_count() == errors) read_attributes(c, decl, kernel);
     find_alike(c, written, kernel);
     if (!kernel.raster) check_body(body, written);
+    kernel.has_messages = prints && c.settings.messages;
     if (c.diagnostics.own_error_count() == errors) check_effects(c, kernel);
     if (kernel.raster && c.diagnostics.own_error_count() == errors) check_assigned(c, kernel);
     if (kernel.grouped() && c.diagnostics.own_error_count() == errors) check_barriers(c, kernel);

@@ -177,7 +177,7 @@ static void add_method(Context& c, ir::StructureId index, ast::DeclId id) {
     const ir::Function& made = c.program.functions[*function];
     // Functions that write are called only by kernels, and by functions that kernels call. Methods in C++ cannot
     // return optionals.
-    if (!made.effects.empty() || c.types().kind(made.result) == ir::TypeKind::optional) return;
+    if (!made.effects.empty() || made.prints || c.types().kind(made.result) == ir::TypeKind::optional) return;
     if (made.reads_memory && type_not_for_passes(c.program, made)) return;
     ir::Method method{*function, {}};
     if (made.reads_memory) {

@@ -3,6 +3,7 @@
 // pipelines, slices, values on the device, and `expect` and the like.
 #include "ir/changes.h"
 #include "sema/bodies/closures.h"
+#include "sema/bodies/messages.h"
 #include "sema/bodies/order.h"
 #include "sema/kernels/aliasing.h"
 #include "sema/names/record.h"
@@ -626,7 +627,7 @@ bool check_pipeline_statement(Body& body, const ast::Stmt& stmt) {
         return check_structure_declaration(body, stmt);
     case ast::StmtKind::expression: {
         const ast::Expr& call = c[stmt.value];
-        if (call.kind != ast::ExprKind::call) return false;
+        if (call.kind != ast::ExprKind::call || is_message(body, call)) return false;
         Operand operand = check(body, stmt.value);
         if (operand.kind == OperandKind::value) {
             const ir::Expr& node = body.program().exprs[operand.expr];

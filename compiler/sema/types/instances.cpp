@@ -231,6 +231,7 @@ std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, c
     function.module = c.module_of.at(id);
     function.is_pub = decl.is_pub;
     function.doc = decl.doc;
+    function.is_silent = !c.settings.messages;
     function.structures = structures;
     function.result = written.result ? type_of(c, env, written.result) : c.types().void_;
     function.group = group_of(c, env, written.group);
@@ -242,7 +243,8 @@ std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, c
               .group = function.group,
               .shared = &function.shared,
               .last = written.body.empty() ? Span{} : c[written.body.back()].span,
-              .effects = &function.effects};
+              .effects = &function.effects,
+              .prints = &function.prints};
     std::size_t parameters = 0;
     for (const ast::Param& param : written.params)
         parameters += c.types().kind(type_of(c, env, param.type)) == ir::TypeKind::structure;

@@ -27,6 +27,7 @@ enum class ErrorCode : std::uint8_t {
     wrong_argument,  ///< any other mistake: in a call, a handle, a recording, a file name, an environment variable
     loop_limit,      ///< a kernel's loops run, or may run, for more rounds than the device allows
     out_of_range,    ///< an access outside a structure, in a kernel compiled with `gliftc --checked`; else not reported
+    assertion_failed,  ///< an `assert` of a kernel; thrown by the call that waits for the device
     device_lost,
     missing_form,  ///< the kernel has no code for this kind of device, or not in the form that the call needs
     vulkan,        ///< any other failed Vulkan call

@@ -8,6 +8,7 @@
 #include <glift/log.h>
 #include <glift/mark.h>
 #include <glift/memory.h>
+#include <glift/message.h>
 #include <glift/pass.h>
 #include <glift/recording.h>
 #include <glift/version.h>

@@ -20,6 +20,7 @@
 #pragma once
 
 #include <glift/host/memory.h>
+#include <glift/message_format.h>
 #include <glift/vector.h>
 
 #include <array>
@@ -134,6 +135,7 @@ struct HostCall {
     std::array<std::uint32_t, 4> size;     ///< elements to iterate over along each axis; unused axes are 1
     StatusRecord* status = nullptr;        ///< kernels that report: never null
     const HostTargets* targets = nullptr;  ///< draws: never null
+    MessageHeader* messages = nullptr;     ///< kernels that print: never null
 };
 
 /// The order in which a kernel's update adds floats, the same on every device: docs/reference/language.md, Updates. The
@@ -249,6 +251,10 @@ struct Kernel {
     std::span<const SumOrder> sums = {};
     SourceLine longest_loop = {};                   ///< the loop with the most iterations, for errors
     std::span<const char* const> other_files = {};  ///< files that reports may name, beside `file`
+    /// What the kernel may print; if anything, it has the device's buffer of messages (MessageHeader, then words) at
+    /// binding bindings.size() + 2 in every form.
+    std::span<const MessageFormat> messages = {};
+    std::uint32_t address_rank = 0;    ///< axes of the address that a message begins with
     const Drawing* drawing = nullptr;  ///< of a kernel that draws (drawing.h); its rank is 2: corners, instances
     std::uint64_t digest = 0;  ///< hash of all that pipelines and reports depend on, and perhaps of more: kernels of
                                ///< equal digest share both. 0: the runtime computes a hash of these members at each

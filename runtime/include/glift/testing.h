@@ -34,6 +34,12 @@ struct KeptStructure {
     std::vector<std::byte> bytes;
 };
 
+struct Findings {
+    std::vector<std::string> failures;
+    std::vector<std::string> notes;    ///< what was not compared or checked
+    std::vector<std::string> printed;  ///< what kernels printed, one line each
+};
+
 namespace detail {
 
 template <class T> inline constexpr unsigned value_components = 1;
@@ -66,6 +72,12 @@ GLIFT_API void compare(const KeptStructure& a, const std::string& name_a, const 
                        const std::string& name_b, double tolerance, const std::string& where,
                        std::vector<std::string>& failures);
 
+/// Compares what kernels printed on two devices, unless some of it was lost: adds the first few differences to
+/// `failures`. Numbers in the texts may differ by the tolerance, relative to the largest of 1 and their magnitudes.
+GLIFT_API void compare_messages(const std::vector<Message>& a, const std::string& name_a,
+                                const std::vector<Message>& b, const std::string& name_b, double tolerance,
+                                const std::string& where, std::vector<std::string>& failures);
+
 template <class A> A address_from(const Extent& extent) {
     A address{};
     if constexpr (Axes<A>::count == 1) address = extent[0];
@@ -76,17 +88,13 @@ template <class A> A address_from(const Extent& extent) {
 
 }  // namespace detail
 
-struct Findings {
-    std::vector<std::string> failures;
-    std::vector<std::string> notes;  ///< what was not compared or checked
-};
-
 /// One run of one test on one device.
 class Test {
 public:
     std::vector<std::string> failures;
     std::vector<std::string> notes;  ///< what was not compared or checked
     std::vector<KeptStructure> kept;
+    std::vector<Message> messages;  ///< what kernels printed
     /// What each check of a translator with the state of a structure that this test made has found, by its title.
     std::map<std::string, Findings> translations;
     std::map<std::string, std::string> unchecked;  ///< why such a check was not completed, by its title

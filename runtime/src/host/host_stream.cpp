@@ -165,9 +165,25 @@ void HostStream::dispatch(const Kernel& kernel, const Call& call) {
     if (is_promised) check_promises(kernel, form, call.memories, host);
     timed([&] { return work_of(kernel, call); },
           [&] {
-              if (runs) form.host(host);
+              if (runs) run(kernel, form, host);
           });
     if (kernel.reports && record.code != StatusRecord::fine) throw_report(Reporter(kernel), record);
+}
+
+/// Runs the kernel, and delivers what it prints.
+void HostStream::run(const Kernel& kernel, const Form& form, HostCall& call) {
+    if (kernel.messages.empty()) return form.host(call);
+    if (messages_.empty()) {
+        messages_.resize(message_bytes() / sizeof(MessageHeader));
+        messages_[0].capacity = static_cast<std::uint32_t>((messages_.size() - 1) * sizeof(MessageHeader) / 4);
+    }
+    MessageHeader& header = messages_[0];
+    call.messages = &header;
+    PrintingKernels kernels;
+    const std::uint32_t number = kernels.number_of(kernel.digest, kernel);
+    reinterpret_cast<std::uint32_t*>(&header + 1)[header.used++] = PrintingKernels::mark_of(number);
+    form.host(call);
+    device_.messages().deliver(kernels.take(header));
 }
 
 void HostStream::fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) {
@@ -263,6 +279,7 @@ void HostStream::upload_image(const Memory& image, std::span<const ImageRegion> 
 
 std::shared_ptr<DownloadObject> HostStream::download(const Memory& from, std::span<const CopyRegion> regions,
                                                      std::uint64_t count) {
+    device_.messages().throw_failed();
     const auto held = lock();
     std::vector<std::byte> bytes(count);
     timed([&] { return work_of("download", regions); },
@@ -275,6 +292,7 @@ std::shared_ptr<DownloadObject> HostStream::download(const Memory& from, std::sp
 
 std::shared_ptr<DownloadObject> HostStream::download_image(const Memory& image, std::span<const ImageRegion> regions,
                                                            std::uint64_t count) {
+    device_.messages().throw_failed();
     const auto held = lock();
     std::vector<std::byte> bytes(count);
     timed([&] { return work_of("download", image, regions); },

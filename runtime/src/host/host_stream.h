@@ -37,7 +37,7 @@ public:
                                                    std::uint64_t bytes) override;
     std::shared_ptr<TimestampObject> timestamp() override;
     void flush() override {}
-    void wait() override {}
+    void wait() override { device_.messages().throw_failed(); }
 
     /// Keeps other threads' commands from running as long as the result lives.
     std::unique_lock<std::recursive_mutex> lock() { return std::unique_lock(mutex_); }
@@ -59,6 +59,11 @@ private:
     template <class MakeWork, class Body> void timed(MakeWork&& work, Body&& body);
 
     const Replayed* replayed_ = nullptr;  ///< the lock is held where this is not null
+
+    /// Runs the kernel, and delivers what it prints.
+    void run(const Kernel& kernel, const Form& form, HostCall& call);
+
+    std::vector<MessageHeader> messages_;  ///< the buffer of messages: a header, and words in the place of others
     /// Recursive: submitting a recording holds the lock while the steps run, and each step takes it again.
     std::recursive_mutex mutex_;
 };

@@ -87,6 +87,8 @@ private:
         StatusRecord record;
         again.memories = views;
         again.status = &record;
+        MessageHeader no_messages;
+        again.messages = &no_messages;
         form_.host(again);
         return copies;
     }

@@ -79,6 +79,7 @@ bool CommandBatch::reset() {
     readback.clear();
     operations = passes = 0;
     times.reset();
+    prints = false;
     return context.vk.vkResetCommandPool(context.device, pool, 0) == VK_SUCCESS && sets.reset();
 }
 

@@ -25,13 +25,15 @@ DescriptorCounts count_descriptors(const Kernel& kernel, const Form& form) {
     }
     counts.parameter_buffers = !form.push_constants && form.parameter_bytes ? 1 : 0;
     counts.status_buffers = kernel.reports ? 1 : 0;
+    counts.message_buffers = kernel.messages.empty() ? 0 : 1;
     return counts;
 }
 
 bool buffers_fit(const Context& context, const Kernel& kernel) {
     const VkPhysicalDeviceLimits& limits = context.core.limits;
-    // Most kernels have few bindings. The parameters and the status record are two more descriptors.
-    if (kernel.bindings.size() + 2 <= std::min(buffer_limit(limits), limits.maxPerStageResources)) return true;
+    // Most kernels have few bindings. The parameters, the status record and the messages are three more
+    // descriptors.
+    if (kernel.bindings.size() + 3 <= std::min(buffer_limit(limits), limits.maxPerStageResources)) return true;
     const DescriptorCounts counts = count_descriptors(kernel, kernel.general);
     return counts.buffers == 0 ||
            (counts.storage_buffers() <= buffer_limit(limits) && counts.all() <= limits.maxPerStageResources);

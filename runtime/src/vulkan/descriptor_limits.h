@@ -9,10 +9,10 @@ namespace glift::detail {
 
 struct DescriptorCounts {
     std::uint32_t buffers = 0;  ///< memories that are buffers
-    std::uint32_t parameter_buffers = 0, status_buffers = 0;
+    std::uint32_t parameter_buffers = 0, status_buffers = 0, message_buffers = 0;
     std::uint32_t storage_images = 0, sampled_images = 0;
 
-    std::uint32_t storage_buffers() const { return buffers + parameter_buffers + status_buffers; }
+    std::uint32_t storage_buffers() const { return buffers + parameter_buffers + status_buffers + message_buffers; }
     std::uint32_t all() const { return storage_buffers() + storage_images + sampled_images; }
 };
 

@@ -178,7 +178,10 @@ void Encoder::push_descriptors(const Pipeline& pipeline, const Call& call, const
         }
     }
     if (pipeline.kernel->reports) {
-        next->buffer = {device_.status_buffer(), pipeline.status_slot * status_stride, sizeof(StatusRecord)};
+        (next++)->buffer = {device_.status_buffer(), pipeline.status_slot * status_stride, sizeof(StatusRecord)};
+    }
+    if (!pipeline.kernel->messages.empty()) {
+        next->buffer = {device_.message_chunk().buffer, 0, device_.message_chunk().bytes};
     }
     if (pipeline.push) {
         context_.vk.vkCmdPushDescriptorSetWithTemplateKHR(commands_, pipeline.update, pipeline.layout, 0, infos);
@@ -220,6 +223,7 @@ void Encoder::dispatch(const Kernel& kernel, const Call& call) {
     Slice command;
     if (fits && (!call.patches.empty() || !call.conditions.empty()))
         command = prepare(pipeline, call, block, call.size);
+    if (!kernel.messages.empty()) begin_messages(pipeline);
     order(kernel, call);
     if (!fits) return dispatch_split(pipeline, call, groups);
     if (is_sized || !call.conditions.empty()) {
@@ -230,6 +234,18 @@ void Encoder::dispatch(const Kernel& kernel, const Call& call) {
     bind(pipeline, call, block);
     context_.vk.vkCmdDispatch(commands_, static_cast<std::uint32_t>(groups.count[0]),
                               static_cast<std::uint32_t>(groups.count[1]), static_cast<std::uint32_t>(groups.count[2]));
+}
+
+// Names the kernel in the buffer of messages, after those of earlier passes and before its own.
+void Encoder::begin_messages(const Pipeline& pipeline) {
+    const MessagesArguments arguments = {device_.message_chunk().address,
+                                         PrintingKernels::mark_of(device_.printing_kernel(pipeline))};
+    barrier();
+    device_.messages_pass().bind(commands_, &arguments);
+    bound_ = VK_NULL_HANDLE;
+    context_.vk.vkCmdDispatch(commands_, 1, 1, 1);
+    barrier();
+    batch_->prints = true;
 }
 
 // Dispatches parts of the iteration that are within the device's limits. Each part has a parameter block of its own,

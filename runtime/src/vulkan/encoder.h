@@ -68,6 +68,7 @@ private:
     Slice write_parameters(const Pipeline& pipeline, const Call& call);
     void bind(const Pipeline& pipeline, const Call& call, const Slice& block);
     void push_descriptors(const Pipeline& pipeline, const Call& call, const Slice& block);
+    void begin_messages(const Pipeline& pipeline);
     void dispatch_split(const Pipeline& pipeline, const Call& call, const Groups& groups);
 
     // encoder_indirect.cpp

@@ -42,6 +42,7 @@ public:
 private:
     void run() {
         batch_->value = device_->submit(batch_->commands);
+        if (batch_->prints) device_->note_printing(batch_->value);
         if (device_->profiler().is_on() && batch_->times) device_->pass_times().add(batch_->times, batch_->value);
     }
 

@@ -114,6 +114,7 @@ void ImmediateStream::submit() {
         device_.give_back(std::move(batch));
         throw;
     }
+    if (batch->prints) device_.note_printing(batch->value);
     in_flight_.push_back(std::move(batch));
 }
 

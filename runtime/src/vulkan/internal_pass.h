@@ -15,6 +15,12 @@ struct FillArguments {
     std::uint32_t words, value;
 };
 
+/// The push constants of begin_messages.comp.
+struct MessagesArguments {
+    VkDeviceAddress messages;
+    std::uint32_t mark;
+};
+
 class InternalPass {
 public:
     /// `spirv` must outlive it. The pipeline is made when it is first bound.

@@ -227,6 +227,9 @@ void Pipelines::make_layout(Pipeline& pipeline) {
     if (kernel.reports) {
         add(kernel.bindings.size() + 1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, pipeline.storage_buffers);
     }
+    if (!kernel.messages.empty()) {
+        add(kernel.bindings.size() + 2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, pipeline.storage_buffers);
+    }
     pipeline.push = context_.properties.push_descriptors && bindings.size() <= context_.max_push_descriptors;
 
     const VkDescriptorSetLayoutCreateInfo set_info = {

@@ -3,6 +3,7 @@
 #include "../profile/process_profile.h"
 #include "../report.h"
 #include "../text.h"
+#include "begin_messages.h"
 #include "fill_words.h"
 #include "prepare_indirect.h"
 #include "vulkan/memory/sparse_binding.h"
@@ -32,6 +33,7 @@ VulkanDevice::VulkanDevice(std::unique_ptr<Context> context)
       pass_times_(std::make_unique<PassTimes>(*queries_, profiler())),
       prepare_(*context_, "glift prepare indirect", ::prepare_indirect, sizeof(VkDeviceAddress)),
       fill_(*context_, "glift fill", ::fill_words, sizeof(FillArguments)),
+      begin_messages_(*context_, "glift messages", ::begin_messages, sizeof(MessagesArguments)),
       stream_(std::make_unique<ImmediateStream>(*this)) {
     status_ = chunks_->take(MemoryUse::readback, status_slots * status_stride);
     std::memset(status_->allocation.mapped, 0, status_slots * status_stride);
@@ -40,8 +42,11 @@ VulkanDevice::VulkanDevice(std::unique_ptr<Context> context)
 VulkanDevice::~VulkanDevice() {
     // No memory, recording or download is left, so commands not yet submitted have no effect that anyone could see,
     // except on images of the user's (adopt_image): for these the program has to call flush or wait before.
+    // What kernels print is seen: commands that print are submitted.
     try {
+        if (message_chunk_ && !context_->lost) stream_->submit();
         if (!context_->lost) timeline_->wait(timeline_->submitted());
+        messages().deliver(take_messages());
     } catch (const Error&) {
         // If the device was lost meanwhile there is nothing to wait for. If host memory ran out, this call may succeed.
         if (!context_->lost) std::ignore = context_->vk.vkQueueWaitIdle(context_->queue);
@@ -53,6 +58,7 @@ VulkanDevice::~VulkanDevice() {
     idle_batches_.clear();
     status_.reset();
     pass_times_.reset();
+    message_chunk_.reset();
     queries_.reset();
     pipelines_.reset();
     chunks_->clear();
@@ -265,8 +271,39 @@ void VulkanDevice::finish(std::uint64_t value) {
     }
     ++waits_;
     timeline_->wait(value);
-    const std::lock_guard lock(mutex_);
-    check_reports();
+    std::vector<Message> printed;
+    {
+        const std::lock_guard lock(mutex_);
+        printed = take_messages();
+    }
+    messages().deliver(printed);
+    {
+        const std::lock_guard lock(mutex_);
+        check_reports();
+    }
+    messages().throw_failed();
+}
+
+const Chunk& VulkanDevice::message_chunk() {
+    if (message_chunk_) return *message_chunk_;
+    const std::uint64_t bytes = std::min(message_bytes(), context_->properties.max_storage_buffer_range);
+    std::shared_ptr<Chunk> chunk = chunks_->take(MemoryUse::readback, bytes);
+    std::memset(chunk->allocation.mapped, 0, chunk->bytes);
+    const MessageHeader header = {.capacity = static_cast<std::uint32_t>((bytes - sizeof header) / 4)};
+    std::memcpy(chunk->allocation.mapped, &header, sizeof header);
+    message_chunk_ = std::move(chunk);
+    return *message_chunk_;
+}
+
+std::uint32_t VulkanDevice::printing_kernel(const Pipeline& pipeline) {
+    return printing_.number_of(pipeline.digest, *pipeline.kernel);
+}
+
+/// What was printed by all submissions so far.
+std::vector<Message> VulkanDevice::take_messages() {
+    if (!message_chunk_ || context_->lost) return {};
+    timeline_->wait(printing_value_);
+    return printing_.take(*reinterpret_cast<MessageHeader*>(message_chunk_->allocation.mapped));
 }
 
 void VulkanDevice::check_reports() {

@@ -60,6 +60,13 @@ public:
     InternalPass& prepare_pass() { return prepare_; }
     /// Runs fill_words.comp. The push constants are FillArguments; one invocation per word, 256 per workgroup.
     InternalPass& fill_pass() { return fill_; }
+    /// Runs begin_messages.comp. The push constants are MessagesArguments; one invocation.
+    InternalPass& messages_pass() { return begin_messages_; }
+    /// The buffer of messages, made when a kernel that prints first runs.
+    const Chunk& message_chunk();
+    std::uint32_t printing_kernel(const Pipeline& pipeline);  ///< its number in PrintingKernels
+    /// A submission with this value on the timeline prints.
+    void note_printing(std::uint64_t value) { printing_value_ = value; }
     std::uint64_t submit(VkCommandBuffer commands);
     /// Lets the user's program use the queue: what Glift submits from now on is ordered after what the program
     /// submitted.
@@ -108,6 +115,7 @@ private:
     void destroy_retired(std::uint64_t completed);
     void check_reports();
     void keep_times();
+    std::vector<Message> take_messages();
     MemoryId new_id();
 
     std::unique_ptr<Context> context_;
@@ -121,7 +129,10 @@ private:
     std::unique_ptr<Queries> queries_;
     std::unique_ptr<PassTimes> pass_times_;
     std::shared_ptr<Chunk> status_;
-    InternalPass prepare_, fill_;
+    std::shared_ptr<Chunk> message_chunk_;  ///< null: no kernel has printed
+    PrintingKernels printing_;
+    std::uint64_t printing_value_ = 0;  ///< the timeline's value once all submissions that print are done
+    InternalPass prepare_, fill_, begin_messages_;
     std::vector<std::unique_ptr<CommandBatch>> idle_batches_;
     std::uint64_t completed_ = 0;  ///< the timeline's value when last read
     std::unique_ptr<ImmediateStream> stream_;

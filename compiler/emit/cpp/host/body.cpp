@@ -122,6 +122,18 @@ std::string_view combine_name(ir::Combine combine) {
     return "";
 }
 
+/// glift::host::print(call, 0u, {address, glift::host::floatBitsToUint(x)});
+std::string print_text(Body& body, const Stmt& stmt) {
+    const Expr& words = body.p.program.exprs[stmt.value];
+    std::string list;
+    for (std::size_t i = 0; i < body.p.program.types[words.type].count; ++i) {
+        list += i == 0 ? "" : ", ";
+        if (words.op == Op::construct) list += cpp::print_any(body.p, words.operands[i]);
+        else list += cpp::print_any(body.p, stmt.value) + "[" + std::to_string(i) + "]";
+    }
+    return concat("glift::host::print(call, ", std::to_string(body.pass.message_of(stmt)), "u, {", list, "});");
+}
+
 /// glift::host::report_outside(call, {.line = 9, .binding = 0}, f_address);
 std::string report_text(Body& body, const Stmt& stmt) {
     const std::vector<std::uint32_t>& files = body.pass.files;
@@ -196,6 +208,7 @@ void print_outer(Body& body, const Stmt& stmt) {
         return p.out.line(concat(body.update_names.at(stmt.slot), ".add(", cpp::print_any(p, stmt.limit), ", ",
                                  cpp::print_any(p, stmt.target), ", ", cpp::print_any(p, stmt.value), ");"));
     case StmtOp::report: return p.out.line(report_text(body, stmt));
+    case StmtOp::print: return p.out.line(print_text(body, stmt));
     case StmtOp::load_rows:
         return p.out.line(concat("glift::host::load_rows(", row_arguments(body, stmt.slot, stmt.value), ", ",
                                  cpp::print_any(p, stmt.target), ");"));

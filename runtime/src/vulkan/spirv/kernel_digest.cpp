@@ -61,6 +61,12 @@ std::uint64_t digest_of_contents(const Kernel& kernel) {
     digest.add(kernel.reports);
     digest.add(kernel.shared_bytes);
     for (const char* file : kernel.other_files) digest.add(std::string_view(file));
+    for (const MessageFormat& format : kernel.messages) {
+        digest.add(std::string_view(format.text));
+        digest.add(std::string_view(format.file));
+        digest.add(std::uint64_t{format.line} << 1 | static_cast<std::uint64_t>(format.is_assertion));
+    }
+    digest.add(kernel.address_rank);
     return digest.value();
 }
 
