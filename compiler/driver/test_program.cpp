@@ -344,8 +344,8 @@ std::string TestPrograms::record_of(const Options& options) const {
         for (Diag diag : *list) digest.add(std::to_string(static_cast<int>(diag)));
         digest.add("");
     }
-    for (bool flag :
-         {options.checked, options.messages, options.host_only, options.warnings_are_errors, options.source_lines, options.optimize})
+    for (bool flag : {options.checked, options.messages, options.host_only, options.warnings_are_errors,
+                      options.source_lines, options.optimize})
         digest.add(flag ? "1" : "0");
     digest.add(std::to_string(options.shards));
     digest.add(std::to_string(options.address_bits));

@@ -498,7 +498,7 @@ struct Kernel {
     /// through the second one in the same pass.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> disjoint;
     bool fast_math = false;  ///< @fast_math: shaders divide and take roots as the device does, and may fuse arithmetic
-    bool has_messages = false;      ///< it, or a function that it calls, prints or asserts, and messages are compiled in
+    bool has_messages = false;  ///< it, or a function that it calls, prints or asserts, and messages are compiled in
     bool accesses_outside = false;  ///< @accesses_outside: checked builds report no accesses outside structures
     std::optional<Raster> raster;   ///< of a kernel that draws: `body` is then the vertex part
     /// The parameter whose blocks the kernel visits (see Blocks); none: it visits a whole range.

@@ -164,10 +164,11 @@ struct Pass {
     bool has_reports = false;          ///< some statement is a `report`. The same in all forms
     std::vector<std::uint32_t> files;  ///< source files that errors reported by shaders (has_status()) name, the
                                        ///< kernel's first. The same in all forms
-    std::vector<std::uint32_t> messages;  ///< indices in Program::messages of those that it prints. The same in all forms
-    bool exact = true;                 ///< devices agree bit for bit: no intrinsic that is inexact for its operands, no
-                                       ///< sum of floats by atomic operations, no sampler that filters or compares, no
-                                       ///< image of format r8, rg8 or rgba8, no rasterisation. The same in all forms
+    std::vector<std::uint32_t>
+        messages;       ///< indices in Program::messages of those that it prints. The same in all forms
+    bool exact = true;  ///< devices agree bit for bit: no intrinsic that is inexact for its operands, no
+                        ///< sum of floats by atomic operations, no sampler that filters or compares, no
+                        ///< image of format r8, rg8 or rgba8, no rasterisation. The same in all forms
 
     /// The update of the binding that adds in order; null: there is none.
     const PassUpdate* ordered_sum(std::uint32_t binding) const;

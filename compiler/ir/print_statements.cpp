@@ -28,6 +28,7 @@ void Printer::let(const Stmt& stmt) {
     line(text + ";");
 }
 
+// long: a case for each statement
 void Printer::stmt(const Stmt& stmt) {
     switch (stmt.op) {
     case StmtOp::let: let(stmt); break;

@@ -27,9 +27,7 @@ template <class Text, class Place> void for_each_part(std::string_view format, T
     }
 }
 
-std::uint32_t words_of_place(std::string_view place) {
-    return place == "d" || place == "I" || place == "U" ? 2 : 1;
-}
+std::uint32_t words_of_place(std::string_view place) { return place == "d" || place == "I" || place == "U" ? 2 : 1; }
 
 /// NaNs have no sign in messages, since devices give them different ones.
 template <class Float> std::string float_text(Float value) {
@@ -78,7 +76,8 @@ std::string scalar_text(std::string_view place, const std::uint32_t* words) {
 
 std::uint32_t words_of_format(std::string_view format) {
     std::uint32_t words = 0;
-    for_each_part(format, [](std::string_view) {}, [&](std::string_view place) { words += words_of_place(place); });
+    for_each_part(
+        format, [](std::string_view) {}, [&](std::string_view place) { words += words_of_place(place); });
     return words;
 }
 

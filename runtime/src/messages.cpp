@@ -19,8 +19,8 @@ std::string to_text(const Message& message) {
     std::string address;
     for (std::uint32_t axis = 0; axis < message.rank; ++axis)
         address += (axis ? ", " : "") + std::to_string(message.address[axis]);
-    return message.file + ":" + std::to_string(message.line) + ": at (" + address + "): " +
-           (message.kind == Message::Kind::assertion ? "assertion failed: " : "") + message.text;
+    return message.file + ":" + std::to_string(message.line) + ": at (" + address +
+           "): " + (message.kind == Message::Kind::assertion ? "assertion failed: " : "") + message.text;
 }
 
 namespace detail {
@@ -87,7 +87,9 @@ std::vector<Message> PrintingKernels::take(MessageHeader& buffer) const {
     const std::uint32_t end = std::min(buffer.used, buffer.capacity);
     std::vector<Message> messages;
     std::size_t pass = 0;  // where the messages of the current pass begin
-    const auto sort_pass = [&] { std::stable_sort(messages.begin() + static_cast<std::ptrdiff_t>(pass), messages.end(), is_before); };
+    const auto sort_pass = [&] {
+        std::stable_sort(messages.begin() + static_cast<std::ptrdiff_t>(pass), messages.end(), is_before);
+    };
     const Printing* kernel = nullptr;
     for (std::uint32_t at = 0; at < end && words[at] != 0;) {
         const std::uint32_t word = words[at++];
@@ -134,8 +136,8 @@ void MessageOutlet::throw_failed() {
     if (failures == 0) return;
     const Message failed = *std::exchange(failed_, std::nullopt);
     throw Error(ErrorCode::assertion_failed,
-                failures == 1 ? "an assertion failed" : std::to_string(failures) + " assertions failed",
-                failed.kernel, to_text(failed), "see the other messages: Device::on_message");
+                failures == 1 ? "an assertion failed" : std::to_string(failures) + " assertions failed", failed.kernel,
+                to_text(failed), "see the other messages: Device::on_message");
 }
 
 }  // namespace detail

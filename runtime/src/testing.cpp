@@ -295,13 +295,13 @@ void compare_messages(const std::vector<Message>& a, const std::string& name_a, 
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
         if (messages_agree(a[i], b[i], tolerance)) continue;
         if (++differing > 3) break;
-        failures.push_back(where + ": message " + std::to_string(i + 1) + ": " + name_a + " printed '" +
-                                    to_text(a[i]) + "' and " + name_b + " '" + to_text(b[i]) + "'");
+        failures.push_back(where + ": message " + std::to_string(i + 1) + ": " + name_a + " printed '" + to_text(a[i]) +
+                           "' and " + name_b + " '" + to_text(b[i]) + "'");
     }
     if (differing > 3) failures.push_back(where + ": and more");
     if (a.size() != b.size())
-        failures.push_back(where + ": " + name_a + " printed " + std::to_string(a.size()) + " messages and " +
-                                    name_b + " " + std::to_string(b.size()));
+        failures.push_back(where + ": " + name_a + " printed " + std::to_string(a.size()) + " messages and " + name_b +
+                           " " + std::to_string(b.size()));
 }
 
 void fail_box(Test& test, const char* name, unsigned rank, const Extent& size, const Extent& origin,

@@ -17,7 +17,8 @@ std::string message_definitions(const Printer& p) {
     return "layout(scalar, set = 0, binding = " + std::to_string(p.pass.bindings.size() + 2) +
            ") volatile buffer Messages {\n    uint used, lost, lost_high, capacity, words[];\n} " + block +
            ";\n\n"
-           "// Begins a message with so many words after its number. Returns where these begin; 0: the buffer is full.\n"
+           "// Begins a message with so many words after its number. Returns where these begin; 0: the buffer is "
+           "full.\n"
            "uint " +
            p.messages.begin + "(uint number, uint count) {\n    if (" + block + ".used < " + block +
            ".capacity) {\n        uint at = atomicAdd(" + block + ".used, count + 1u);\n        if (at < " + block +
@@ -40,8 +41,8 @@ void print_message(Printer& p, const ir::Stmt& stmt) {
         const std::string word = words.op == ir::Op::construct
                                      ? print_any(p, words.operands[i])
                                      : print(p, stmt.value, Level::postfix) + "[" + std::to_string(i) + "]";
-        line(p, p.messages.block + ".words[" + at + (i == 0 ? "" : " + " + std::to_string(i) + "u") + "] = " + word +
-                    ";");
+        line(p,
+             p.messages.block + ".words[" + at + (i == 0 ? "" : " + " + std::to_string(i) + "u") + "] = " + word + ";");
     }
     --p.indent;
     line(p, "}");

@@ -1,5 +1,5 @@
-// Expander: messages of `print` and `assert`. A message begins with the address of the visited element in its structure,
-// which is the same in all forms and on all devices.
+// Expander: messages of `print` and `assert`. A message begins with the address of the visited element in its
+// structure, which is the same in all forms and on all devices.
 #include "ir/effects.h"
 #include "lower/expand/expand.h"
 
@@ -12,7 +12,8 @@ ExprId Expander::visited_element() {
     if (cx.kernel.space) return centre_address(*cx.kernel.space);
     const std::vector<KernelParam>& params = cx.kernel.params;
     const auto has = [&](Course course) {
-        return std::ranges::find_if(params, [&](const KernelParam& param) { return traits_of(param.pattern).course == course; });
+        return std::ranges::find_if(
+            params, [&](const KernelParam& param) { return traits_of(param.pattern).course == course; });
     };
     auto visited = has(Course::visits);
     if (visited == params.end()) visited = has(Course::follows);

@@ -49,8 +49,7 @@ bool has_effect(const ir::Program& p, const ir::Stmt& stmt) {
     ir::for_each_root(stmt, [&](ir::ExprId root) {
         ir::for_each_node(p, root, [&](ir::ExprId id) {
             const ir::Expr& node = p.exprs[id];
-            const bool is_atomic =
-                node.op == ir::Op::intrinsic && ir::signature_of(node.intrinsic).starts_with('@');
+            const bool is_atomic = node.op == ir::Op::intrinsic && ir::signature_of(node.intrinsic).starts_with('@');
             const bool is_call = node.op == ir::Op::call;
             found = found || is_atomic ||
                     (is_call && (p.functions[node.function].is_statements() || p.functions[node.function].prints));
@@ -177,8 +176,11 @@ private:
             is_good_ = false;
             Diagnostic& diagnostic = c.error(Diag::not_printable, c[id].span, {c.text(type)});
             if (p.types.kind(type) == ir::TypeKind::optional)
-                note(diagnostic, c[id].span, "print it where it has a value: 'if let x = … { print(x); }', or 'x ?? y'");
-            else note(diagnostic, c[id].span, "printed are numbers, bools, enums, and vectors, arrays and structs of them");
+                note(diagnostic, c[id].span,
+                     "print it where it has a value: 'if let x = … { print(x); }', or 'x ?? y'");
+            else
+                note(diagnostic, c[id].span,
+                     "printed are numbers, bools, enums, and vectors, arrays and structs of them");
             return "";
         }
         words_count_ += message_words(p, type);
@@ -231,14 +233,15 @@ private:
     ir::ExprId with_named_sides(ir::ExprId condition) {
         const ast::Expr& written_condition = c[arguments_[0]];
         const ir::Expr node = p.exprs[condition];
-        const bool compares = node.op == ir::Op::binary && node.binary >= ir::BinaryOp::less &&
-                              node.binary <= ir::BinaryOp::not_equal;
+        const bool compares =
+            node.op == ir::Op::binary && node.binary >= ir::BinaryOp::less && node.binary <= ir::BinaryOp::not_equal;
         if (!compares || written_condition.kind != ast::ExprKind::binary) return condition;
         ir::Operands sides = node.operands;
         std::string text;
         for (std::size_t i = 0; i < 2; ++i) {
             const ir::Expr side = p.exprs[sides[i]];
-            if (side.op == ir::Op::constant || !(p.types.is_scalar(side.type) || p.types.kind(side.type) == ir::TypeKind::enum_))
+            if (side.op == ir::Op::constant ||
+                !(p.types.is_scalar(side.type) || p.types.kind(side.type) == ir::TypeKind::enum_))
                 continue;
             if (side.op != ir::Op::local)
                 sides[i] = make_local(p, emit_temporary(body_, i == 0 ? "left" : "right", sides[i], span_), span_);
@@ -253,8 +256,9 @@ private:
 
     void emit_message(bool is_assertion) {
         if (words_count_ > most_words) {
-            note(c.error(Diag::message_too_long, call_.span, {std::to_string(words_count_), std::to_string(most_words)}),
-                 call_.span, "print parts of it");
+            note(
+                c.error(Diag::message_too_long, call_.span, {std::to_string(words_count_), std::to_string(most_words)}),
+                call_.span, "print parts of it");
             is_good_ = false;
         }
         if (!is_good_ || !c.settings.messages) return;

@@ -1,4 +1,5 @@
-// `print(…)` and `assert(condition, …)`: statements of kernels that do not draw, and of functions that such kernels call.
+// `print(…)` and `assert(condition, …)`: statements of kernels that do not draw, and of functions that such kernels
+// call.
 //
 // Both become StmtOp::print, an assertion under a condition. Where messages are compiled out (Settings::messages) they
 // are checked, and make no code: so their operands must not have effects.

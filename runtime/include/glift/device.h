@@ -124,9 +124,9 @@ public:
 
     /// What kernels print goes to `sink` from now on; an empty function silences them. Returns the previous function;
     /// at first messages are written to stderr, one a line. They arrive when the host waits for the device (wait,
-    /// Download::get, Timestamp::seconds), on the host device at the end of each pass, and when the device is destroyed.
-    /// After a failed assertion the call that waits throws assertion_failed; no invocation is stopped. The buffer has
-    /// 1 MiB, or the bytes that the environment variable GLIFT_PRINT_BYTES says.
+    /// Download::get, Timestamp::seconds), on the host device at the end of each pass, and when the device is
+    /// destroyed. After a failed assertion the call that waits throws assertion_failed; no invocation is stopped. The
+    /// buffer has 1 MiB, or the bytes that the environment variable GLIFT_PRINT_BYTES says.
     MessageSink on_message(MessageSink sink) const;
 
     bool operator==(const Device&) const = default;

@@ -21,9 +21,9 @@ struct Message {
     std::string kernel;  ///< `kernel blur (blur.glift:12)`; lost: empty
     std::string file;    ///< of the statement; lost: empty
     std::uint32_t line = 0;
-    std::uint32_t rank = 0;                           ///< number of axes of the address; lost: 0
+    std::uint32_t rank = 0;                               ///< number of axes of the address; lost: 0
     std::array<std::uint32_t, 4> address = {0, 0, 0, 0};  ///< of the element that the kernel visited
-    std::uint64_t count = 1;                          ///< lost: how many messages
+    std::uint64_t count = 1;                              ///< lost: how many messages
 
     bool operator==(const Message&) const = default;
 };

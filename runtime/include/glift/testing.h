@@ -74,9 +74,9 @@ GLIFT_API void compare(const KeptStructure& a, const std::string& name_a, const 
 
 /// Compares what kernels printed on two devices, unless some of it was lost: adds the first few differences to
 /// `failures`. Numbers in the texts may differ by the tolerance, relative to the largest of 1 and their magnitudes.
-GLIFT_API void compare_messages(const std::vector<Message>& a, const std::string& name_a,
-                                const std::vector<Message>& b, const std::string& name_b, double tolerance,
-                                const std::string& where, std::vector<std::string>& failures);
+GLIFT_API void compare_messages(const std::vector<Message>& a, const std::string& name_a, const std::vector<Message>& b,
+                                const std::string& name_b, double tolerance, const std::string& where,
+                                std::vector<std::string>& failures);
 
 template <class A> A address_from(const Extent& extent) {
     A address{};

@@ -58,8 +58,9 @@ TEST_P(Messages, HaveAddressesInTheStructure) {
     plane.write({1, 0}, {2, 2}, std::vector<float>{0.1f, 1.0f / 3, -0.0f, 1e20f});
     messages::show_plane(device, plane.range({1, 0}, {3, 3}));
     device.wait();
-    EXPECT_THAT(lines, ElementsAre("messages.glift:13: at (1, 0): x = 0.1", "messages.glift:13: at (2, 0): x = 0.33333334",
-                                   "messages.glift:13: at (2, 1): x = 1e+20"));
+    EXPECT_THAT(lines,
+                ElementsAre("messages.glift:13: at (1, 0): x = 0.1", "messages.glift:13: at (2, 0): x = 0.33333334",
+                            "messages.glift:13: at (2, 1): x = 1e+20"));
 }
 
 TEST_P(Messages, OfManyElementsAreSorted) {

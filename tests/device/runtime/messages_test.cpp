@@ -22,8 +22,9 @@ void host_print(const glift::HostCall& call) {
     for (std::uint32_t i = p.size; i-- > 0; ++g[i]) {  // messages are sorted whatever the order of elements
         glift::host::print(call, 0, {i, g[i]});
         if (i >= p.limit)
-            glift::host::print(call, 1, {i, 0u - i, 0x3dcccccdu, 0x3dccc000u, 0u, 0x3fe00000u, 0xfffffffeu, 0xffffffffu, 1u,
-                                         1u, 1u, 4u, 5u});
+            glift::host::print(
+                call, 1,
+                {i, 0u - i, 0x3dcccccdu, 0x3dccc000u, 0u, 0x3fe00000u, 0xfffffffeu, 0xffffffffu, 1u, 1u, 1u, 4u, 5u});
     }
 }
 
@@ -47,8 +48,7 @@ const glift::Kernel print_kernel = {
 void run_print(const glift::Commands& commands, const glift::Memory& g, std::uint32_t size,
                std::uint32_t limit = UINT32_MAX) {
     const PrintParameters parameters = {size, limit};
-    commands.dispatch(print_kernel,
-                      {glift::FormName::direct, std::span(&g, 1), bytes_of(parameters), {size, 1, 1, 1}});
+    commands.dispatch(print_kernel, {glift::FormName::direct, std::span(&g, 1), bytes_of(parameters), {size, 1, 1, 1}});
 }
 
 class MessagesOfKernels : public OnEveryDevice {
@@ -73,9 +73,9 @@ using Lines = std::vector<std::string>;
 TEST_P(MessagesOfKernels, ComeInTheOrderOfPassesAndAddresses) {
     run_print(device, g, 2);
     run_print(device, g, 3);
-    EXPECT_EQ(waited(), (Lines{"print.glift:7: at (0): g is 0", "print.glift:7: at (1): g is 0",
-                               "print.glift:7: at (0): g is 1", "print.glift:7: at (1): g is 1",
-                               "print.glift:7: at (2): g is 0"}));
+    EXPECT_EQ(waited(),
+              (Lines{"print.glift:7: at (0): g is 0", "print.glift:7: at (1): g is 0", "print.glift:7: at (0): g is 1",
+                     "print.glift:7: at (1): g is 1", "print.glift:7: at (2): g is 0"}));
     EXPECT_TRUE(waited().empty());
     run_print(device, g, 4000);
     run_print(device, g, 4000);
@@ -146,7 +146,8 @@ TEST_P(MessagesOfKernels, OfFailedAssertionsAreErrorsOfTheNextWait) {
     EXPECT_NO_THROW(device.wait()) << "it is thrown once";
     run_print(device, g, 4, 2);
     EXPECT_EQ(error_of([&] { read<std::uint32_t>(device, g, 4); }).code(), glift::ErrorCode::assertion_failed);
-    EXPECT_EQ(read<std::uint32_t>(device, g, 4), (std::vector<std::uint32_t>{2, 2, 2, 2})) << "no invocation is stopped";
+    EXPECT_EQ(read<std::uint32_t>(device, g, 4), (std::vector<std::uint32_t>{2, 2, 2, 2}))
+        << "no invocation is stopped";
 }
 
 TEST_P(MessagesOfKernels, ArriveBeforeTheDeviceIsGone) {

@@ -160,6 +160,7 @@ void print_copy(Body& body, const Stmt& stmt) {
 // long: a case for each statement
 void print_outer(Body& body, const Stmt& stmt) {
     cpp::Printer& p = body.p;
+    if (stmt.op == StmtOp::print) return p.out.line(print_text(body, stmt));
     switch (stmt.op) {
     case StmtOp::row_store:
     case StmtOp::store: {
@@ -208,7 +209,6 @@ void print_outer(Body& body, const Stmt& stmt) {
         return p.out.line(concat(body.update_names.at(stmt.slot), ".add(", cpp::print_any(p, stmt.limit), ", ",
                                  cpp::print_any(p, stmt.target), ", ", cpp::print_any(p, stmt.value), ");"));
     case StmtOp::report: return p.out.line(report_text(body, stmt));
-    case StmtOp::print: return p.out.line(print_text(body, stmt));
     case StmtOp::load_rows:
         return p.out.line(concat("glift::host::load_rows(", row_arguments(body, stmt.slot, stmt.value), ", ",
                                  cpp::print_any(p, stmt.target), ");"));
