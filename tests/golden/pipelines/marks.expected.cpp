@@ -45,14 +45,14 @@ bool Marks::same_state(const Marks& other) const {
 }
 
 // marks.glift:11: mark
-void Marks::mark(const glift::Commands& commands) {
+void Marks::mark(const glift::Commands& commands) const {
     const glift::PipelineMark _mark("mark", "marks.glift:11");
     // marks.glift:12
     set(commands, places_.get(), 1.0f);
 }
 
 // marks.glift:15: mark_twice
-void Marks::mark_twice(const glift::Commands& commands) {
+void Marks::mark_twice(const glift::Commands& commands) const {
     const glift::PipelineMark _mark("mark_twice", "marks.glift:15");
     // marks.glift:16
     mark(commands);

@@ -84,9 +84,9 @@ public:
         see.member("places", places());
     }
 
-    void mark(const glift::Commands& commands);
+    void mark(const glift::Commands& commands) const;
 
-    void mark_twice(const glift::Commands& commands);
+    void mark_twice(const glift::Commands& commands) const;
 
 private:
     glift::Device device_;
