@@ -104,6 +104,7 @@ const KernelParam* first_visited(const Kernel& kernel) {
 /// The expression of a value that the host computes for each call.
 std::string uniform_text(Unit& unit, const Kernel& kernel, ir::ExprId value) {
     Printer p(unit.globals);
+    reserve_locals_of_calls(p.names);
     for (const KernelParam& param : kernel.params) {
         p.names.declare(param_name(unit, param));
         if (param.pattern == Pattern::value) p.local_names[param.local] = param_name(unit, param);

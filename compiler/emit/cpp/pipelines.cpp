@@ -38,7 +38,7 @@ struct PipelinePrinter {
     bool tracks = false;                ///< in tests: structures live to the end, to be compared
 
     PipelinePrinter(Unit& unit, const Pipeline& pipeline) : unit(unit), pipeline(pipeline), p(unit.globals) {
-        p.names.reserve({"commands", "mark", "test"});
+        p.names.reserve({"commands", "test"});
         if (pipeline.owner) {
             p.class_names = &unit.globals.class_names[pipeline.owner].all;
             p.names.avoid(unit.globals.class_names[pipeline.owner].own);
@@ -430,9 +430,9 @@ void print_pipeline(Unit& unit, Writer& out, ir::PipelineId index) {
     const std::string mark = uses_commands ? "" : "[[maybe_unused]] ";
     out.open(unit.linkage(pipeline.key) + signature(unit, index, printer.p, owner, false, mark));
     // What profiles and debuggers show (<glift/mark.h>). A value's pipeline is a part of its caller, and a test is no
-    // part of a program.
+    // part of a program. No name of the language's begins with '_' here: the variable hides none.
     if (uses_commands && !pipeline.is_value && !printer.tracks)
-        out.line("const glift::PipelineMark mark(" + quoted(pipeline.display) + ", \"" +
+        out.line("const glift::PipelineMark _mark(" + quoted(pipeline.display) + ", \"" +
                  place_text(unit.sources, pipeline.span) + "\");");
     out.raw(body);
     out.close();

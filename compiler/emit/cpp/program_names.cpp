@@ -41,6 +41,7 @@ NameSet members_of_class(ir::StructureKind kind) {
                       "has_blocks",
                       "list",
                       "map",
+                      "not_recording",
                       "place",
                       "put",
                       "read",

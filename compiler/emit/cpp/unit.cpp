@@ -8,6 +8,8 @@
 
 namespace gliftc::cpp {
 
+void reserve_locals_of_calls(Scopes& names) { names.reserve({"commands", "iteration", "memories", "parameters"}); }
+
 namespace {
 
 constexpr std::size_t kernels_of_a_thread = 16;  ///< printing fewer takes less time than starting a thread
@@ -17,7 +19,7 @@ void name_parameters(Unit& unit, const ir::Kernel& kernel) {
     Scopes names;
     names.avoid(unit.globals.type_names);
     names.avoid(unit.globals.kernel_symbols);
-    names.reserve({"commands", "iteration", "memories", "parameters"});
+    reserve_locals_of_calls(names);
     for (const ir::KernelParam& param : kernel.params)
         unit.globals.param_names[&param] = names.declare(unit.name(param.name));
 }

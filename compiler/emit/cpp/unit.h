@@ -175,4 +175,7 @@ std::string kept_scalars(const ir::Program& program, ir::StructureId structure);
 /// The table `tests` of the module's tests and checks; nothing if it has none.
 void print_tests(Unit& unit, Writer& out);
 
+/// Reserves the names of the variables that the functions which call kernels have.
+void reserve_locals_of_calls(Scopes&);
+
 }  // namespace gliftc::cpp

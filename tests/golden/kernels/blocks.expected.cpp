@@ -173,7 +173,7 @@ void Listed::fill(float value) {
 // blocks.glift:16: Listed.blocks
 GLIFT_SHARED glift::DeviceScalar<uint> blocks_blocks_Listed(const glift::Commands& commands,
     const glift::Range<Listed>& self) {
-    const glift::PipelineMark mark("Listed.blocks", "blocks.glift:16");
+    const glift::PipelineMark _mark("Listed.blocks", "blocks.glift:16");
     // blocks.glift:16
     ::std_transfer::Box_1_uint result(commands.uninitialized(), 1u);
     blocks_blocks_Listed_2(commands, self, result);
@@ -183,7 +183,7 @@ GLIFT_SHARED glift::DeviceScalar<uint> blocks_blocks_Listed(const glift::Command
 // blocks.glift:16: Listed.blocks, the element
 GLIFT_SHARED glift::DeviceScalar<uint> block_count_blocks_Listed(const glift::Commands& commands,
     const glift::Range<Listed>& self) {
-    const glift::PipelineMark mark("Listed.blocks, the element", "blocks.glift:16");
+    const glift::PipelineMark _mark("Listed.blocks, the element", "blocks.glift:16");
     // blocks.glift:16
     if (0u < self->state().domain()) {
         return self->state().element_in_place(commands, 0u);

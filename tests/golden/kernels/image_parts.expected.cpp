@@ -85,7 +85,7 @@ void resample(const glift::Commands& commands, const glift::Range<Levels>& from,
 
 // image_parts.glift:17: build
 void build(const glift::Commands& commands, const Levels& all) {
-    const glift::PipelineMark mark("build", "image_parts.glift:17");
+    const glift::PipelineMark _mark("build", "image_parts.glift:17");
     // image_parts.glift:18
     for (uint level = 1u, level_end = all.levels(); level < level_end; ++level) {
         // image_parts.glift:19

@@ -140,7 +140,7 @@ GLIFT_SHARED void map_a2dc23fc(const glift::Commands& commands, const glift::Ran
 
 // closures.glift:16: shift
 void shift(const glift::Commands& commands, const Line& x, float by) {
-    const glift::PipelineMark mark("shift", "closures.glift:16");
+    const glift::PipelineMark _mark("shift", "closures.glift:16");
     // closures.glift:17
     map_981bca7b(commands, x, shift_closure_1{by});
     // closures.glift:18
@@ -149,7 +149,7 @@ void shift(const glift::Commands& commands, const Line& x, float by) {
 
 // closures.glift:25: shift_again
 void shift_again(const glift::Commands& commands, const Line& x, float by) {
-    const glift::PipelineMark mark("shift_again", "closures.glift:25");
+    const glift::PipelineMark _mark("shift_again", "closures.glift:25");
     // closures.glift:26
     map_981bca7b(commands, x, shift_closure_1{by});
     // closures.glift:27
@@ -167,7 +167,7 @@ GLIFT_SHARED glift::DeviceScalar<shift_by_first_closure_1> value_cb2bb9f7(const 
 
 // closures.glift:31: shift_by_first
 void shift_by_first(const glift::Commands& commands, const Line& x) {
-    const glift::PipelineMark mark("shift_by_first", "closures.glift:31");
+    const glift::PipelineMark _mark("shift_by_first", "closures.glift:31");
     // closures.glift:32
     const glift::DeviceScalar<float> first = x.element_in_place(commands, 0u);
     // closures.glift:33

@@ -320,7 +320,7 @@ GLIFT_SHARED glift::DeviceScalar<uint> value_7992094a(const glift::Commands& com
 
 // device_values.glift:13: choose
 glift::DeviceScalar<uint> choose(const glift::Commands& commands, const Line& a, const Line& counts, uint by) {
-    const glift::PipelineMark mark("choose", "device_values.glift:13");
+    const glift::PipelineMark _mark("choose", "device_values.glift:13");
     // device_values.glift:14
     const glift::DeviceScalar<uint> n = value_a0d1f05f(commands, counts.element_in_place(commands, 0u),
         counts.element_in_place(commands, 1u), by);

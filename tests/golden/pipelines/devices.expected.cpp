@@ -127,14 +127,14 @@ void on_vulkan(const glift::Commands& commands, const glift::Range<Line>& to) {
 
 // devices.glift:28: by_gpu
 void by_gpu(const glift::Commands& commands, const Line& to) {
-    const glift::PipelineMark mark("by_gpu", "devices.glift:28");
+    const glift::PipelineMark _mark("by_gpu", "devices.glift:28");
     // devices.glift:29
     on_gpu(commands, to);
 }
 
 // devices.glift:32: fill
 void fill(const glift::Commands& commands, const Line& to, bool many) {
-    const glift::PipelineMark mark("fill", "devices.glift:32");
+    const glift::PipelineMark _mark("fill", "devices.glift:32");
     // devices.glift:33
     on_any(commands, to);
     // devices.glift:34

@@ -64,7 +64,7 @@ void smooth(const glift::Commands& commands, const glift::Range<Line>& f, const 
 
 // steps.glift:11: smoothed
 void smoothed(const glift::Commands& commands, const Line& g, uint rounds) {
-    const glift::PipelineMark mark("smoothed", "steps.glift:11");
+    const glift::PipelineMark _mark("smoothed", "steps.glift:11");
     // steps.glift:12
     Line a(commands, g.extent());
     // steps.glift:13

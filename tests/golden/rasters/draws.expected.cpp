@@ -101,7 +101,7 @@ void even(const glift::Commands& commands, const glift::Range<Points>& corner, f
 // draws.glift:83: frame
 void frame(const glift::Commands& commands, const Corners& corners, const Points& points, float4x4 camera,
     const Points& marks, const Corners& number, const Colour& image) {
-    const glift::PipelineMark mark("frame", "draws.glift:83");
+    const glift::PipelineMark _mark("frame", "draws.glift:83");
     // draws.glift:85
     Depth z(commands, image.extent());
     // draws.glift:86

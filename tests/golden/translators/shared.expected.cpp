@@ -191,7 +191,7 @@ bool Growing::same_state(const Growing& other) const {
 
 // shared.glift:52: grow
 void Growing::grow(const glift::Commands& commands) {
-    const glift::PipelineMark mark("grow", "shared.glift:52");
+    const glift::PipelineMark _mark("grow", "shared.glift:52");
     // shared.glift:53
     Plane larger(commands, uint2(16u, 2u * capacity_.get()));
     // shared.glift:54
