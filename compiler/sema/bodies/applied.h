@@ -6,7 +6,13 @@
 
 namespace gliftc::sema {
 
-/// The call of 'apply' that the call means; empty if what it calls is no value of a struct or enum.
-ast::ExprId applied_call(Body&, ast::ExprId call, const Operand& callee);
+/// The struct or enum whose value the operand is; empty if it is none.
+ir::TypeId applied_type(Body&, const Operand& callee);
+
+/// Whether the expression is a name, or a field of one: such a callee is checked twice, and so must have no effect.
+bool is_path(const Context&, ast::ExprId);
+
+/// The call of 'apply' that the call means, whose callee has an applied_type().
+ast::ExprId applied_call(Context&, ast::ExprId call);
 
 }  // namespace gliftc::sema

@@ -463,15 +463,15 @@ static Operand call_value(Body& body, ast::ExprId id, ir::TypeId wanted) {
     Context& c = body.context;
     const ast::Expr call = c[id];
     const ast::Expr callee = c[call.operands[0]];
-    Operand value;
-    if (callee.kind == ast::ExprKind::name || callee.kind == ast::ExprKind::member) {
-        value = check(body, call.operands[0]);
+    ir::TypeId applied;
+    if (is_path(c, call.operands[0])) {
+        const Operand value = check(body, call.operands[0]);
         if (value.kind == OperandKind::error) return error_operand(call.span);
+        applied = applied_type(body, value);
     }
-    const ast::ExprId applied = applied_call(body, id, value);
     if (applied) {
         const Diagnostics::Mark before = c.diagnostics.mark();
-        Operand result = check_unnamed_call(body, applied, wanted);
+        Operand result = check_unnamed_call(body, applied_call(c, id), wanted);
         const std::vector<Diagnostic>& all = c.diagnostics.all();
         if (all.size() == before.count || all[before.count].span != callee.span) return result;
         c.diagnostics.back_to(before);
@@ -480,7 +480,8 @@ static Operand call_value(Body& body, ast::ExprId id, ir::TypeId wanted) {
     Diagnostic& diagnostic =
         c.error(Diag::not_callable, callee.span, {symbol ? "'" + c.text(callee.name) + "'" : std::string("this")});
     if (symbol) note(diagnostic, symbol->span, "declared here");
-    if (applied) note(diagnostic, callee.span, "there is no function 'apply' for " + c.text(value.type));
+    if (applied) note(diagnostic, callee.span, "there is no function 'apply' for " + c.text(applied));
+    if (!is_path(c, call.operands[0])) note(diagnostic, callee.span, "name it first: let f = …;");
     return error_operand(call.span);
 }
 

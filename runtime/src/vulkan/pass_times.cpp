@@ -16,11 +16,7 @@ RecordedTimes::~RecordedTimes() {
 
 Query RecordedTimes::take(VkCommandBuffer commands) {
     if (pools_.empty() || used_ == pool_size) {
-        const VkQueryPoolCreateInfo info = {.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
-                                            .queryType = VK_QUERY_TYPE_TIMESTAMP,
-                                            .queryCount = pool_size};
-        VkQueryPool pool = VK_NULL_HANDLE;
-        context_.check(context_.vk.vkCreateQueryPool(context_.device, &info, nullptr, &pool), "vkCreateQueryPool");
+        VkQueryPool pool = make_timestamps(context_, pool_size);
         pools_.push_back(pool);
         used_ = 0;
         context_.vk.vkCmdResetQueryPool(commands, pool, 0, pool_size);

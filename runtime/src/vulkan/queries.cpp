@@ -12,6 +12,14 @@ constexpr std::uint32_t pool_size = 256;
 
 }  // namespace
 
+VkQueryPool make_timestamps(Context& context, std::uint32_t count) {
+    const VkQueryPoolCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO, .queryType = VK_QUERY_TYPE_TIMESTAMP, .queryCount = count};
+    VkQueryPool pool = VK_NULL_HANDLE;
+    context.check(context.vk.vkCreateQueryPool(context.device, &info, nullptr, &pool), "vkCreateQueryPool");
+    return pool;
+}
+
 Queries::~Queries() {
     for (VkQueryPool pool : pools_) context_.vk.vkDestroyQueryPool(context_.device, pool, nullptr);
 }
@@ -22,11 +30,7 @@ Query Queries::take() {
     }
     const std::lock_guard lock(mutex_);
     if (idle_.empty()) {
-        const VkQueryPoolCreateInfo info = {.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
-                                            .queryType = VK_QUERY_TYPE_TIMESTAMP,
-                                            .queryCount = pool_size};
-        VkQueryPool pool = VK_NULL_HANDLE;
-        context_.check(context_.vk.vkCreateQueryPool(context_.device, &info, nullptr, &pool), "vkCreateQueryPool");
+        VkQueryPool pool = make_timestamps(context_, pool_size);
         pools_.push_back(pool);
         for (std::uint32_t k = 0; k < pool_size; ++k) idle_.push_back({pool, k});
     }

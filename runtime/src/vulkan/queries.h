@@ -14,6 +14,9 @@ struct Query {
     std::uint32_t index = 0;
 };
 
+/// A pool of timestamp queries, which the caller destroys.
+VkQueryPool make_timestamps(Context&, std::uint32_t count);
+
 class Queries {
 public:
     explicit Queries(Context& context) : context_(context) {}
