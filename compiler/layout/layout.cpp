@@ -91,13 +91,12 @@ bool holds_half(const Program& program, TypeId id) {
                                [&](const StructField& field) { return holds_half(program, field.type); });
 }
 
-/// Whether parameters that are no push constants are in a uniform buffer rather than a storage buffer: those of draws,
-/// where they fit. Helper invocations of fragment shaders read zeros from storage buffers on some devices
-/// (ir/derivatives.h), but not from uniform buffers. Not with halves, which need another device feature in uniform
-/// buffers.
+/// Whether parameters that are no push constants are in a uniform buffer: those that fit and hold no halves, which need
+/// another device feature in uniform buffers. The others are in a storage buffer, from which each use is a load: a
+/// 7-point stencil takes 1.3 times as long on an H200. In draws, helper invocations of fragment shaders even read zeros
+/// from storage buffers on some devices (ir/derivatives.h).
 bool suits_uniform_buffer(const Program& program, const Pass& pass) {
-    const bool draws = pass.kernel && program.kernels[pass.kernel].raster;
-    return draws && pass.parameter_bytes <= uniform_buffer_limit &&
+    return pass.parameter_bytes <= uniform_buffer_limit &&
            std::ranges::none_of(pass.parameters,
                                 [&](const PassParameter& parameter) { return holds_half(program, parameter.type); });
 }

@@ -7,8 +7,8 @@
 //             constants where they fit (over blocks never);
 //   general   ranges with origins, a state for each structure, sizes that may live on the device; on Vulkan devices
 //             buffers are accessed by device address, without descriptors, and iterations may be split into several
-//             dispatches; parameters in a storage buffer at binding 0 (of draws in a uniform buffer, where they fit and
-//             none has halves); parameters of a direct form that are not push constants lie there, too.
+//             dispatches; parameters in a uniform buffer at binding 0, or in a storage buffer where they do not fit or
+//             one has halves; parameters of a direct form that are not push constants lie there, too.
 //
 // Generated code chooses the form. Where the ranges allow the direct form, it asks Commands::can_be_direct(kernel,
 // memories, size, sharing) before it packs the parameters. The answer is false where the direct form has no code for
@@ -191,7 +191,7 @@ struct Form {
     void (*host)(const HostCall&) = nullptr;  ///< null: this form does not exist on the host device
     std::uint32_t parameter_bytes = 0;
     bool push_constants = false;  ///< parameters are push constants, else the buffer at binding 0
-    bool uniform_buffer = false;  ///< draws: that buffer is a uniform buffer, else a storage buffer
+    bool uniform_buffer = false;  ///< that buffer is a uniform buffer, else a storage buffer
     /// Byte offset, in the parameters, of the iteration size: `rank` uints. Used only where a call has patches
     /// (Call::patches); most direct forms have no such parameter.
     std::uint32_t size_offset = 0;

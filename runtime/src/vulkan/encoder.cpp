@@ -42,10 +42,11 @@ VkMemoryBarrier2 between_work(bool draws) {
             .dstAccessMask = writes | work_reads | (draws ? draw_reads : 0)};
 }
 
+/// After the pass that writes commands, and values into parameters, which may lie in uniform buffers.
 VkMemoryBarrier2 before_indirect_work(bool draws) {
     VkMemoryBarrier2 barrier = between_work(draws);
     barrier.dstStageMask |= VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT;
-    barrier.dstAccessMask |= VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT;
+    barrier.dstAccessMask |= VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_2_UNIFORM_READ_BIT;
     return barrier;
 }
 
