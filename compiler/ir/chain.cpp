@@ -259,11 +259,11 @@ bool stays_inside(const Program& program, const Structure& structure) {
            !program.translators[structure.via.back().translator].properties.partial;
 }
 
-bool makes_memory(const Program& program, const Structure& structure) {
+bool takes_commands(const Program& program, const Structure& structure) {
     if (structure.field) return false;
-    return structure.kind != StructureKind::computed ||
+    return structure.kind != StructureKind::computed || structure.is_container ||
            std::ranges::any_of(structure.members, [&](const MemberStructure& member) {
-               return !member.by_reference && makes_memory(program, program.structures[member.structure]);
+               return !member.by_reference && takes_commands(program, program.structures[member.structure]);
            });
 }
 

@@ -91,9 +91,9 @@ bool is_contained(const Program& program, const Structure& structure);
 /// to be missing.
 bool stays_inside(const Program& program, const Structure& structure);
 
-/// Whether making the structure may allocate memory. False for components, and for views all of whose members are given
-/// to them, or are themselves views for which it is false.
-bool makes_memory(const Program& program, const Structure& structure);
+/// Whether the structure is made for a device: it is a container, or may allocate memory. False for components, and for
+/// other views all of whose members are given to them, or are themselves views for which it is false.
+bool takes_commands(const Program& program, const Structure& structure);
 
 /// The place of the first link with an `otherwise`, the value of reads at unmapped addresses; absent: none has one.
 std::optional<Place> says_otherwise(const Program& program, const Structure& structure, const Place& place);

@@ -454,7 +454,9 @@ struct Structure {
     /// A bit for each axis of physical addresses: set if it is proved that no address of the domain leads outside the
     /// memory along that axis, so that accesses need no test. Computed by lower/analysis/contained.cpp.
     std::uint8_t contained_axes = 0;
-    std::vector<Method> methods;  ///< of a container: its public functions that C++ calls
+    /// Its public functions without effects, structures as parameters or optionals as results, for GLSL libraries.
+    std::vector<FunctionId> functions;
+    std::vector<Method> methods;  ///< of a container: those of `functions` that C++ calls
     /// It has pipelines or host state, or no elements: its own members may be replaced, so that copies of it hold them
     /// by a handle.
     bool is_container = false;

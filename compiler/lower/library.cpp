@@ -114,15 +114,31 @@ void add_sample(Maker& k) {
     k.add("sample", s.element, {point}, k.param(k.library.name, Pattern::any, Direction::in), {std::move(stmt)});
 }
 
-/// The functions by which elements are reached. Others, such as those that say what is resident, would make the shader
-/// bind all memories of a container.
+/// The functions by which elements are reached.
 bool is_access(std::string_view name) {
     constexpr std::array<std::string_view, 4> names{"sample", "gather", "compare", "contains"};
     return std::ranges::find(names, name) != names.end();
 }
 
+/// The functions that libraries have without a declaration.
+bool is_made(std::string_view name) {
+    constexpr std::array<std::string_view, 4> names{"read", "write", "translate", "is_mapped"};
+    return std::ranges::find(names, name) != names.end();
+}
+
+/// Whether reads of elements use all memories that the function uses. Functions that use others, such as those that say
+/// which pages were asked for, would make each shader bind these.
+bool uses_what_reads_use(const Library& library, const LibraryFunction& function) {
+    const auto read = std::ranges::find(library.functions, "read", &LibraryFunction::name);
+    return std::ranges::all_of(function.pass.bindings, [&](const PassBinding& wanted) {
+        return std::ranges::any_of(read->pass.bindings, [&](const PassBinding& have) {
+            return have.place == wanted.place && have.memory == wanted.memory;
+        });
+    });
+}
+
 /// A function that the structure declares itself.
-void add_method(Maker& k, FunctionId id) {
+void add_own(Maker& k, FunctionId id) {
     const Function function = k.program.functions[id];
     Expr call;
     call.op = Op::call;
@@ -155,12 +171,16 @@ Library library_of(Program& program, StructureId structure, const Alias& alias, 
     add_translate(k);
     k.add_value("read", k.make(Op::read, s.element, k.use(k.address)));
     const bool is_written = s.kind == StructureKind::stored && root_memory(program, s).format != Format::d32;
-    const auto name_of = [&](const Method& method) -> std::string_view {
-        return (*program.names)[program.functions[method.function].name];
+    const auto name_of = [&](FunctionId function) -> std::string_view {
+        return (*program.names)[program.functions[function].name];
     };
-    if (std::ranges::find(s.methods, "sample", name_of) == s.methods.end()) add_sample(k);
-    for (const Method& method : std::vector(s.methods))
-        if (is_access(name_of(method))) add_method(k, method.function);
+    if (std::ranges::find(s.functions, "sample", name_of) == s.functions.end()) add_sample(k);
+    for (FunctionId function : std::vector(s.functions)) {
+        if (is_made(name_of(function))) continue;
+        add_own(k, function);
+        if (!is_access(name_of(function)) && !uses_what_reads_use(library, library.functions.back()))
+            library.functions.pop_back();
+    }
     if (is_written) add_write(k);
     // Without a `write` function, images are sampled images: these can be filtered, and devices need not have storage
     // images of depths.

@@ -169,6 +169,14 @@ Diagnostic& Context::error(Diag id, Span span, std::initializer_list<std::string
     return diagnostic;
 }
 
+/// Whether there is a GLSL library for the structure (lower/library.h): it has a public name in a module that is
+/// compiled.
+static bool has_library(const Context& c, ir::StructureId index) {
+    return std::ranges::any_of(c.program.structures[index].aliases, [&](const ir::Alias& alias) {
+        return alias.is_pub && c.modules[alias.module].is_root;
+    });
+}
+
 ir::Program check(const ModuleTable& modules, ast::Tree& tree, Names& names, Diagnostics& diagnostics,
                   const Settings& settings) {
     ir::Program program;
@@ -187,10 +195,8 @@ ir::Program check(const ModuleTable& modules, ast::Tree& tree, Names& names, Dia
         if (modules[i].is_root) check_code(c, i, modules[i].tree->decls);
     for (ir::StructureId i : program.structures.ids()) {
         if (makers_of(c, i).empty()) continue;
-        if (program.structures[i].is_container) {
-            check_own_pipelines(c, i);
-            check_methods(c, i);
-        }
+        if (program.structures[i].is_container) check_own_pipelines(c, i);
+        if (program.structures[i].is_container || has_library(c, i)) check_functions(c, i);
         if (!diagnostics.has_own_errors()) require_transfers(c, i, program.structures[i].span);
     }
     if (!diagnostics.has_own_errors()) check_given(c);

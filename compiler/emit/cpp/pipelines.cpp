@@ -179,7 +179,7 @@ void PipelinePrinter::temporary(const Stmt& stmt) {
         list += ", " + print_any(p, argument);
     }
     const std::string device = ", " + commands + (stmt.uninitialized ? ".uninitialized()" : "");
-    std::string arguments = (ir::makes_memory(unit.program, made) ? device : "") + structures + values;
+    std::string arguments = (ir::takes_commands(unit.program, made) ? device : "") + structures + values;
     const std::string name = declare_local(p, stmt.local);
     p.out.line(unit.class_name(type.structure) + " " + name +
                (arguments.empty() ? ";" : "(" + arguments.substr(2) + ");"));

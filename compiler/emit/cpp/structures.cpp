@@ -39,7 +39,7 @@ private:
 Constructor constructor_of(const Unit& unit, ir::StructureId index, const ClassNames& names, bool qualified) {
     const Structure& structure = unit.program.structures[index];
     Constructor result;
-    if (ir::makes_memory(unit.program, structure)) result.parameters.push_back("const glift::Commands& commands");
+    if (ir::takes_commands(unit.program, structure)) result.parameters.push_back("const glift::Commands& commands");
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         if (structure.members[i].by_reference)
             result.parameters.push_back("const " + unit.class_name(structure.members[i].structure) + "& " +
@@ -125,11 +125,12 @@ void print_accessors(Unit& unit, Writer& out, ir::StructureId index, const Class
         out.line(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " + names.arguments[i] +
                  "() const { return " + names.argument_fields[i] + "; }");
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
-        const std::string type = unit.class_name(structure.members[i].structure);
-        if (structure.members[i].is_component) {
-            out.line(type + " " + names.members[i] + "() const;");
+        const ir::MemberStructure& member = structure.members[i];
+        if (member.is_component) {  // an alias of its class comes after this class
+            out.line(unit.own_name(member.structure) + " " + names.members[i] + "() const;");
             continue;
         }
+        const std::string& type = unit.class_name(member.structure);
         const std::string field = names.member_fields[i] + (is_held_by_handle(structure, i) ? ".get()" : "");
         out.line("const " + type + "& " + names.members[i] + "() const { return " + field + "; }");
         if (structure.is_container || is_written_as(structure, i))
@@ -293,7 +294,7 @@ Printer method_printer(Unit& unit, ir::StructureId index) {
 
 std::string member_value(Unit& unit, Printer& p, const std::string& owner, const ir::MemberStructure& member) {
     const Structure& made = unit.program.structures[member.structure];
-    std::string arguments = ir::makes_memory(unit.program, made) ? "commands" : "";
+    std::string arguments = ir::takes_commands(unit.program, made) ? "commands" : "";
     for (const ir::Place& place : member.structures) {
         ir::Expr whole;
         whole.op = ir::Op::structure_value;

@@ -161,35 +161,46 @@ ir::PipelineId pipeline_of_function(Context& c, ir::FunctionId id, Span use, con
     return made;
 }
 
-/// Adds the function to the structure's methods, if C++ programs can call it.
-static void add_method(Context& c, ir::StructureId index, ast::DeclId id) {
+/// The instance of a function of the structure that code outside of kernels can call; absent: it cannot. Functions that
+/// write are called only by kernels, and by functions that kernels call. Optionals are neither types of C++ nor of GLSL.
+static std::optional<ir::FunctionId> callable_function(Context& c, ir::StructureId index, ast::DeclId id) {
     const Env& env = *c.structure_env.at(index);
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Function>(decl.body);
-    if (!decl.is_pub || !decl.generics.empty()) return;
+    if (!decl.is_pub || !decl.generics.empty()) return std::nullopt;
     const bool takes_structures = std::ranges::any_of(written.params, [&](const ast::Param& param) {
         return param.pattern != ast::Pattern::none ||
                (param.type && c.types().kind(type_of(c, env, param.type)) == ir::TypeKind::structure);
     });
-    if (takes_structures || !written.group.empty()) return;
+    if (takes_structures || !written.group.empty()) return std::nullopt;
     const auto function = instantiate_function(c, id, env, {index}, decl.name.span);
-    if (!function) return;
+    if (!function) return std::nullopt;
     const ir::Function& made = c.program.functions[*function];
-    // Functions that write are called only by kernels, and by functions that kernels call. Methods in C++ cannot
-    // return optionals.
-    if (!made.effects.empty() || made.prints || c.types().kind(made.result) == ir::TypeKind::optional) return;
+    if (!made.effects.empty() || made.prints || c.types().kind(made.result) == ir::TypeKind::optional)
+        return std::nullopt;
+    return *function;
+}
+
+/// Adds the function to the structure's methods, if a pass can evaluate it.
+static void add_method(Context& c, ir::StructureId index, ir::FunctionId function) {
+    const ir::Function& made = c.program.functions[function];
     if (made.reads_memory && type_not_for_passes(c.program, made)) return;
-    ir::Method method{*function, {}};
+    ir::Method method{function, {}};
     if (made.reads_memory) {
-        method.pipeline = pipeline_of_function(c, *function, decl.name.span);
+        method.pipeline = pipeline_of_function(c, function, made.span);
         if (!method.pipeline) return;
     }
     c.program.structures[index].methods.push_back(method);
 }
 
-void check_methods(Context& c, ir::StructureId index) {
-    for (const ast::Item* item : items_of(c, index))
-        if (item->kind == ast::ItemKind::function) add_method(c, index, item->decl);
+void check_functions(Context& c, ir::StructureId index) {
+    for (const ast::Item* item : items_of(c, index)) {
+        if (item->kind != ast::ItemKind::function) continue;
+        const std::optional<ir::FunctionId> function = callable_function(c, index, item->decl);
+        if (!function) continue;
+        c.program.structures[index].functions.push_back(*function);
+        if (c.program.structures[index].is_container) add_method(c, index, *function);
+    }
 }
 
 }  // namespace gliftc::sema

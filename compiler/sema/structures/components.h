@@ -75,8 +75,8 @@ ir::ExprId structure_argument(Context&, ir::LocalId, Span);
 ir::PipelineId pipeline_of_kernel(Context&, ir::Kernel kernel, ir::Pipeline pipeline, ir::Operands arguments,
                                   ir::StructureId box);
 
-/// Fills Structure::methods: the container's public functions that its C++ class gets as methods.
-void check_methods(Context&, ir::StructureId structure);
+/// Fills Structure::functions, and Structure::methods of containers.
+void check_functions(Context&, ir::StructureId structure);
 
 bool is_address(const ir::Types&, ir::TypeId);  ///< uint, uint2, uint3, uint4
 
