@@ -170,7 +170,8 @@ public:
         std::printf("%zu test%s on %s%s: %zu failed", ran_, ran_ == 1 ? "" : "s", "the host",
                     devices_.size() > 1 ? (" and " + devices_[1].properties().name).c_str() : "", failed_);
         std::printf(number_unchecked_ ? ", %zu not checked\n" : "\n", number_unchecked_);
-        return failed_ == 0 ? 0 : 1;
+        const bool checked_nothing = ran_ == 0 && number_unchecked_ != 0;
+        return failed_ == 0 && !checked_nothing ? 0 : 1;
     }
 
 private:
@@ -418,7 +419,7 @@ int run_tests(std::span<const TestCase> tests, int argc, char** argv) {
     try {
         const Device host = Device::open("host");
         std::vector<Device> devices{host};
-        if (name != "host") devices.push_back(Device::open(name));
+        if (const Device other = Device::open(name); !other.is_host()) devices.push_back(other);
         TestRunner runner(std::move(devices), std::chrono::seconds(std::atol(seconds.c_str())));
         const auto is_wanted = [&](const TestCase& test) {
             return std::string_view(test.title).find(filter) != std::string_view::npos;

@@ -30,6 +30,9 @@ ran = here.run("test", "--list", wrong)
 says(ran, 0, "a square (wrong_translations.glift:", "translation of Folded (")
 expect("pass" not in ran.said, "--list runs nothing", ran.said)
 says(here.run("test", "--filter", "typo", wrong), 2, "no test has 'typo' in its title")
+# A run that checks nothing does not pass.
+says(here.run("test", "--device", "host", "--filter", "Unmade", wrong), 1, "0 tests on the host: 0 failed, 1 not checked")
+says(here.run("test", "--filter", "a square", wrong, GLIFT_DEVICE="host"), 0, " on the host: 0 failed")
 says(here.run("test", "--filter", "a square", wrong, CXX="no-such-compiler"), 4,
      "there is no 'no-such-compiler' here", "CXX")
 
