@@ -34,6 +34,7 @@ public:
     explicit Inspection(std::string text) : text_(std::move(text)) {}
     const std::string& text() const { return text_; }
 
+    /// Replaces the file at once, so that `tools/inspect --follow` may read it at any time. Throws wrong_argument.
     GLIFT_API void save(const std::string& path) const;
 
 private:
