@@ -172,9 +172,8 @@ Diagnostic& Context::error(Diag id, Span span, std::initializer_list<std::string
 /// Whether there is a GLSL library for the structure (lower/library.h): it has a public name in a module that is
 /// compiled.
 static bool has_library(const Context& c, ir::StructureId index) {
-    return std::ranges::any_of(c.program.structures[index].aliases, [&](const ir::Alias& alias) {
-        return alias.is_pub && c.modules[alias.module].is_root;
-    });
+    return std::ranges::any_of(c.program.structures[index].aliases,
+                               [&](const ir::Alias& alias) { return alias.is_pub && c.modules[alias.module].is_root; });
 }
 
 ir::Program check(const ModuleTable& modules, ast::Tree& tree, Names& names, Diagnostics& diagnostics,

@@ -162,7 +162,8 @@ ir::PipelineId pipeline_of_function(Context& c, ir::FunctionId id, Span use, con
 }
 
 /// The instance of a function of the structure that code outside of kernels can call; absent: it cannot. Functions that
-/// write are called only by kernels, and by functions that kernels call. Optionals are neither types of C++ nor of GLSL.
+/// write are called only by kernels, and by functions that kernels call. Optionals are neither types of C++ nor of
+/// GLSL.
 static std::optional<ir::FunctionId> callable_function(Context& c, ir::StructureId index, ast::DeclId id) {
     const Env& env = *c.structure_env.at(index);
     const ast::Decl& decl = c[id];
