@@ -140,6 +140,27 @@ void check_raster(Context& c, const ast::Kernel& raster) {
             check_param(c, param, mentions);
 }
 
+/// Whether the kernel has an instance, or may get one where generic code that mentions it is instantiated.
+bool is_checked(const Context& c, ast::DeclId id) {
+    const ast::Decl& decl = c[id];
+    const auto is_instance = [&](const ir::Kernel& made) {
+        return made.name == decl.name.name && made.module == c.module_of.at(id);
+    };
+    const auto mentions_it = [&](const ast::Expr& expr) {
+        return expr.kind == ast::ExprKind::name && expr.name == decl.name.name && expr.span.file == decl.name.span.file;
+    };
+    return decl.is_pub || std::ranges::any_of(c.program.kernels, is_instance) ||
+           std::any_of(c.tree.exprs.begin(), c.tree.exprs.end(), mentions_it);
+}
+
+void check_kernel(Context& c, ast::DeclId id, const ast::Kernel& kernel) {
+    if (!is_checked(c, id))
+        note(c.diagnostics.report(Diag::unchecked_kernel, c[id].name.span, {c.text(c[id].name.name)}), c[id].name.span,
+             "call it in a pipeline or a test, or list instances: 'kernel k = k<S>;'");
+    else if (kernel.raster) check_raster(c, kernel);
+    else check_pass(c, kernel.params, kernel.body);
+}
+
 void check_function(Context& c, ast::DeclId id, const ast::Function& function) {
     if (!function.has_body) return;
     check_reached(c, function.body);
@@ -158,10 +179,7 @@ void warn(Context& c, const std::vector<ast::DeclId>& declarations) {
         const auto& body = c[id].body;
         if (const auto* test = std::get_if<ast::Test>(&body)) check_reached(c, test->body);
         if (const auto* function = std::get_if<ast::Function>(&body)) check_function(c, id, *function);
-        if (const auto* kernel = std::get_if<ast::Kernel>(&body)) {
-            if (kernel->raster) check_raster(c, *kernel);
-            else check_pass(c, kernel->params, kernel->body);
-        }
+        if (const auto* kernel = std::get_if<ast::Kernel>(&body)) check_kernel(c, id, *kernel);
         if (const auto* pipeline = std::get_if<ast::Pipeline>(&body)) check_pass(c, pipeline->params, pipeline->body);
     }
 }

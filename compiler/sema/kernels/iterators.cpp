@@ -33,7 +33,7 @@ void assign_element(Body& body, const ast::Stmt& stmt, const Symbol& symbol) {
     const ir::KernelParam& param = body.kernel->params[symbol.slot];
     if (stmt.op && param.direction == ir::Direction::out) {
         note(body.context.error(Diag::out_read, stmt.span, {body.context.text(param.name)}), param.span,
-             "'inout' reads and writes");
+             "keep the value in a 'var' and assign it once, or declare 'inout', which reads the stored value");
         return;
     }
     ir::ExprId value = combined(body, stmt, element_of(body, symbol.slot, stmt.span));
@@ -180,7 +180,8 @@ Operand iterator_value(Body& body, const Operand& iterator) {
     case ir::Pattern::instance:
     case ir::Pattern::each:
         if (param.direction == ir::Direction::out) {
-            note(c.error(Diag::out_read, iterator.span, {name}), param.span, "'inout' reads and writes");
+            note(c.error(Diag::out_read, iterator.span, {name}), param.span,
+                 "keep the value in a 'var' and assign it once, or declare 'inout', which reads the stored value");
             return error_operand(iterator.span);
         }
         return value_operand(body, element_of(body, iterator.slot, iterator.span), iterator.span);
