@@ -1,5 +1,6 @@
-// The function `describe` of generated classes and structs, which names their parts to programs that inspect structures
-// of any type.
+// The functions `describe` of generated classes and structs, which names their parts to programs that inspect
+// structures of any type, and `visit_state` of classes, which hands what a structure consists of to programs that store
+// and restore it.
 #include "emit/cpp/unit.h"
 
 namespace gliftc::cpp {
@@ -28,6 +29,51 @@ void print_description(const Unit& unit, Writer& out, ir::StructureId index) {
         const bool is_memory = structure.base.size() == 1 && structure.base[0] == i;
         const char* const what = is_memory ? "memory" : structure.members[i].by_reference ? "given" : "member";
         part(what, structure.members[i].name, names.members[i] + "()");
+    }
+    out.close();
+}
+
+namespace {
+
+/// The types of the constructor's arguments, by which a structure is made from stored ones. Not of structures that are
+/// given others: a file cannot say which.
+void print_argument_types(const Unit& unit, Writer& out, const ir::Structure& structure) {
+    for (const ir::MemberStructure& member : structure.members)
+        if (member.by_reference) return;
+    std::string types;
+    for (const ir::LocalId argument : structure.constructor)
+        types += (types.empty() ? "" : ", ") + unit.type(unit.program.locals[argument].type, true);
+    out.line("using Arguments = glift::Types<" + types + ">;");
+}
+
+}  // namespace
+
+void print_state_visit(const Unit& unit, Writer& out, ir::StructureId index) {
+    const ir::Structure& structure = unit.program.structures[index];
+    const ClassNames& names = unit.globals.class_names[index];
+    const auto part = [&](const char* what, Name name, const std::string& fields) {
+        out.line(std::string("visit.") + what + "(" + quoted(unit.name(name)) + ", " + fields + ");");
+    };
+    print_argument_types(unit, out, structure);
+    out.open("template <class Visit> void visit_state(Visit&& visit)");
+    for (std::size_t i = 0; i < structure.constructor.size(); ++i)
+        part("argument", unit.program.locals[structure.constructor[i]].name, names.argument_fields[i]);
+    for (std::size_t i = 0; i < structure.host.size(); ++i)
+        part("host", structure.host[i].name, names.host_fields[i] + ".get()");
+    for (std::size_t i = 0; i < structure.memories.size(); ++i) {
+        const ir::Memory& memory = structure.memories[i];
+        if (memory.part) continue;
+        const bool is_buffer = memory.shape == ir::MemoryShape::buffer;
+        part(is_buffer ? "buffer" : "image", memory.name,
+             names.memory_fields[i] + ", " + names.extent_fields[i] +
+                 (is_buffer ? ", " + storage_text(unit.globals, memory.element, true) + "{}" : ""));
+    }
+    for (std::size_t i = 0; i < structure.members.size(); ++i) {
+        if (structure.members[i].is_component) continue;
+        const bool is_memory = structure.base.size() == 1 && structure.base[0] == i;
+        const char* const what = structure.members[i].by_reference ? "given" : is_memory ? "base" : "member";
+        part(what, structure.members[i].name,
+             names.member_fields[i] + (is_held_by_handle(structure, i) ? ".get()" : ""));
     }
     out.close();
 }

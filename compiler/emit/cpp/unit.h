@@ -116,7 +116,10 @@ void print_list_declaration(const Unit& unit, Writer& out, ir::StructureId struc
 // descriptions.cpp
 /// The function `describe` of a class, which names its parts.
 void print_description(const Unit& unit, Writer& out, ir::StructureId structure);
-/// The same of a struct; nothing if it has no fields.
+/// The function `visit_state` of a class, which hands what the structure consists of to a program that stores it, and
+/// the type `Arguments`.
+void print_state_visit(const Unit& unit, Writer& out, ir::StructureId structure);
+/// The function `describe` of a struct; nothing if it has no fields.
 void print_description(const Unit& unit, Writer& out, const std::vector<ir::StructField>& fields,
                        const std::vector<std::string>& names);
 
