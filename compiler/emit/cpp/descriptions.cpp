@@ -46,13 +46,30 @@ void print_argument_types(const Unit& unit, Writer& out, const ir::Structure& st
     out.line("using Arguments = glift::Types<" + types + ">;");
 }
 
+/// The name of a buffer in files: that of its declaration; if it has one field alone of the elements, `data.velocity`.
+std::string stored_name(const Unit& unit, const ir::Structure& structure, std::size_t memory) {
+    std::size_t first = memory;
+    while (!structure.memories[first].declared) --first;
+    std::string name = unit.name(structure.memories[first].declared);
+    ir::TypeId type = structure.element;
+    for (const std::uint32_t field : structure.memories[memory].fields) {
+        const ir::StructField& part = unit.program.structs[unit.program.types[type].struct_].fields[field];
+        name += "." + unit.name(part.name);
+        type = part.type;
+    }
+    return name;
+}
+
 }  // namespace
 
 void print_state_visit(const Unit& unit, Writer& out, ir::StructureId index) {
     const ir::Structure& structure = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];
+    const auto stored = [&](const char* what, const std::string& name, const std::string& fields) {
+        out.line(std::string("visit.") + what + "(" + quoted(name) + ", " + fields + ");");
+    };
     const auto part = [&](const char* what, Name name, const std::string& fields) {
-        out.line(std::string("visit.") + what + "(" + quoted(unit.name(name)) + ", " + fields + ");");
+        stored(what, unit.name(name), fields);
     };
     print_argument_types(unit, out, structure);
     out.open("template <class Visit> void visit_state(Visit&& visit)");
@@ -64,9 +81,9 @@ void print_state_visit(const Unit& unit, Writer& out, ir::StructureId index) {
         const ir::Memory& memory = structure.memories[i];
         if (memory.part) continue;
         const bool is_buffer = memory.shape == ir::MemoryShape::buffer;
-        part(is_buffer ? "buffer" : "image", memory.name,
-             names.memory_fields[i] + ", " + names.extent_fields[i] +
-                 (is_buffer ? ", " + storage_text(unit.globals, memory.element, true) + "{}" : ""));
+        stored(is_buffer ? "buffer" : "image", stored_name(unit, structure, i),
+               names.memory_fields[i] + ", " + names.extent_fields[i] +
+                   (is_buffer ? ", " + storage_text(unit.globals, memory.element, true) + "{}" : ""));
     }
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         if (structure.members[i].is_component) continue;
