@@ -90,23 +90,24 @@ Extent address_extent(const std::vector<std::uint64_t>& lengths) {
 
 void StructureWriter::write(const Part& root) {
     const std::string path = "/" + root.name;
-    const std::string schema = text_of(write_part(root, path));
+    const std::string schema = text_of(write_part(root, path, true));
     const Id group(H5Gopen2(file_, path.c_str(), H5P_DEFAULT), "H5Gopen2");
     write_attribute(group, "glift.schema", schema);
 }
 
-FiledPart StructureWriter::write_part(const Part& part, const std::string& path) {
+FiledPart StructureWriter::write_part(const Part& part, const std::string& path, bool has_group) {
     FiledPart result{part.name, part.type, name_of(part.role), {}, {}, {}};
     for (const Value& value : part.values) result.values.push_back(filed(value));
-    // Of a structure that was given, nothing is written again.
-    if (part.role != Role::given || !is_written(part, paths_)) {
+    // A structure that was given has no group if all of its memories were written already.
+    has_group = has_group && (part.role != Role::given || !is_written(part, paths_));
+    if (has_group) {
         const Id group(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "H5Gcreate2");
         write_attribute(group, "glift.type", part.type);
         for (const Value& value : part.values) write_value(group, value);
     }
     for (const StoredMemory& memory : part.memories)
         result.memories.push_back(write_memory(part, memory, path + "/" + memory.name));
-    for (const Part& inner : part.parts) result.parts.push_back(write_part(inner, path + "/" + inner.name));
+    for (const Part& inner : part.parts) result.parts.push_back(write_part(inner, path + "/" + inner.name, has_group));
     return result;
 }
 

@@ -21,7 +21,7 @@ public:
     void write(const Part& root);
 
 private:
-    FiledPart write_part(const Part& part, const std::string& path);
+    FiledPart write_part(const Part& part, const std::string& path, bool has_group);
     FiledMemory write_memory(const Part& part, const StoredMemory& memory, const std::string& path);
     void write_buffers(const StoredMemory& memory, const FiledMemory& filed);
     void write_elements(const Elements& elements, const FiledMemory& filed);
