@@ -88,9 +88,12 @@ std::vector<Field> fields_of(const StoredMemory& memory) {
     return fields;
 }
 
+/// Whether states of the two mean the same: they differ at most in the types of elements and in their layout.
+bool means_same(const FiledPart& filed, const Part& part) { return filed.type == part.type || filed.key == part.key; }
+
 /// Checks a structure and all of its parts, each against the one of its name.
 void require_same(const FiledPart& filed, const Part& part, const std::string& what, LoadReport& report) {
-    if (filed.type != part.type)
+    if (!means_same(filed, part))
         throw_other("a structure has another type in the file", what, filed.type, part.type, keep_declaration);
     for (const Value& value : part.values) {
         const FiledValue* const other = find_value(filed, value.name);
@@ -162,13 +165,13 @@ void set_value(const Value& value, const FiledValue& filed) {
 
 LoadWay match(const FiledPart& filed, const Part& part, const std::string& file, LoadReport& report) {
     const std::string where = file + ", " + part.name;
-    const bool is_same = filed.type == part.type && has_equal_arguments(filed, part);
+    const bool is_same = means_same(filed, part) && has_equal_arguments(filed, part);
     if (is_by_address(filed, part)) {
         report_fields(filed.memories[0], part.elements->type.fields, part.name, report);
         report.is_by_address = !is_same;
         return is_same && part.elements->is_row_major ? LoadWay::as_it_was : LoadWay::by_address;
     }
-    if (filed.type != part.type)
+    if (!means_same(filed, part))
         throw_other("the file has a structure of another type", where, call_text(filed), call_text(part),
                     keep_declaration);
     if (!is_same)

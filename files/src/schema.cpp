@@ -110,7 +110,7 @@ FiledMemory memory_of(const Json& json) {
 }
 
 Json json_of(const FiledPart& part) {
-    Json json = {{"name", part.name}, {"type", part.type}, {"role", part.role}};
+    Json json = {{"name", part.name}, {"type", part.type}, {"role", part.role}, {"key", part.key}};
     for (const char* list : {"values", "memories", "parts"}) json[list] = Json::array();
     for (const FiledValue& value : part.values) json["values"].push_back(json_of(value));
     for (const FiledMemory& memory : part.memories) json["memories"].push_back(json_of(memory));
@@ -119,7 +119,7 @@ Json json_of(const FiledPart& part) {
 }
 
 FiledPart part_of_json(const Json& json) {
-    FiledPart part{json.at("name"), json.at("type"), json.at("role"), {}, {}, {}};
+    FiledPart part{json.at("name"), json.at("type"), json.at("role"), json.at("key"), {}, {}, {}};
     for (const Json& value : json.at("values")) part.values.push_back(value_of(value));
     for (const Json& memory : json.at("memories")) part.memories.push_back(memory_of(memory));
     for (const Json& inner : json.at("parts")) part.parts.push_back(part_of_json(inner));

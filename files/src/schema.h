@@ -34,6 +34,7 @@ struct FiledMemory {
 
 struct FiledPart {
     std::string name, type, role;
+    std::uint64_t key = 0;  ///< state_key of its class
     std::vector<FiledValue> values;
     std::vector<FiledMemory> memories;
     std::vector<FiledPart> parts;

@@ -96,7 +96,7 @@ void StructureWriter::write(const Part& root) {
 }
 
 FiledPart StructureWriter::write_part(const Part& part, const std::string& path, bool has_group) {
-    FiledPart result{part.name, part.type, name_of(part.role), {}, {}, {}};
+    FiledPart result{part.name, part.type, name_of(part.role), part.key, {}, {}, {}};
     for (const Value& value : part.values) result.values.push_back(filed(value));
     // A structure that was given has no group if all of its memories were written already.
     has_group = has_group && (part.role != Role::given || !is_written(part, paths_));

@@ -72,6 +72,7 @@ void print_state_visit(const Unit& unit, Writer& out, ir::StructureId index) {
         stored(what, unit.name(name), fields);
     };
     print_argument_types(unit, out, structure);
+    out.line("static constexpr std::uint64_t state_key = " + std::to_string(state_key(unit, index)) + "u;");
     out.open("template <class Visit> void visit_state(Visit&& visit)");
     for (std::size_t i = 0; i < structure.constructor.size(); ++i)
         part("argument", unit.program.locals[structure.constructor[i]].name, names.argument_fields[i]);

@@ -15,8 +15,9 @@ constexpr std::size_t longest_name = 48;
 /// Names that all or some generated classes of the kind, or their base classes, use for members, parameters and
 /// template parameters.
 NameSet members_of_class(ir::StructureKind kind) {
-    NameSet names{"address",   "box",   "commands",  "describe", "domain", "other", "range", "same_state",
-                  "type_name", "value", "Arguments", "See",      "see",    "Visit", "visit", "visit_state"};
+    NameSet names{"address", "box",        "commands",  "describe",  "domain",     "other",
+                  "range",   "same_state", "type_name", "value",     "Arguments",  "See",
+                  "see",     "Visit",      "visit",     "state_key", "visit_state"};
     switch (kind) {
     case ir::StructureKind::stored:
         names.insert({"Address",

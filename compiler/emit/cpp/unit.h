@@ -123,6 +123,10 @@ void print_state_visit(const Unit& unit, Writer& out, ir::StructureId structure)
 void print_description(const Unit& unit, Writer& out, const std::vector<ir::StructField>& fields,
                        const std::vector<std::string>& names);
 
+// state_key.cpp
+/// Equal for structures whose states mean the same, whatever their elements and the layout of these.
+std::uint64_t state_key(const Unit& unit, ir::StructureId structure);
+
 // structs.cpp
 void print_struct(const Unit& unit, Writer& out, ir::StructId id);
 void print_enum(const Unit& unit, Writer& out, ir::EnumId id);

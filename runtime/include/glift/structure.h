@@ -137,7 +137,8 @@ public:
 /// - describe(see): calls see.value, see.memory, see.member or see.given for each part (glift/inspect.h);
 /// - visit_state(visit): hands over, by reference, all that the structure consists of: visit.argument, visit.host,
 ///   visit.buffer, visit.image, visit.member, visit.base (a member that is the structure's memory), visit.given. Meant
-///   for glift/files.h.
+///   for glift/files.h, as are Arguments, the types of the constructor's arguments, and state_key: equal for structures
+///   whose states mean the same, whatever their elements and the layout of these.
 template <class Self, class A, class T> class Structure {
 public:
     using Address = A;

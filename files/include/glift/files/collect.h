@@ -110,6 +110,7 @@ template <class S> Part part_of(S& structure, std::string name, Role role) {
     Part part;
     part.name = std::move(name);
     part.type = S::type_name;
+    part.key = S::state_key;
     part.role = role;
     structure.visit_state(Collector(part));
     if constexpr (IsDense<S>) {

@@ -62,6 +62,7 @@ enum class Role : std::uint8_t { root, member, base, given };
 /// A structure, and what it consists of. Refers to the structure, which must outlive it.
 struct Part {
     std::string name, type;
+    std::uint64_t key = 0;  ///< state_key of its class
     Role role = Role::root;
     std::vector<Value> values;
     std::vector<StoredMemory> memories;
