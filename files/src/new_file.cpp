@@ -48,7 +48,7 @@ Id create_hdf5(const std::string& path) {
     check(H5Pset_userblock(creation, user_block_bytes), "H5Pset_userblock");
     const Id access(H5Pcreate(H5P_FILE_ACCESS), "H5Pcreate");
     check(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110), "H5Pset_libver_bounds");
-    check(H5Pset_meta_block_size(access, 65536), "H5Pset_meta_block_size");
+    check(H5Pset_meta_block_size(access, 8192), "H5Pset_meta_block_size");
     check(H5Pset_file_locking(access, false, true), "H5Pset_file_locking");
     return Id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), "H5Fcreate");
 }
