@@ -6,7 +6,7 @@ namespace glift::files {
 
 Field texel_field(Format format) {
     const auto field = [](Scalar scalar, std::uint32_t channels) {
-        Field made{"", scalar, 0, {}};
+        Field made{"", scalar, 0, {}, {}};
         if (channels > 1) made.shape = {channels};
         return made;
     };

@@ -77,7 +77,7 @@ void report_fields(const FiledMemory& filed, const std::vector<Field>& fields, c
     for (const Field& field : fields)
         if (!find_field(filed, field, what)) note(report.added, what + "." + field.name);
     for (const Field& field : filed.fields)
-        if (std::ranges::find(fields, field.name, &Field::name) == fields.end())
+        if (std::ranges::none_of(fields, [&](const Field& own) { return find_field(filed, own, what) == &field; }))
             note(report.removed, what + "." + field.name);
 }
 
@@ -141,7 +141,8 @@ bool is_by_address(const FiledPart& filed, const Part& part) {
 }  // namespace
 
 const Field* find_field(const FiledMemory& memory, const Field& field, const std::string& what) {
-    const auto found = std::ranges::find(memory.fields, field.name, &Field::name);
+    auto found = std::ranges::find(memory.fields, field.name, &Field::name);
+    if (found == memory.fields.end()) found = std::ranges::find(memory.fields, field.former, &Field::name);
     if (found == memory.fields.end()) return nullptr;
     if (found->scalar != field.scalar || found->shape != field.shape)
         throw_other("a field has another type in the file", what + (field.name.empty() ? "" : "." + field.name),

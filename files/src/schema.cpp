@@ -44,7 +44,7 @@ Json json_of(const Field& field) {
 }
 
 Field field_of(const Json& json) {
-    return {json.at("name"), scalar_named(json.at("type")), 0, json.at("shape").get<std::vector<std::uint32_t>>()};
+    return {json.at("name"), scalar_named(json.at("type")), 0, json.at("shape").get<std::vector<std::uint32_t>>(), {}};
 }
 
 Json json_of(const FiledValue& value) {

@@ -99,8 +99,8 @@ void StructureReader::resize(const FiledMemory& filed, const Plane& plane) {
 
 StructureReader::FieldReader StructureReader::open_field(const FiledMemory& filed, const Field& field) {
     FieldReader reader{&field, std::nullopt};
-    if (find_field(filed, field, filed.path))
-        reader.dataset.emplace(file_, path_of(filed, field), field, filed.shape,
+    if (const Field* const other = find_field(filed, field, filed.path))
+        reader.dataset.emplace(file_, path_of(filed, *other), field, filed.shape,
                                std::vector<bool>(filed.shape.size(), true), file_name_);
     return reader;
 }

@@ -47,14 +47,15 @@ void print_argument_types(const Unit& unit, Writer& out, const ir::Structure& st
 }
 
 /// The name of a buffer in files: that of its declaration; if it has one field alone of the elements, `data.velocity`.
-std::string stored_name(const Unit& unit, const ir::Structure& structure, std::size_t memory) {
+/// `former`: with the former names of fields.
+std::string stored_name(const Unit& unit, const ir::Structure& structure, std::size_t memory, bool former = false) {
     std::size_t first = memory;
     while (!structure.memories[first].declared) --first;
     std::string name = unit.name(structure.memories[first].declared);
     ir::TypeId type = structure.element;
     for (const std::uint32_t field : structure.memories[memory].fields) {
         const ir::StructField& part = unit.program.structs[unit.program.types[type].struct_].fields[field];
-        name += "." + unit.name(part.name);
+        name += "." + unit.name(former && part.former ? part.former : part.name);
         type = part.type;
     }
     return name;
@@ -82,9 +83,11 @@ void print_state_visit(const Unit& unit, Writer& out, ir::StructureId index) {
         const ir::Memory& memory = structure.memories[i];
         if (memory.part) continue;
         const bool is_buffer = memory.shape == ir::MemoryShape::buffer;
-        stored(is_buffer ? "buffer" : "image", stored_name(unit, structure, i),
+        const std::string name = stored_name(unit, structure, i), former = stored_name(unit, structure, i, true);
+        stored(is_buffer ? "buffer" : "image", name,
                names.memory_fields[i] + ", " + names.extent_fields[i] +
-                   (is_buffer ? ", " + storage_text(unit.globals, memory.element, true) + "{}" : ""));
+                   (is_buffer ? ", " + storage_text(unit.globals, memory.element, true) + "{}" : "") +
+                   (former == name ? "" : ", " + quoted(former)));
     }
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         if (structure.members[i].is_component) continue;
@@ -99,6 +102,12 @@ void print_state_visit(const Unit& unit, Writer& out, ir::StructureId index) {
 void print_description(const Unit& unit, Writer& out, const std::vector<ir::StructField>& fields,
                        const std::vector<std::string>& names) {
     if (fields.empty()) return;
+    std::string former;
+    for (std::size_t i = 0; i < fields.size(); ++i)
+        if (fields[i].former)
+            former += (former.empty() ? "{" : ", {") + quoted(unit.name(fields[i].name)) + ", " +
+                      quoted(unit.name(fields[i].former)) + "}";
+    if (!former.empty()) out.line("static constexpr const char* former_names[][2] = {" + former + "};");
     out.open("template <class See> void describe(See&& see) const");
     for (std::size_t i = 0; i < fields.size(); ++i)
         out.line("see.value(" + quoted(unit.name(fields[i].name)) + ", " + names[i] + ");");

@@ -165,7 +165,7 @@ ClassNames class_names(const ir::Program& program, const NameSet& types, const i
 
 /// Names of a struct's fields. Those of a struct from a user's header stay as they are.
 std::vector<std::string> field_names(const ir::Program& program, const NameSet& types, const ir::Struct& type) {
-    static const NameSet fixed = {"See", "describe", "see"};
+    static const NameSet fixed = {"See", "describe", "former_names", "see"};
     Scopes scopes;
     scopes.avoid(types);
     scopes.avoid(fixed);

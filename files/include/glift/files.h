@@ -18,7 +18,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -97,9 +96,10 @@ private:
         S empty;
         files::Part part = files::part_of(empty, name, files::Role::root);
         read_arguments(part);
-        std::size_t at = 0;
-        const std::tuple<T...> arguments{*static_cast<const T*>(part.values[at++].data)...};
-        return std::apply([&](const T&... values) { return S(Commands(device), values...); }, arguments);
+        return [&]<std::size_t... at>(std::index_sequence<at...>) {
+            return S(Commands(device), *static_cast<const T*>(part.values[at].data)...);
+        }
+        (std::index_sequence_for<T...>());
     }
     LoadReport read(files::Part& part, const Device& device, const FileProgress& progress);
     void read_arguments(files::Part& part);

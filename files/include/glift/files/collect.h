@@ -26,13 +26,16 @@ public:
     template <class T> void host(const char* name, T& value) {
         part_.values.push_back({name, false, &value, element_type<T>()});
     }
-    template <class E, class T> void buffer(const char* name, Memory& memory, E& extent, const T&) {
-        const std::string all = name;
+    /// `former`: the name with the former names of fields.
+    template <class E, class T>
+    void buffer(const char* name, Memory& memory, E& extent, const T&, const char* former = nullptr) {
+        const std::string all = name, all_former = former ? former : name;
         const std::size_t dot = all.find('.');
         const std::string declared = all.substr(0, dot);
         ElementType type = element_type<T>();
         if (dot != std::string::npos)
-            for (Field& field : type.fields) field.name = all.substr(dot + 1);
+            for (Field& field : type.fields)
+                field.name = all.substr(dot + 1), field.former = all_former.substr(dot + 1);
         if (part_.memories.empty() || part_.memories.back().name != declared)
             part_.memories.push_back({declared, false, {}});
         part_.memories.back().planes.push_back({&memory, extent_field(extent), std::move(type)});

@@ -37,6 +37,7 @@ struct Field {
     Scalar scalar = Scalar::uint8;
     std::uint32_t offset = 0;          ///< in bytes from the begin of the element
     std::vector<std::uint32_t> shape;  ///< {}: a number; {3}: a vector or array; {4, 3}: four vectors of three
+    std::string former;                ///< the path in files that were saved before a field was renamed (`@was`)
     std::uint32_t numbers() const {
         std::uint32_t count = 1;
         for (std::uint32_t length : shape) count *= length;
@@ -100,37 +101,55 @@ template <class T> inline constexpr bool is_array_of_structs = false;
 template <class T, unsigned N> inline constexpr bool is_array_of_structs<array<T, N>> =
     detail::Described<T> || is_array_of_structs<T>;
 
+/// The name that a field of T had before (`@was`).
+template <class T> std::string former_name(const std::string& name) {
+    if constexpr (requires { T::former_names; })
+        for (const auto& names : T::former_names)
+            if (name == names[0]) return names[1];
+    return name;
+}
+
 /// Lists the fields of an element in the order of their declaration.
 class FieldList {
 public:
     explicit FieldList(const void* element) : begin_(static_cast<const std::byte*>(element)) {}
 
-    template <class T> void add(const std::string& name, const T& value) {
+    template <class T> void add(const std::string& name, const std::string& former, const T& value) {
         if constexpr (detail::Described<T>) {
-            const std::string outer = std::exchange(prefix_, name.empty() ? "" : name + ".");
-            value.describe(*this);
-            prefix_ = outer;
+            value.describe(Inner<T>{*this, name.empty() ? "" : name + ".", former.empty() ? "" : former + "."});
         } else if constexpr (is_array_of_structs<T>) {
-            for (unsigned i = 0; i < T::size(); ++i) add(name + "[" + std::to_string(i) + "]", value.values[i]);
+            for (unsigned i = 0; i < T::size(); ++i) {
+                const std::string index = "[" + std::to_string(i) + "]";
+                add(name + index, former + index, value.values[i]);
+            }
         } else {
             const auto offset = reinterpret_cast<const std::byte*>(&value) - begin_;
             fields.push_back({name, scalar_of<typename Numbers<T>::Number>(), static_cast<std::uint32_t>(offset),
-                              Numbers<T>::shape()});
+                              Numbers<T>::shape(), former});
         }
     }
-    template <class T> void value(const char* name, const T& field) { add(prefix_ + name, field); }
 
     std::vector<Field> fields;
 
 private:
+    /// The visitor of `describe` of a struct T.
+    template <class T> struct Inner : detail::SeesNothing {
+        Inner(FieldList& list, std::string before, std::string before_former)
+            : owner(list), prefix(std::move(before)), former_prefix(std::move(before_former)) {}
+        template <class F> void value(const char* name, const F& field) {
+            owner.add(prefix + name, former_prefix + former_name<T>(name), field);
+        }
+        FieldList& owner;
+        std::string prefix, former_prefix;
+    };
+
     const std::byte* begin_;
-    std::string prefix_;
 };
 
 template <class T> ElementType element_type() {
     const T element{};
     FieldList list(&element);
-    list.add("", element);
+    list.add("", "", element);
     return {static_cast<std::uint32_t>(sizeof(T)), std::move(list.fields)};
 }
 
