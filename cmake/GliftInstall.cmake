@@ -1,5 +1,5 @@
-# Rules of `cmake --install`, in the components that tools/package makes packages of: the compiler, the runtime, what
-# programs are built with (development), and documents with the examples (docs). Only where both the compiler and the
+# Rules of `cmake --install`, in the components that tools/package makes packages of: the compiler, the runtime, the library
+# of files with gliftinfo (files), what programs are built with (development), and documents with the examples (docs). Only where both the compiler and the
 # runtime are built.
 
 if(NOT TARGET gliftc OR NOT TARGET glift_runtime)
@@ -42,6 +42,14 @@ set_target_properties(glift_runtime PROPERTIES EXPORT_NAME runtime)
 install(TARGETS glift_runtime EXPORT gliftTargets
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT development
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+if(TARGET glift_files)
+    set_target_properties(glift_files PROPERTIES EXPORT_NAME files)
+    install(TARGETS glift_files EXPORT gliftTargets
+            LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT files NAMELINK_COMPONENT development
+            ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/files/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+    install(TARGETS gliftinfo RUNTIME DESTINATION bin COMPONENT files)
+endif()
 install(EXPORT gliftTargets NAMESPACE glift:: DESTINATION ${config_dir} COMPONENT development)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 install(PROGRAMS ${PROJECT_SOURCE_DIR}/tools/inspect DESTINATION share/glift/tools COMPONENT development)

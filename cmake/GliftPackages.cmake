@@ -9,6 +9,9 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_COMPONENTS_ALL compiler runtime development docs)
+if(TARGET glift_files)
+    list(APPEND CPACK_COMPONENTS_ALL files)
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
@@ -43,6 +46,11 @@ and to C++ for the CPU's cores.")
 glift_package(runtime ${library} libs "runtime of Glift, a language for GPU data structures
 The library that programs which use Glift are linked with. It needs a driver
 of Vulkan only for GPUs.")
+if(TARGET glift_files)
+    glift_package(files libglift-files${soversion} libs "files of structures of Glift, a language for GPU data structures
+The library with which programs save structures to HDF5 and load them, and
+gliftinfo, which shows, checks, compares and converts such files.")
+endif()
 glift_package(development libglift-dev libdevel "files for programs that use Glift
 Headers, files for CMake and pkg-config, and the inspector of structures.")
 glift_package(docs glift-doc doc "documents and examples of Glift

@@ -227,6 +227,7 @@ struct StructField {
     Name name;
     TypeId type;
     std::string doc;
+    Name former;  ///< the name that `@was("…")` gives: of the field in files that were saved before; absent: the same
 };
 struct Struct {
     Name name;

@@ -208,6 +208,7 @@ struct Function {
 };
 
 struct Field {
+    std::vector<Attribute> attributes;
     Identifier name;
     ExprId type;
     std::string doc;

@@ -84,10 +84,11 @@ ast::Struct Parser::parse_struct() {
     return structure;
 }
 
-/// field = name ":" type ";" ;
+/// field = attributes name ":" type ";" ;
 ast::Field Parser::parse_field() {
     ast::Field field;
     field.doc = doc_before(cursor_);
+    field.attributes = parse_attributes();
     field.name = parse_name("a field");
     expect(TokenKind::colon);
     field.type = parse_type();

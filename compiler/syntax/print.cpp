@@ -230,7 +230,18 @@ private:
         out_ += ")";
     }
 
-    void field(const Field& f) { line("(field " + typed(f.name, f.type) + doc(f.doc) + ")"); }
+    std::string attributes(const std::vector<Attribute>& list) {
+        std::string text;
+        for (const Attribute& attribute : list) {
+            text += "@" + names_[attribute.name.name];
+            for (ExprId argument : attribute.arguments) text += " " + expr(argument);
+            text += " ";
+        }
+        return text;
+    }
+    void field(const Field& f) {
+        line("(field " + attributes(f.attributes) + typed(f.name, f.type) + doc(f.doc) + ")");
+    }
 
     void item(const Item& i) {
         switch (i.kind) {
@@ -267,12 +278,7 @@ private:
 
     void decl(DeclId id) {
         const Decl& d = tree_.decls[id];
-        std::string head;
-        for (const Attribute& attribute : d.attributes) {
-            head += "@" + names_[attribute.name.name];
-            for (ExprId argument : attribute.arguments) head += " " + expr(argument);
-            head += " ";
-        }
+        std::string head = attributes(d.attributes);
         if (d.is_pub) head += "pub ";
         if (d.is_extern) head += "extern ";
         std::string name = names_[d.name.name];

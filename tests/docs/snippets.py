@@ -90,7 +90,7 @@ def check_cpp(gliftc, compiler, flags):
             return 0, [run.stderr]
         headers = "".join(f'#include "{module}.glift.hpp"\n' for module in modules)
         (folder / "all.cpp").write_text(headers + "#include <glift/glift.h>\n" + text)
-        run = subprocess.run([compiler, "-std=c++20", "-fsyntax-only", "-Wno-unused", f"-I{root}/runtime/include", f"-I{folder}",
+        run = subprocess.run([compiler, "-std=c++20", "-fsyntax-only", "-Wno-unused", f"-I{root}/runtime/include", f"-I{root}/files/include", f"-I{folder}",
                               *flags, folder / "all.cpp"], capture_output=True, text=True)
         return (count, []) if run.returncode == 0 else (0, [run.stderr])
 

@@ -15,8 +15,9 @@ constexpr std::size_t longest_name = 48;
 /// Names that all or some generated classes of the kind, or their base classes, use for members, parameters and
 /// template parameters.
 NameSet members_of_class(ir::StructureKind kind) {
-    NameSet names{"address", "box",        "commands",  "describe", "domain", "other",
-                  "range",   "same_state", "type_name", "value",    "See",    "see"};
+    NameSet names{"address", "box",        "commands",  "describe",  "domain",     "other",
+                  "range",   "same_state", "type_name", "value",     "Arguments",  "See",
+                  "see",     "Visit",      "visit",     "state_key", "visit_state"};
     switch (kind) {
     case ir::StructureKind::stored:
         names.insert({"Address",
@@ -164,7 +165,7 @@ ClassNames class_names(const ir::Program& program, const NameSet& types, const i
 
 /// Names of a struct's fields. Those of a struct from a user's header stay as they are.
 std::vector<std::string> field_names(const ir::Program& program, const NameSet& types, const ir::Struct& type) {
-    static const NameSet fixed = {"See", "describe", "see"};
+    static const NameSet fixed = {"See", "describe", "former_names", "see"};
     Scopes scopes;
     scopes.avoid(types);
     scopes.avoid(fixed);

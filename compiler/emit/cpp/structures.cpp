@@ -482,6 +482,7 @@ void print_class(Unit& unit, Writer& out, ir::StructureId index) {
         print_list_declaration(unit, out, index);
     }
     print_description(unit, out, index);
+    print_state_visit(unit, out, index);
     for (ir::PipelineId pipeline : structure.pipelines) {
         out.gap();
         write_doc(out, unit.program.pipelines[pipeline].doc);

@@ -116,9 +116,16 @@ void print_list_declaration(const Unit& unit, Writer& out, ir::StructureId struc
 // descriptions.cpp
 /// The function `describe` of a class, which names its parts.
 void print_description(const Unit& unit, Writer& out, ir::StructureId structure);
-/// The same of a struct; nothing if it has no fields.
+/// The function `visit_state` of a class, which hands what the structure consists of to a program that stores it, and
+/// the type `Arguments`.
+void print_state_visit(const Unit& unit, Writer& out, ir::StructureId structure);
+/// The function `describe` of a struct; nothing if it has no fields.
 void print_description(const Unit& unit, Writer& out, const std::vector<ir::StructField>& fields,
                        const std::vector<std::string>& names);
+
+// state_key.cpp
+/// Equal for structures whose states mean the same, whatever their elements and the layout of these.
+std::uint64_t state_key(const Unit& unit, ir::StructureId structure);
 
 // structs.cpp
 void print_struct(const Unit& unit, Writer& out, ir::StructId id);

@@ -16,6 +16,19 @@ namespace {
 
 constexpr std::size_t instantiation_limit = 64;
 
+/// The name that `@was("…")` gives to the field of a struct; reports any other attribute.
+Name former_name(Context& c, const ast::Field& field) {
+    Name former;
+    for (const ast::Attribute& attribute : field.attributes) {
+        const std::string& name = c.text(attribute.name.name);
+        if (name != "was") c.error(Diag::unknown_attribute, attribute.span, {name});
+        else if (attribute.arguments.size() != 1 || c[attribute.arguments[0]].kind != ast::ExprKind::string_literal)
+            c.error(Diag::attribute_argument, attribute.span, {name});
+        else former = c[attribute.arguments[0]].name;
+    }
+    return former;
+}
+
 ir::TypeId make_struct(Context& c, ast::DeclId id, const Env& env, const std::string& key) {
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Struct>(decl.body);
@@ -67,7 +80,7 @@ ir::TypeId make_struct(Context& c, ast::DeclId id, const Env& env, const std::st
         for (const ir::StructField& other : fields)
             if (other.name == field.name.name)
                 c.error(Diag::duplicate_name, field.name.span, {c.text(field.name.name)});
-        fields.push_back({field.name.name, type, field.doc});
+        fields.push_back({field.name.name, type, field.doc, former_name(c, field)});
     }
     c.program.structs[index].fields = std::move(fields);
     return c.types().of_struct(index);

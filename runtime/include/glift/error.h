@@ -28,6 +28,7 @@ enum class ErrorCode : std::uint8_t {
     loop_limit,      ///< a kernel's loops run, or may run, for more rounds than the device allows
     out_of_range,    ///< an access outside a structure, in a kernel compiled with `gliftc --checked`; else not reported
     assertion_failed,  ///< an `assert` of a kernel; thrown by the call that waits for the device
+    bad_file,          ///< a file that is damaged, cut off, or of no format that glift/files.h reads
     device_lost,
     missing_form,  ///< the kernel has no code for this kind of device, or not in the form that the call needs
     vulkan,        ///< any other failed Vulkan call

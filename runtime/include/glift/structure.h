@@ -82,6 +82,9 @@ template <class S> S&& part(S&& made, bool alike, const char* name) {
 
 }  // namespace detail
 
+/// A list of types: those of a constructor's arguments (Arguments of generated classes).
+template <class... T> struct Types {};
+
 /// The bytes of a buffer with this many elements, a multiple of 4. The buffer has room for at least one element, so
 /// that an empty structure has a memory too.
 template <class T> constexpr std::uint64_t buffer_bytes(std::uint64_t count) {
@@ -131,7 +134,11 @@ public:
 /// - fill(value[, range]): gives every element, or those of a box, the same value;
 /// - copy_out, copy_in: copy elements to a linear buffer, the first axis fastest, and back;
 /// - place(address): the index of an element in row_memory(), where that is an affine function of the address;
-/// - describe(see): calls see.value, see.memory, see.member or see.given for each part (glift/inspect.h).
+/// - describe(see): calls see.value, see.memory, see.member or see.given for each part (glift/inspect.h);
+/// - visit_state(visit): hands over, by reference, all that the structure consists of: visit.argument, visit.host,
+///   visit.buffer, visit.image, visit.member, visit.base (a member that is the structure's memory), visit.given. Meant
+///   for glift/files.h, as are Arguments, the types of the constructor's arguments, and state_key: equal for structures
+///   whose states mean the same, whatever their elements and the layout of these.
 template <class Self, class A, class T> class Structure {
 public:
     using Address = A;

@@ -1,0 +1,40 @@
+// gliftinfo: shows, checks, compares and converts files of glift::save.
+#include "commands.h"
+
+#include <glift/version.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+
+int main(int count, char** arguments) {
+    CLI::App app("Shows, checks, compares and converts files that glift::save wrote.");
+    app.require_subcommand(0, 1);
+    std::string file, second, path, to;
+    std::vector<std::string> files;
+    app.add_option("file", file, "A file to print");
+    CLI::App* const print = app.add_subcommand("print", "Print the structures of a file: types, arguments, memories");
+    print->add_option("file", file)->required();
+    CLI::App* const check = app.add_subcommand("check", "Verify every byte of files; exit status 1: one is damaged");
+    check->add_option("files", files)->required();
+    CLI::App* const diff = app.add_subcommand("diff", "Compare two files; exit status 1: they differ");
+    diff->add_option("first", file)->required();
+    diff->add_option("second", second)->required();
+    CLI::App* const convert = app.add_subcommand("convert", "Write the numbers at a path, which print shows, to a .npy "
+                                                            "or .vti file");
+    convert->add_option("file", file)->required();
+    convert->add_option("path", path)->required();
+    convert->add_option("to", to)->required();
+    CLI11_PARSE(app, count, arguments);
+    try {
+        if (app.get_subcommands().empty() && file.empty()) return std::fputs(app.help().c_str(), stdout), 2;
+        if (*print || app.get_subcommands().empty()) return gliftinfo::print(file);
+        if (*check) return gliftinfo::check(files);
+        if (*diff) return gliftinfo::diff(file, second);
+        return gliftinfo::convert(file, path, to);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "gliftinfo: %s\n", error.what());
+        return 2;
+    }
+}

@@ -1,0 +1,74 @@
+// One field of a memory in HDF5: a chunked dataset, whose chunks are written and read past HDF5's filters. Chunks of
+// zeros are left out.
+#pragma once
+
+#include "descriptor.h"
+#include "hdf5_handle.h"
+#include "pieces.h"
+#include "tiling.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace glift::files {
+
+/// The axes of a chunk or of a dataset in HDF5: those of the grid, then those of the field.
+std::vector<hsize_t> with_field(const std::vector<std::uint64_t>& grid, const Field& field);
+
+/// Where chunks of a file being written lie. HDF5 versions differ in whether the addresses that they give count the
+/// user block; the first chunk that is found in the file says it.
+class DataMap {
+public:
+    explicit DataMap(const Descriptor& file) : file_(file) {}
+
+    /// Notes that these bytes were written where HDF5 says `address`.
+    void add(std::uint64_t address, std::span<const std::byte> bytes);
+    const std::vector<DataRange>& ranges() const { return ranges_; }
+
+private:
+    bool lies_at(std::uint64_t offset, std::span<const std::byte> bytes) const;
+
+    const Descriptor& file_;
+    std::optional<std::uint64_t> shift_;
+    std::vector<DataRange> ranges_;
+};
+
+class NewDataset {
+public:
+    /// `is_shown`: which axes of the tiling's grid the dataset has; the others have length 1.
+    NewDataset(hid_t file, const std::string& path, const Field& field, const Tiling& tiling,
+               const std::vector<bool>& is_shown);
+
+    /// Writes one chunk from the packed numbers of its elements.
+    void write(const Batch& batch, std::span<const std::byte> packed, DataMap& map);
+
+private:
+    Field field_;
+    std::vector<bool> is_shown_;
+    std::size_t chunk_bytes_ = 0;
+    Id dataset_;
+    std::vector<std::byte> padded_;
+};
+
+class StoredDataset {
+public:
+    StoredDataset(hid_t file, const std::string& path, const Field& field, const std::vector<std::uint64_t>& shape,
+                  const std::vector<bool>& is_shown, const std::string& file_name);
+
+    /// As it was tiled when it was written.
+    const Tiling& tiling() const { return tiling_; }
+    /// Verifies and reads the packed numbers of a chunk's elements.
+    void read(const Batch& batch, std::span<std::byte> packed, Pieces& pieces);
+
+private:
+    Field field_;
+    std::vector<bool> is_shown_;
+    Tiling tiling_;
+    std::size_t chunk_bytes_ = 0;
+    Id dataset_;
+    std::vector<std::byte> padded_;
+};
+
+}  // namespace glift::files

@@ -1,0 +1,131 @@
+// Writing a file: under another name, hashed, synchronised, renamed.
+#include "descriptor.h"
+#include "error.h"
+#include "pieces.h"
+#include "progress.h"
+#include "structure_writer.h"
+
+#include <glift/error.h>
+#include <glift/files.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace glift {
+
+namespace files {
+
+namespace {
+
+/// Opens the file and locks it, so that two processes do not write it at once. The name may have gone to another file
+/// in between: then again.
+Descriptor open_locked(const std::string& path) {
+    for (;;) {
+        Descriptor file(path, O_RDWR | O_CREAT);
+        if (::flock(file.number(), LOCK_EX | LOCK_NB) != 0) {
+            if (errno != EWOULDBLOCK) throw_system("flock", path);
+            throw Error(ErrorCode::wrong_argument, "the file is being saved already", path,
+                        "a process has it locked, or another NewFile of this one",
+                        "wait until that save has ended, or save under another name");
+        }
+        struct stat locked {
+        }, named{};
+        if (::fstat(file.number(), &locked) == 0 && ::stat(path.c_str(), &named) == 0 &&
+            locked.st_ino == named.st_ino && locked.st_dev == named.st_dev)
+            return file;
+    }
+}
+
+Id create_hdf5(const std::string& path) {
+    const Id creation(H5Pcreate(H5P_FILE_CREATE), "H5Pcreate");
+    check(H5Pset_userblock(creation, user_block_bytes), "H5Pset_userblock");
+    const Id access(H5Pcreate(H5P_FILE_ACCESS), "H5Pcreate");
+    check(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110), "H5Pset_libver_bounds");
+    check(H5Pset_meta_block_size(access, 8192), "H5Pset_meta_block_size");
+    check(H5Pset_file_locking(access, false, true), "H5Pset_file_locking");
+    return Id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), "H5Fcreate");
+}
+
+void sync_folder(const std::string& path) {
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    Descriptor(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY).sync();
+}
+
+void check_name(const std::string& name, const std::set<std::string>& names, const std::string& path) {
+    if (name.empty() || name.find('/') != std::string::npos || name[0] == '.')
+        throw Error(ErrorCode::wrong_argument, "a structure cannot be saved under this name", path, "'" + name + "'",
+                    "name it with letters and digits, without '/'");
+    if (names.contains(name))
+        throw Error(ErrorCode::wrong_argument, "the file has a structure of this name already", path, "'" + name + "'",
+                    "save each structure under a name of its own");
+}
+
+}  // namespace
+
+}  // namespace files
+
+struct NewFile::State {
+    explicit State(std::string file)
+        : path(std::move(file)), temporary(path + ".saving"), descriptor(files::open_locked(temporary)),
+          hdf5(files::create_hdf5(temporary)), data(descriptor) {}
+    ~State() {
+        const files::Hdf5Lock lock;
+        hdf5.close();
+        if (!is_committed) ::unlink(temporary.c_str());
+    }
+
+    files::Hdf5Lock lock;  // held while the members are made
+    std::string path, temporary;
+    files::Descriptor descriptor;
+    files::Id hdf5;
+    files::DataMap data;
+    std::set<std::string> names;
+    bool is_committed = false;
+};
+
+NewFile::NewFile(std::string path) : state_(std::make_unique<State>(std::move(path))) { state_->lock.release(); }
+NewFile::NewFile(NewFile&&) noexcept = default;
+NewFile& NewFile::operator=(NewFile&&) noexcept = default;
+NewFile::~NewFile() = default;
+
+void NewFile::write(const files::Part& part, const Device& device, const FileProgress& progress) {
+    if (!state_ || state_->is_committed)
+        throw Error(ErrorCode::wrong_argument, "the file was closed already", "NewFile::save", "",
+                    "save all structures before commit()");
+    const Commands commands(device);
+    if (commands.is_recording()) detail::throw_not_in_recording("NewFile::save");
+    files::check_name(part.name, state_->names, state_->path);
+    const files::Hdf5Lock lock;
+    files::ProgressCount count(part, progress);
+    files::StructureWriter writer(state_->hdf5, commands, state_->data, [&](std::uint64_t bytes) { count.add(bytes); });
+    writer.write(part);
+    state_->names.insert(part.name);
+}
+
+void NewFile::commit() {
+    if (!state_ || state_->is_committed)
+        throw Error(ErrorCode::wrong_argument, "the file was closed already", "NewFile::commit", "",
+                    "call commit() once");
+    const files::Hdf5Lock lock;
+    files::check(state_->hdf5.close(), "H5Fclose");
+    const files::Descriptor& file = state_->descriptor;
+    const std::uint64_t end = file.size();
+    const files::ByteSource source{
+        state_->path, end, [&](std::uint64_t offset, std::span<std::byte> to) { return file.read(offset, to); }};
+    const files::Seal seal = files::seal_of(source, end, state_->data.ranges());
+    file.write(end, seal.list);
+    file.write(0, seal.user_block);
+    file.sync();
+    if (::rename(state_->temporary.c_str(), state_->path.c_str()) != 0) files::throw_system("rename", state_->path);
+    state_->is_committed = true;
+    files::sync_folder(state_->path);
+}
+
+}  // namespace glift

@@ -1,0 +1,75 @@
+// The hashes by which a file is verified before HDF5 sees any byte of it.
+//
+//     bytes 0 to 511        the user block: magic, version, sizes, the hash of the list, its own hash
+//     up to `end`           HDF5's file, in pieces of 1 MiB
+//     from `end` on         the list: a hash of 16 bytes for each piece, then a bit for each piece, 1 where it holds
+//                           more than elements
+//
+// Numbers are little-endian. Hashes are XXH3-128 in its canonical form. They find damage, not forgery.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace glift::files {
+
+inline constexpr std::uint64_t user_block_bytes = 512;
+inline constexpr std::uint64_t piece_bytes = 1 << 20;
+inline constexpr std::uint32_t format_version = 1;
+
+using Hash = std::array<std::byte, 16>;
+Hash hash_of(std::span<const std::byte> bytes);
+
+/// Where the bytes of a file come from.
+struct ByteSource {
+    std::string name;  ///< for errors
+    std::uint64_t size = 0;
+    /// Reads from an offset; returns how many bytes there were.
+    std::function<std::size_t(std::uint64_t offset, std::span<std::byte> to)> read;
+};
+
+/// The pieces of a file. All functions throw bad_file where the file is not what was written.
+class Pieces {
+public:
+    /// Reads and verifies the user block and the list.
+    explicit Pieces(ByteSource source);
+
+    std::uint64_t count() const { return hashes_.size(); }
+    /// Verifies the pieces with more than elements.
+    void verify_metadata();
+    /// Verifies the pieces in which these bytes lie. Each is read once.
+    void verify(std::uint64_t offset, std::uint64_t bytes);
+    void verify_all();
+    /// The numbers of the pieces that are not what was written.
+    std::vector<std::uint64_t> damaged();
+    std::uint64_t end() const { return end_; }
+
+private:
+    void verify_piece(std::uint64_t piece);
+    bool is_whole(std::uint64_t piece);
+
+    ByteSource source_;
+    std::uint64_t end_ = 0;
+    std::vector<Hash> hashes_;
+    std::vector<bool> has_metadata_, is_verified_;
+    std::vector<std::byte> buffer_;
+};
+
+/// What of a file being written holds elements alone.
+struct DataRange {
+    std::uint64_t begin, end;
+};
+
+/// The list for a file whose HDF5 part ends at `end`: the bytes that follow it, and the user block.
+struct Seal {
+    std::vector<std::byte> list;
+    std::array<std::byte, user_block_bytes> user_block;
+};
+Seal seal_of(const ByteSource& source, std::uint64_t end, std::vector<DataRange> data);
+
+}  // namespace glift::files

@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""Reads files of glift::save with h5py and with gliftinfo: python_test.py SAMPLE GLIFTINFO. VTK is asked where Python has it."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+try:
+    import h5py
+    import numpy
+except ImportError as missing:
+    if sys.executable == "/usr/bin/python3" or not pathlib.Path("/usr/bin/python3").exists():
+        print(f"skipped: {missing}")
+        sys.exit(0)
+    sys.exit(subprocess.call(["/usr/bin/python3", *sys.argv]))
+
+sample, gliftinfo = sys.argv[1:]
+folder = pathlib.Path(tempfile.mkdtemp())
+
+
+def info(*arguments, status=0):
+    run = subprocess.run([gliftinfo, *map(str, arguments)], capture_output=True, text=True)
+    assert run.returncode == status, (arguments, run.returncode, run.stdout, run.stderr)
+    return run.stdout + run.stderr
+
+
+def expect(wanted, text):
+    assert wanted in text, f"'{wanted}' is not in:\n{text}"
+
+
+file, other = folder / "sample.h5", folder / "other.h5"
+for path, more in (file, 0), (other, 5):
+    subprocess.run([sample, path, str(more)], check=True)
+
+# h5py.
+with h5py.File(file) as saved:
+    assert list(saved) == ["grid", "volume"]
+    density = saved["volume/data/density"][:]
+    assert density.shape == (2, 3, 4) and density.dtype == numpy.float32
+    assert density[1, 2, 3] == 123
+    assert saved["volume/data/velocity"].shape == (2, 3, 4, 3)
+    assert saved["volume/data/on"].dtype == bool and saved["volume/data/on"][0, 0, 1]
+    assert saved["volume/data/heat"].dtype == numpy.float16 and saved["volume/data/heat"][0, 0, 3] == 1.5
+    assert list(saved["grid"].attrs["extent"]) == [20, 20]
+    assert saved["grid"].attrs["background"] == 1.5
+    assert not saved["grid/field/frames/data"][:].any()
+
+# gliftinfo.
+text = info(file)
+expect("volume  Array<3, Cell>", text)
+expect("volume/data/velocity", text)
+expect("background = 1.5", text)
+expect("grid/table", text)
+expect("whole", info("check", file, other))
+damaged = folder / "damaged.h5"
+contents = bytearray(file.read_bytes())
+contents[3000] ^= 1
+damaged.write_bytes(contents)
+expect("damaged", info("check", file, damaged, status=1))
+expect("cannot be read", info(damaged, status=2))
+assert info("diff", file, file) == ""
+expect("volume/data/density: 24 of 24 numbers differ", info("diff", file, other, status=1))
+expect("volume/data/density", info("convert", file, "volume/nothing", folder / "x.npy", status=2))
+expect(".npy or .vti", info("convert", file, "volume/data/density", folder / "x.xyz", status=2))
+for field in "density", "velocity", "on", "heat":
+    info("convert", file, f"volume/data/{field}", folder / "x.npy")
+    with h5py.File(file) as saved:
+        expected = saved[f"volume/data/{field}"][:]
+    found = numpy.load(folder / "x.npy")
+    assert found.dtype == expected.dtype and numpy.array_equal(found, expected), field
+    info("convert", file, f"volume/data/{field}", folder / f"{field}.vti")
+
+# VTK image data.
+try:
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOXML import vtkXMLImageDataReader
+except ImportError:
+    print("VTK was not asked: Python does not have it")
+else:
+    for field, expected in ("density", density), ("velocity", None):
+        reader = vtkXMLImageDataReader()
+        reader.SetFileName(str(folder / f"{field}.vti"))
+        reader.Update()
+        image = reader.GetOutput()
+        assert image.GetDimensions() == (4, 3, 2)
+        values = vtk_to_numpy(image.GetPointData().GetArray(field))
+        if expected is not None:
+            assert numpy.array_equal(values.reshape(2, 3, 4), expected)
+        else:
+            assert values.shape == (24, 3) and values[5, 2] == 5
+print("files are read by Python")
