@@ -96,7 +96,9 @@ void Iteration::dispatch(const Commands& commands, FormName form, std::span<cons
                                 .parameters = parameters,
                                 .size = size(),
                                 .patches = {patches_.data(), patch_count_},
-                                .sharing = sharing_});
+                                .sharing = sharing_,
+                                .visited = {visited_ranges_.data(),
+                                            visited_count_ > visited_ranges_.size() ? 0 : visited_count_}});
 }
 
 void Iteration::same_blocks(const char* first, const char* other,

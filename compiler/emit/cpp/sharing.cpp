@@ -64,6 +64,18 @@ std::pair<std::uint32_t, std::uint32_t> part_of_element(const ir::Program& progr
     return {offset, layout::size_of(program, type).size};
 }
 
+/// The kind of the numbers that are combined, where that is not unsigned integers.
+std::string number_text(const ir::Program& program, const ir::PassBinding& binding) {
+    if (binding.access == ir::Access::read) return "";
+    ir::TypeId type = binding.element;
+    for (std::uint32_t field : binding.fields)
+        type = program.structs[program.types[type].struct_].fields[field].type;
+    const ir::TypeId scalar = program.types.scalar_of(type);
+    if (program.types.is_floating(scalar)) return ", .number = glift::Number::real";
+    if (program.types.is_signed(scalar)) return ", .number = glift::Number::signed_integer";
+    return "";
+}
+
 }  // namespace
 
 bool may_share(const ir::Pass& pass) {
@@ -98,7 +110,8 @@ std::string sharing_fields(const ir::Program& program, const ir::Kernel& kernel,
         text += ", .apart_from = " + std::to_string(apart) + "u";
     if (binding.coherent) text += ", .combine = glift::Combine::coherent";
     else if (param.combine != ir::Combine::replace)
-        text += std::string(", .combine = glift::Combine::") + combine_text(param.combine);
+        text += std::string(", .combine = glift::Combine::") + combine_text(param.combine) +
+                number_text(program, binding);
     return text;
 }
 

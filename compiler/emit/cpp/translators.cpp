@@ -3,6 +3,8 @@
 #include "emit/cpp/mentions.h"
 #include "ir/chain.h"
 
+#include <algorithm>
+
 namespace gliftc::cpp {
 
 bool uses_state_elsewhere(const ir::Program& program, ir::FunctionId id) {
@@ -73,17 +75,33 @@ static bool is_plain_map(const ir::Program& program, const ir::Translator& trans
            !uses_state_elsewhere(program, translator.translate);
 }
 
+/// Whether the elements are numbers, bools, structs, or vectors or matrices of numbers in a buffer of their own.
+static bool lie_in_buffer(const ir::Program& program, const ir::Structure& structure) {
+    if (!structure.base.empty()) return false;
+    const ir::Memory& memory = structure.memories[structure.via_memory];
+    const bool is_number = program.types.is_number(program.types.scalar_of(structure.element)) ||
+                           structure.element == program.types.bool_ ||
+                           program.types.kind(structure.element) == ir::TypeKind::struct_;
+    return memory.shape == ir::MemoryShape::buffer && memory.element == structure.element && is_number;
+}
+
 bool has_rows(const ir::Program& program, const ir::Structure& structure) {
     if (structure.kind != ir::StructureKind::stored || structure.via.size() > 1 || structure.field) return false;
     if (!ir::is_contained(program, structure)) return false;
     if (!structure.via.empty() && !is_plain_map(program, program.translators[structure.via[0].translator]))
         return false;
     if (!structure.base.empty()) return has_rows(program, ir::structure_at(program, structure, structure.base));
-    const ir::Memory& memory = structure.memories[structure.via_memory];
-    const bool is_number = program.types.is_number(program.types.scalar_of(structure.element)) ||
-                           structure.element == program.types.bool_ ||
-                           program.types.kind(structure.element) == ir::TypeKind::struct_;
-    return memory.shape == ir::MemoryShape::buffer && memory.element == structure.element && is_number;
+    return lie_in_buffer(program, structure);
+}
+
+bool has_indices(const ir::Program& program, const ir::Structure& structure) {
+    if (structure.kind != ir::StructureKind::stored || structure.via.empty() || structure.field) return false;
+    if (has_rows(program, structure) || !lie_in_buffer(program, structure)) return false;
+    return std::ranges::all_of(structure.via, [&](const ir::Stage& stage) {
+        const ir::Translator& translator = program.translators[stage.translator];
+        return translator.properties.mapping != ir::Mapping::many_to_one && translator.structures.empty() &&
+               !uses_state_elsewhere(program, translator.translate);
+    });
 }
 
 std::string rows_of(const Unit& unit, ir::StructureId index) {
@@ -118,6 +136,36 @@ void print_place(Unit& unit, Writer& out, ir::StructureId index) {
         place = structure_property(unit.globals, base, index, "").text + ".place(" + place + ")";
     }
     out.line("return " + place + ";");
+    out.close();
+    out.gap();
+}
+
+void print_index(Unit& unit, Writer& out, ir::StructureId index) {
+    const ir::Structure& structure = unit.program.structures[index];
+    out.open(unit.linkage(structure.key) + ("std::uint64_t " + unit.own_name(index)) + "::index_of(" +
+             unit.type(structure.domain_type) + " address) const");
+    const NameSet& hiding = unit.globals.class_names[index].all;
+    std::string at = "address";
+    for (std::size_t i = 0; i < structure.via.size(); ++i) {
+        const ir::Stage& stage = structure.via[i];
+        const ir::Translator& translator = unit.program.translators[stage.translator];
+        const std::string step = "step_" + std::to_string(i);
+        out.open("const auto " + step + " = [&](auto address)");
+        const std::vector<std::string> states =
+            print_state(unit, out, index, stage, "", {"address", "translate", "step_0", "step_1", "step_2"}, &hiding);
+        const ir::FunctionId exact = stage.wide ? stage.wide : translator.translate;
+        print_method(unit, out, "translate", exact, unit.type(unit.program.functions[exact].result), states, {},
+                     &hiding);
+        out.line("return translate(address);");
+        out.close(";");
+        out.line("const auto at_" + std::to_string(i) + " = " + step + "(" + at + ");");
+        at = "at_" + std::to_string(i);
+        if (translator.properties.partial) {
+            out.line("if (!" + at + ") return UINT64_MAX;");
+            at = "*" + at;
+        }
+    }
+    out.line("return " + at + ";");
     out.close();
     out.gap();
 }

@@ -30,6 +30,7 @@ enum class ErrorCode : std::uint8_t {
     assertion_failed,  ///< an `assert` of a kernel; thrown by the call that waits for the device
     device_lost,
     missing_form,  ///< the kernel has no code for this kind of device, or not in the form that the call needs
+    lost_rank,     ///< another rank of the program does not answer, or has ended (ranks/world.h)
     vulkan,        ///< any other failed Vulkan call
 };
 

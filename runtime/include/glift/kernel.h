@@ -54,6 +54,9 @@ enum class Reach : std::uint8_t { memory, range, window, element };
 /// than `none`, may alias. `coherent`: workgroups share the memory within the pass.
 enum class Combine : std::uint8_t { none, min, max, add, bit_and, bit_or, bit_xor, coherent };
 
+/// The kind of the numbers that writes combine (Combine).
+enum class Number : std::uint8_t { unsigned_integer, signed_integer, real };
+
 /// How a sampled image is filtered between texels.
 enum class Filter : std::uint8_t { nearest, linear };
 /// What a sampled image has beyond its edges (clamp_to_border: zeros).
@@ -83,6 +86,7 @@ struct Binding {
     Reach reach = Reach::memory;
     std::uint32_t radius = 0;  ///< of Reach::window
     Combine combine = Combine::none;
+    Number number = Number::unsigned_integer;  ///< of `combine`
     /// The parameters of which the kernel promises (@disjoint) that they access other elements than this binding's
     /// parameter does: bit i stands for the parameter with number i (as in `parameter`), i up to 31.
     std::uint32_t apart_from = 0;
@@ -127,12 +131,29 @@ struct HostTargets {
     uint2 origin, extent;
 };
 
+/// The elements that one call on the host device visits: along each axis from 0 to before the size; along the last of the
+/// kernel's `rank` axes from `first` on.
+struct HostSize : std::array<std::uint32_t, 4> {
+    HostSize() = default;
+    constexpr HostSize(const std::array<std::uint32_t, 4>& size) : std::array<std::uint32_t, 4>(size) {}
+
+    std::uint32_t rank = 1, first = 0;
+
+    constexpr std::uint32_t first_along(std::uint32_t axis) const { return axis + 1 == rank ? first : 0; }
+    /// How many rows (elements along x) are left out: those before `first`.
+    constexpr std::size_t rows_before() const {
+        std::size_t rows = rank > 1 ? first : 0;
+        for (std::uint32_t axis = 1; axis + 1 < rank; ++axis) rows *= (*this)[axis];
+        return rows;
+    }
+};
+
 /// The arguments of one call on the host device.
 struct HostCall {
     const void* parameters;                ///< the parameter block of the form that is called, with the values that
                                            ///< come from the device (Call::patches, pass.h) already written into it
     std::span<const HostMemory> memories;  ///< in binding order
-    std::array<std::uint32_t, 4> size;     ///< elements to iterate over along each axis; unused axes are 1
+    HostSize size;                         ///< elements to iterate over along each axis; unused axes are 1
     StatusRecord* status = nullptr;        ///< kernels that report: never null
     const HostTargets* targets = nullptr;  ///< draws: never null
     MessageHeader* messages = nullptr;     ///< kernels that print: never null
@@ -243,6 +264,7 @@ struct Kernel {
     std::span<const Parameter> parameters = {};      ///< what Commands::specialised can fix
     std::array<std::uint32_t, 3> items = {1, 1, 1};  ///< elements that one invocation takes along each axis
     bool of_blocks = false;                          ///< runs over {elements of a block, blocks}: rank 2
+    bool declares_group = false;                     ///< the source declares the workgroup size
     bool reports = false;            ///< has a StatusRecord: a storage buffer (scalar layout) at binding
                                      ///< bindings.size() + 1 in every form
     std::uint32_t shared_bytes = 0;  ///< workgroup memory
