@@ -54,7 +54,11 @@ enum class Reach : std::uint8_t { memory, range, window, element };
 /// than `none`, may alias. `coherent`: workgroups share the memory within the pass.
 enum class Combine : std::uint8_t { none, min, max, add, bit_and, bit_or, bit_xor, coherent };
 
-/// The kind of the numbers that writes combine (Combine).
+/// What a pass does to the elements of a memory, if it is always the same and the pass loads none of them: `store` gives
+/// them a value; the others combine one with theirs. `other`: anything else.
+enum class Update : std::uint8_t { other, store, min, max, add, bit_and, bit_or, bit_xor };
+
+/// The kind of the numbers that an update combines.
 enum class Number : std::uint8_t { unsigned_integer, signed_integer, real };
 
 /// How a sampled image is filtered between texels.
@@ -86,10 +90,11 @@ struct Binding {
     Reach reach = Reach::memory;
     std::uint32_t radius = 0;  ///< of Reach::window
     Combine combine = Combine::none;
-    Number number = Number::unsigned_integer;  ///< of `combine`
     /// The parameters of which the kernel promises (@disjoint) that they access other elements than this binding's
     /// parameter does: bit i stands for the parameter with number i (as in `parameter`), i up to 31.
     std::uint32_t apart_from = 0;
+    Update update = Update::other;
+    Number number = Number::unsigned_integer;  ///< of `update`
 
     bool is_apart_from(std::uint32_t other) const { return other < 32 && (apart_from >> other & 1) != 0; }
     /// Whether both access elements of one size, and different fields of them.

@@ -35,15 +35,15 @@ std::uint32_t most(Number number, std::uint32_t a, std::uint32_t b) {
 
 /// The word after one more rank's part of the pass, which changed it from `before` to `after`.
 std::uint32_t combined(const Binding& binding, std::uint32_t word, std::uint32_t before, std::uint32_t after) {
-    switch (binding.combine) {
-    case Combine::min: return least(binding.number, word, after);
-    case Combine::max: return most(binding.number, word, after);
-    case Combine::add: return word + (after - before);
-    case Combine::bit_and: return word & after;
-    case Combine::bit_or: return word | after;
-    case Combine::bit_xor: return word ^ before ^ after;
-    case Combine::coherent:
-    case Combine::none: break;
+    switch (binding.update) {
+    case Update::min: return least(binding.number, word, after);
+    case Update::max: return most(binding.number, word, after);
+    case Update::add: return word + (after - before);
+    case Update::bit_and: return word & after;
+    case Update::bit_or: return word | after;
+    case Update::bit_xor: return word ^ before ^ after;
+    case Update::store:
+    case Update::other: break;
     }
     return after != before ? after : word;
 }
@@ -53,8 +53,8 @@ std::uint32_t combined(const Binding& binding, std::uint32_t word, std::uint32_t
 std::vector<RankStream::Before> RankStream::keep_before(const Kernel& kernel, const Call& call, const PassPlan& plan) {
     std::vector<Before> before;
     for (std::size_t k : plan.scattered) {
-        const Combine combine = kernel.bindings[k].combine;
-        const bool needs_it = combine == Combine::none || combine == Combine::add || combine == Combine::bit_xor;
+        const Update update = kernel.bindings[k].update;
+        const bool needs_it = update == Update::store || update == Update::add || update == Update::bit_xor;
         before.push_back({k, needs_it ? copy_of(call.memories[k]) : Memory()});
     }
     return before;

@@ -13,15 +13,15 @@ bool reads(const Binding& binding) { return binding.access != Access::write; }
 /// Whether ranks can combine what they write through this binding: words of which one value results, in any order.
 bool can_be_combined(const Binding& binding) {
     if (binding.kind != MemoryKind::buffer || binding.element_bytes % 4 != 0) return false;
-    switch (binding.combine) {
-    case Combine::none: return true;
-    case Combine::bit_and:
-    case Combine::bit_or:
-    case Combine::bit_xor: return true;
-    case Combine::min:
-    case Combine::max: return binding.element_bytes == 4;
-    case Combine::add: return binding.element_bytes == 4 && binding.number != Number::real;
-    case Combine::coherent: return false;
+    switch (binding.update) {
+    case Update::store:
+    case Update::bit_and:
+    case Update::bit_or:
+    case Update::bit_xor: return true;
+    case Update::min:
+    case Update::max: return binding.element_bytes == 4;
+    case Update::add: return binding.element_bytes == 4 && binding.number != Number::real;
+    case Update::other: return false;
     }
     return false;
 }
@@ -66,8 +66,8 @@ std::optional<PassPlan> paged_plan(const Kernel& kernel, const Call& call, Cover
 }
 
 /// Finds what the visited ranges have in common, and the layouts of their memories.
-std::optional<PassPlan> dense_plan(const Kernel& kernel, const Call& call, Coverages& coverages,
-                                   SlabLayouts& layouts) {
+std::optional<PassPlan> dense_plan(const Kernel& kernel, const Call& call, Coverages& coverages, SlabLayouts& layouts,
+                                   bool is_host) {
     if (call.visited.empty() || !call.patches.empty()) return std::nullopt;
     PassPlan plan;
     std::vector<RangeShape> shapes;
@@ -96,11 +96,12 @@ std::optional<PassPlan> dense_plan(const Kernel& kernel, const Call& call, Cover
     }
     if (!plan.space) return std::nullopt;
     const std::uint32_t axis = std::min(last, 2u);
-    plan.covered = kernel.group[axis] * kernel.items[axis];
+    if (!is_host) plan.covered = kernel.group[axis] * kernel.items[axis];
     return plan;
 }
 
-/// Whether the boundaries between ranks lie between workgroups.
+/// Whether the boundaries between ranks lie between workgroups, so that no element is visited by two ranks. (If a pass
+/// only writes its own elements, it does no harm that a rank also computes some of its neighbours'.)
 bool is_aligned(const PassPlan& plan) {
     const Cuts& cuts = plan.space->cuts;
     for (unsigned rank = 1; rank < cuts.ranks(); ++rank) {
@@ -113,13 +114,13 @@ bool is_aligned(const PassPlan& plan) {
 }  // namespace
 
 std::optional<PassPlan> plan_of(const Kernel& kernel, const Call& call, Coverages& coverages, SlabLayouts& layouts,
-                                std::span<const std::shared_ptr<Space>> paged_spaces) {
+                                std::span<const std::shared_ptr<Space>> paged_spaces, bool is_host) {
     if (kernel.drawing || kernel.declares_group || !kernel.sums.empty() || !call.conditions.empty())
         return std::nullopt;
     std::optional<PassPlan> plan = kernel.of_blocks ? paged_plan(kernel, call, coverages, paged_spaces)
-                                                    : dense_plan(kernel, call, coverages, layouts);
+                                                    : dense_plan(kernel, call, coverages, layouts, is_host);
     if (!plan || !find_scattered(kernel, call, *plan) || !find_radius(kernel, *plan)) return std::nullopt;
-    if (!plan->space->paging && !is_aligned(*plan)) return std::nullopt;
+    if (!plan->space->paging && !plan->scattered.empty() && !is_aligned(*plan)) return std::nullopt;
     return plan;
 }
 

@@ -28,7 +28,8 @@ RankStream::RankStream(DeviceObject& device, std::shared_ptr<ranks::Transport> t
 
 void RankStream::dispatch(const Kernel& kernel, const Call& call) {
     if (messenger_.size() > 1) {
-        if (const auto plan = plan_of(kernel, call, coverages_, layouts_, paged_spaces_))
+        if (const auto plan = plan_of(kernel, call, coverages_, layouts_, paged_spaces_,
+                                      local_->properties().kind == DeviceKind::host))
             return run_distributed(kernel, call, *plan);
     }
     run_whole(kernel, call);
