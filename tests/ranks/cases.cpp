@@ -148,9 +148,8 @@ Bits front_case(const glift::Device& device, const Spread& spread) {
     spread(band);
     front::ask_near(device, band, ball);
     front::begin(device, band, balls);
-    const int most = getenv("STEPS") ? atoi(getenv("STEPS")) : 6;
     const front::Motion motion{{32, 32, 48}, 30, 0.35f, 0.15f};
-    for (int step = 0; step < most; ++step) {
+    for (int step = 0; step < 6; ++step) {
         front::step(device, band, motion);
         if (step == 2) spread.balance(band);
     }

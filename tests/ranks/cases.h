@@ -3,7 +3,6 @@
 
 #include <glift/ranks/world.h>
 
-#include <cstdlib>
 #include <functional>
 #include <string>
 #include <vector>
@@ -19,7 +18,7 @@ public:
         if (world_) world_->distribute(structure);
     }
     template <class S> void balance(const S& structure) const {
-        if (world_ && !getenv("NO_BALANCE")) world_->balance(structure);
+        if (world_) world_->balance(structure);
     }
 
 private:

@@ -17,6 +17,7 @@ Coverage* Coverages::find(const Memory& memory) {
 Coverage& Coverages::set(const Memory& memory, Coverage coverage) {
     if (coverages_.size() > 256) std::erase_if(coverages_, [](const auto& one) { return one.second.memory.expired(); });
     coverage.memory = memory.share();
+    coverage.number = next_number_++;
     return coverages_[memory.object()] = std::move(coverage);
 }
 
@@ -25,6 +26,7 @@ std::vector<std::pair<Memory, Coverage*>> Coverages::of(const Space& space) {
     for (auto& [object, coverage] : coverages_)
         if (coverage.space.get() == &space)
             if (auto memory = coverage.memory.lock()) found.emplace_back(Memory(std::move(memory)), &coverage);
+    std::ranges::sort(found, {}, [](const auto& one) { return one.second->number; });
     return found;
 }
 

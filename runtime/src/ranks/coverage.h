@@ -48,6 +48,7 @@ struct Coverage {
     std::uint32_t ghost = everywhere;
     SlabLayout ghost_layout;  ///< by which `ghost` is counted beyond the domain's edge
     SlabLayout layout;        ///< of a dense structure
+    std::uint64_t number = 0;  ///< in the order of Coverages::set, which is the same on every rank
     std::uint64_t frame_bytes = 0, layer_bytes = 0;  ///< of a sparse one: of a page and of a layer of it
 
     bool is_partial() const { return ghost != everywhere; }
@@ -59,11 +60,12 @@ public:
     /// Null: there is none.
     Coverage* find(const Memory& memory);
     Coverage& set(const Memory& memory, Coverage coverage);
-    /// Those of memories that exist.
+    /// Those of memories that exist, in the same order on every rank.
     std::vector<std::pair<Memory, Coverage*>> of(const Space& space);
 
 private:
     std::unordered_map<const MemoryObject*, Coverage> coverages_;
+    std::uint64_t next_number_ = 0;
 };
 
 }  // namespace glift::detail
