@@ -8,7 +8,14 @@
 namespace glift::detail {
 
 void throw_lost_ranks(const ranks::Transport& transport, std::vector<unsigned> silent,
-                      ranks::Transport::Seconds limit) {
+                      const std::function<int(unsigned rank)>& waits_for, ranks::Transport::Seconds limit) {
+    for (unsigned& rank : silent) {
+        for (unsigned steps = 0; steps < transport.size(); ++steps) {
+            const int next = waits_for(rank);
+            if (next < 0 || static_cast<unsigned>(next) == transport.rank()) break;
+            rank = static_cast<unsigned>(next);
+        }
+    }
     std::ranges::sort(silent);
     const auto repeated = std::ranges::unique(silent);
     silent.erase(repeated.begin(), repeated.end());

@@ -54,16 +54,22 @@ struct Channel {
     }
 };
 
+/// What the others know of a process.
+struct Process {
+    std::atomic<int> id{0};
+    std::atomic<int> waits_for{-1};  ///< the rank of which it has waited for a while; -1: none
+};
+
 /// Memory that the processes share: a channel for each ordered pair of ranks, and their process ids.
 class SharedChannels {
 public:
     explicit SharedChannels(unsigned ranks) : ranks_(ranks), bytes_(sizeof(Channel) * ranks * ranks + 4096) {
-        if (sizeof(std::atomic<int>) * ranks > 4096) throw std::runtime_error("run_processes: too many processes");
+        if (sizeof(Process) * ranks > 4096) throw std::runtime_error("run_processes: too many processes");
         void* memory = mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
         if (memory == MAP_FAILED) throw std::bad_alloc();
-        processes_ = static_cast<std::atomic<int>*>(memory);
+        processes_ = static_cast<Process*>(memory);
         channels_ = reinterpret_cast<Channel*>(static_cast<std::byte*>(memory) + 4096);
-        for (unsigned i = 0; i < ranks; ++i) new (processes_ + i) std::atomic<int>(0);
+        for (unsigned i = 0; i < ranks; ++i) new (processes_ + i) Process();
         for (unsigned i = 0; i < ranks * ranks; ++i) {
             new (&channels_[i].written) std::atomic<std::uint64_t>(0);
             new (&channels_[i].read) std::atomic<std::uint64_t>(0);
@@ -74,12 +80,12 @@ public:
 
     unsigned ranks() const { return ranks_; }
     Channel& between(unsigned from, unsigned to) { return channels_[from * ranks_ + to]; }
-    std::atomic<int>& process(unsigned rank) { return processes_[rank]; }
+    Process& process(unsigned rank) { return processes_[rank]; }
 
 private:
     unsigned ranks_;
     std::size_t bytes_;
-    std::atomic<int>* processes_;
+    Process* processes_;
     Channel* channels_;
 };
 
@@ -97,7 +103,7 @@ public:
     unsigned rank() const override { return rank_; }
     unsigned size() const override { return channels_->ranks(); }
     std::string name_of(unsigned rank) const override {
-        return "process " + std::to_string(channels_->process(rank).load());
+        return "process " + std::to_string(channels_->process(rank).id.load());
     }
 
     void exchange(std::span<const Send> sends, std::span<const Receive> receives, Seconds limit) override {
@@ -109,6 +115,7 @@ public:
         for (unsigned idle = 0; !out.empty() || !in.empty();) {
             const bool progress = send_some(out) | receive_some(in);
             if (progress) {
+                if (idle >= 4096) channels_->process(rank_).waits_for = -1;
                 idle = 0;
                 last = std::chrono::steady_clock::now();
                 continue;
@@ -116,6 +123,9 @@ public:
             if (++idle < 64) continue;
             std::this_thread::yield();
             if (idle < 4096) continue;
+            if (idle == 4096)
+                channels_->process(rank_).waits_for =
+                    static_cast<int>(in.empty() ? out.front().message.to : in.front().message.from);
             std::this_thread::sleep_for(std::chrono::microseconds(50));
             if (std::chrono::steady_clock::now() - last > limit) throw_silent(out, in, limit);
         }
@@ -155,7 +165,8 @@ private:
         std::vector<unsigned> silent;
         for (const auto& one : in) silent.push_back(one.message.from);
         for (const auto& one : out) silent.push_back(one.message.to);
-        detail::throw_lost_ranks(*this, std::move(silent), limit);
+        detail::throw_lost_ranks(*this, std::move(silent),
+                                 [&](unsigned rank) { return channels_->process(rank).waits_for.load(); }, limit);
     }
 
     std::shared_ptr<SharedChannels> channels_;
@@ -166,7 +177,7 @@ private:
 [[noreturn]] void run_rank(const std::shared_ptr<SharedChannels>& channels, unsigned rank,
                            const std::function<int(std::shared_ptr<Transport>)>& body) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    channels->process(rank) = getpid();
+    channels->process(rank).id = getpid();
     int status = 1;
     try {
         status = body(std::make_shared<ProcessTransport>(channels, rank));
@@ -178,14 +189,17 @@ private:
     _exit(status);
 }
 
-/// Waits for a child for two seconds at most, then kills it.
-void end(pid_t process) {
+/// Waits for the processes for two seconds at most, then kills those that are left. 0 stands for none.
+void end(std::vector<pid_t> processes) {
     for (int tries = 0; tries < 200; ++tries) {
-        if (waitpid(process, nullptr, WNOHANG) == process) return;
+        std::erase_if(processes, [](pid_t process) { return process == 0 || waitpid(process, nullptr, WNOHANG) != 0; });
+        if (processes.empty()) return;
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
-    kill(process, SIGKILL);
-    waitpid(process, nullptr, 0);
+    for (pid_t process : processes) {
+        kill(process, SIGKILL);
+        waitpid(process, nullptr, 0);
+    }
 }
 
 int status_of(int state, unsigned rank) {
@@ -224,8 +238,7 @@ int run_processes(unsigned count, const std::function<int(std::shared_ptr<Transp
             worst = std::max(worst, status_of(state, rank));
         }
         if (worst != 0) {
-            for (pid_t process : running)
-                if (process != 0) end(process);
+            end(running);
             return worst;
         }
         if (!has_ended) std::this_thread::sleep_for(std::chrono::milliseconds(5));
