@@ -1,4 +1,4 @@
-// bench_ranks [--ranks N] [--what diffusion|band] [--side N] [--strong] [--steps N] [--no-overlap] [--json FILE]: the
+// bench_ranks [--ranks N] [--what diffusion|band] [--side N] [--strong] [--steps N] [--halo N] [--no-overlap] [--json FILE]: the
 // time of a step on several devices of this host, a process for each (GLIFT_DEVICE=host or lavapipe: all use that
 // device).
 //
@@ -30,7 +30,7 @@ namespace {
 struct Options {
     unsigned ranks = 2;
     std::string what = "band", json;
-    std::uint32_t side = 1024, steps = 32;
+    std::uint32_t side = 1024, steps = 32, halo = 2;
     int runs = 5;
     bool strong = false, no_overlap = false;
 };
@@ -75,7 +75,7 @@ template <class Steps> void measure(glift::ranks::World& world, const Options& o
 Figures diffusion(glift::ranks::World& world, const Options& options) {
     const std::uint32_t depth = options.strong ? options.side : options.side * options.ranks;
     heat::Volume u(world.device(), {options.side, options.side, depth});
-    world.distribute(u);
+    world.distribute(u, {.halo = options.halo});
     u.fill(1.0f);
     Figures figures;
     figures.elements = std::uint64_t{options.side} * options.side * depth;
@@ -91,7 +91,7 @@ Figures band_of(glift::ranks::World& world, const Options& options) {
     const auto capacity = static_cast<std::uint32_t>(4 * std::numbers::pi_v<float> * r * r * 2 * 9.6f / 512 * 1.1f) + 256;
     band::Band band(world.device(), {side, side, side}, capacity);
     moving_shell::Clock clock(world.device(), 1);
-    world.distribute(band);
+    world.distribute(band, {.halo = options.halo});
     moving_shell::begin(world.device(), band, clock, radius);
     Figures figures;
     figures.imbalance = world.balance(band);
@@ -114,9 +114,9 @@ int run(std::shared_ptr<glift::ranks::Transport> transport, const Options& optio
     const unsigned rank = transport->rank();
     glift::ranks::World world(std::move(transport), device_of(rank), {.overlaps = !options.no_overlap});
     const Figures f = options.what == "band" ? band_of(world, options) : diffusion(world, options);
-    std::printf("%s, %s, %u ranks, %s, rank %u on %s: %.1f us a step, %llu bytes sent in %llu exchanges, %.1f us in "
+    std::printf("%s, %s, %u ranks, halo %u, %s, rank %u on %s: %.1f us a step, %llu bytes sent in %llu exchanges, %.1f us in "
                 "exchanges, %.1f M elements, imbalance %.3f; %llu passes distributed, %llu whole\n",
-                options.what.c_str(), options.strong ? "strong" : "weak", options.ranks,
+                options.what.c_str(), options.strong ? "strong" : "weak", options.ranks, options.halo,
                 options.no_overlap ? "not overlapped" : "overlapped", rank,
                 world.local_device().properties().name.c_str(), 1e6 * f.step, static_cast<unsigned long long>(f.bytes),
                 static_cast<unsigned long long>(f.exchanges), 1e6 * f.exchange, 1e-6 * static_cast<double>(f.elements),
@@ -125,6 +125,7 @@ int run(std::shared_ptr<glift::ranks::Transport> transport, const Options& optio
         std::ofstream(options.json) << nlohmann::ordered_json{{"what", options.what},
                                                               {"strong", options.strong},
                                                               {"ranks", options.ranks},
+                                                              {"halo", options.halo},
                                                               {"overlaps", !options.no_overlap},
                                                               {"device", world.local_device().properties().name},
                                                               {"elements", f.elements},
@@ -148,6 +149,7 @@ int main(int argc, char** argv) {
     app.add_option("--side", options.side, "of the domain")->capture_default_str();
     app.add_option("--steps", options.steps, "of a run, at most 64 of the band")->capture_default_str();
     app.add_option("--runs", options.runs, "of which the median counts")->capture_default_str();
+    app.add_option("--halo", options.halo, "elements that an exchange brings: Distribution::halo")->capture_default_str();
     app.add_flag("--strong", options.strong, "the same domain for any number of ranks");
     app.add_flag("--no-overlap", options.no_overlap, "compute nothing while elements are on their way");
     app.add_option("--json", options.json, "where the figures go");

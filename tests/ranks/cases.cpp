@@ -184,30 +184,42 @@ const std::vector<Case>& cases() {
     return all;
 }
 
+namespace {
+
+/// Prints how the results compare, on the first rank and where they differ.
+bool compare(glift::ranks::World& world, const std::string& what, const Bits& many, const Bits& alone,
+             const glift::ranks::Statistics& before) {
+    std::size_t differing = many.size() != alone.size();
+    for (std::size_t i = 0; i < many.size() && i < alone.size(); ++i) differing += many[i] != alone[i];
+    if (world.rank() != 0 && differing == 0) return true;
+    const glift::ranks::Statistics after = world.statistics();
+    const auto since = [](std::uint64_t now, std::uint64_t then) { return static_cast<unsigned long long>(now - then); };
+    std::printf("%s: %s: rank %u of %u: %s, %zu of %zu words differ; %llu exchanges, %llu bytes; %llu gathers, %llu "
+                "bytes; %llu combinations; %llu passes distributed, %llu whole\n",
+                differing ? "FAIL" : "pass", what.c_str(), world.rank(), world.size(),
+                world.local_device().properties().name.c_str(), differing, alone.size(),
+                since(after.exchanges, before.exchanges), since(after.exchanged_bytes, before.exchanged_bytes),
+                since(after.gathers, before.gathers), since(after.gathered_bytes, before.gathered_bytes),
+                since(after.combinations, before.combinations),
+                since(after.distributed_passes, before.distributed_passes),
+                since(after.whole_passes, before.whole_passes));
+    std::fflush(stdout);
+    return differing == 0;
+}
+
+}  // namespace
+
 int run_cases(glift::ranks::World& world, const std::string& which) {
     int result = 0;
     for (const Case& one : cases()) {
         if (!one.name.starts_with(which)) continue;
-        const glift::ranks::Statistics before = world.statistics();
-        const Bits many = one.run(world.device(), Spread(&world));
-        const glift::ranks::Statistics after = world.statistics();
         const Bits alone = one.run(world.local_device(), Spread(nullptr));
-        std::size_t differing = many.size() != alone.size();
-        for (std::size_t i = 0; i < many.size() && i < alone.size(); ++i) differing += many[i] != alone[i];
-        if (differing != 0) result = 1;
-        if (world.rank() != 0 && differing == 0) continue;
-        std::printf("%s: %s: rank %u of %u: %s, %zu of %zu words differ; %llu exchanges, %llu bytes; %llu gathers, %llu "
-                    "bytes; %llu combinations; %llu passes distributed, %llu whole\n",
-                    differing ? "FAIL" : "pass", one.name.c_str(), world.rank(), world.size(),
-                    world.local_device().properties().name.c_str(), differing, alone.size(),
-                    static_cast<unsigned long long>(after.exchanges - before.exchanges),
-                    static_cast<unsigned long long>(after.exchanged_bytes - before.exchanged_bytes),
-                    static_cast<unsigned long long>(after.gathers - before.gathers),
-                    static_cast<unsigned long long>(after.gathered_bytes - before.gathered_bytes),
-                    static_cast<unsigned long long>(after.combinations - before.combinations),
-                    static_cast<unsigned long long>(after.distributed_passes - before.distributed_passes),
-                    static_cast<unsigned long long>(after.whole_passes - before.whole_passes));
-        std::fflush(stdout);
+        for (const std::uint32_t halo : {0u, 2u, 3u}) {
+            const glift::ranks::Statistics before = world.statistics();
+            const Bits many = one.run(world.device(), Spread(&world, halo));
+            const std::string what = one.name + (halo ? ", halo " + std::to_string(halo) : "");
+            if (!compare(world, what, many, alone, before)) result = 1;
+        }
     }
     return result;
 }

@@ -12,10 +12,10 @@ namespace ranks_test {
 /// Distributes structures; on one device it does nothing.
 class Spread {
 public:
-    explicit Spread(glift::ranks::World* world) : world_(world) {}
+    explicit Spread(glift::ranks::World* world, std::uint32_t halo = 0) : world_(world), halo_(halo) {}
 
     template <class S> void operator()(const S& structure) const {
-        if (world_) world_->distribute(structure);
+        if (world_) world_->distribute(structure, {.halo = halo_});
     }
     template <class S> void balance(const S& structure) const {
         if (world_) world_->balance(structure);
@@ -23,6 +23,7 @@ public:
 
 private:
     glift::ranks::World* world_;
+    std::uint32_t halo_;
 };
 
 using Bits = std::vector<std::uint32_t>;

@@ -37,6 +37,9 @@ struct Paging {
 struct Space {
     Cuts cuts;
     std::unique_ptr<Paging> paging;  ///< null: dense
+    /// Exchanges bring the elements up to this many away from a rank's own, even if a pass reads fewer. The rank then
+    /// computes some of them itself in the passes that follow (ranks::Distribution::halo).
+    std::uint32_t halo = 0;
 };
 
 /// A rank has its own elements, and those up to `ghost` elements away from them along the last axis.

@@ -76,7 +76,7 @@ void RankStream::run_distributed(const Kernel& kernel, const Call& call, const P
     for (const Patch& patch : call.patches) gather(patch.value);
     if (plan.space->paging) refresh(*plan.space->paging, plan.space->cuts);
     const std::vector<Before> before = keep_before(kernel, call, plan);
-    run_parts(kernel, call, plan);
+    const std::uint32_t extension = run_parts(kernel, call, plan);
     combine(kernel, call, before);
     ++statistics_.distributed_passes;
     for (std::size_t k = 0; k < call.memories.size(); ++k) {
@@ -90,8 +90,24 @@ void RankStream::run_distributed(const Kernel& kernel, const Call& call, const P
             coverage = &coverages_.set(call.memories[k], std::move(made));
         }
         if (plan.layouts.size() > k && plan.layouts[k]) coverage->layout = coverage->ghost_layout = *plan.layouts[k];
-        coverage->ghost = 0;
+        // An element that the pass leaves as it is, is as old as it was.
+        coverage->ghost = std::min(extension, coverage->ghost);
     }
+}
+
+/// How far beyond its own elements this rank can compute: as far as it has what the pass reads.
+std::uint32_t RankStream::extension_of(const Kernel& kernel, const Call& call, const PassPlan& plan) {
+    if (!plan.scattered.empty()) return 0;
+    std::uint32_t extension = plan.space->halo;
+    for (std::size_t k = 0; k < call.memories.size(); ++k) {
+        const Binding& binding = kernel.bindings[k];
+        if (plan.layouts.size() > k && plan.layouts[k] && plan.layouts[k]->wraps()) return 0;
+        const Coverage* coverage = coverages_.find(call.memories[k]);
+        if (!coverage || !coverage->is_partial() || !reads(binding) || !is_local(binding)) continue;
+        const std::uint32_t radius = binding.reach == Reach::window ? binding.radius : 0;
+        extension = std::min(extension, coverage->ghost - std::min(coverage->ghost, radius));
+    }
+    return extension;
 }
 
 /// The elements around a rank's own that the pass reads and that are older here than at their owners.
@@ -104,23 +120,32 @@ std::vector<Piece> RankStream::missing_ghosts(const Kernel& kernel, const Call& 
         if (!coverage || !coverage->is_partial()) continue;
         const SlabLayout edges = plan.layouts.size() > k && plan.layouts[k] ? *plan.layouts[k] : coverage->layout;
         if (coverage->ghost >= binding.radius && coverage->ghost_layout == edges) continue;
-        const std::vector<Piece> pieces = ghost_pieces(call.memories[k], *coverage, binding.radius, edges);
+        const std::uint32_t width = std::max(binding.radius, plan.space->halo);
+        const std::vector<Piece> pieces = ghost_pieces(call.memories[k], *coverage, width, edges);
         missing.insert(missing.end(), pieces.begin(), pieces.end());
-        coverage->ghost = binding.radius;
+        coverage->ghost = width;
         coverage->ghost_layout = edges;
     }
     return missing;
 }
 
 /// Computes this rank's part. If elements are missing, those that need none of them are computed while they arrive.
-void RankStream::run_parts(const Kernel& kernel, const Call& call, const PassPlan& plan) {
-    const Planes own = plan.space->cuts.of(messenger_.rank());
+/// Returns how far beyond its own elements the rank has computed.
+std::uint32_t RankStream::run_parts(const Kernel& kernel, const Call& call, const PassPlan& plan) {
+    const Cuts& cuts = plan.space->cuts;
+    const Planes own = cuts.of(messenger_.rank());
     const std::vector<Piece> missing = missing_ghosts(kernel, call, plan);
-    if (missing.empty()) return run_planes(kernel, call, plan, own);
+    const std::uint32_t layers = plan.space->paging ? plan.space->paging->layers : 1;
+    const std::uint32_t extension = extension_of(kernel, call, plan), beyond = (extension + layers - 1) / layers;
+    Planes all = own;
+    if (own.count() != 0) all = {own.first - std::min(own.first, beyond), std::min(own.end + beyond, cuts.planes())};
+    if (missing.empty()) {
+        run_planes(kernel, call, plan, all);
+        return extension;
+    }
     const double begin = now();
     const Messenger::Started started = messenger_.start(missing);
-    const std::uint32_t width =
-        plan.space->paging ? (plan.radius + plan.space->paging->layers - 1) / plan.space->paging->layers : plan.radius;
+    const std::uint32_t width = (plan.radius + layers - 1) / layers;
     Planes inner = {own.first + width, own.end - std::min(own.end, width)};
     if (!plan.space->paging && inner.count() != 0) {
         // Between workgroups, so that no element is computed twice.
@@ -138,8 +163,9 @@ void RankStream::run_parts(const Kernel& kernel, const Call& call, const PassPla
     statistics_.exchanged_bytes += messenger_.finish(started);
     ++statistics_.exchanges;
     statistics_.exchange_seconds += now() - (overlaps ? waits : begin);
-    if (overlaps) run_planes(kernel, call, plan, {own.first, inner.first}, {inner.end, own.end});
-    else run_planes(kernel, call, plan, own);
+    if (overlaps) run_planes(kernel, call, plan, {all.first, inner.first}, {inner.end, all.end});
+    else run_planes(kernel, call, plan, all);
+    return extension;
 }
 
 void RankStream::run_planes(const Kernel& kernel, const Call& call, const PassPlan& plan, Planes lower, Planes upper) {

@@ -19,6 +19,13 @@ bool writes(const Binding& binding) { return binding.access != Access::read; }
     throw Error(ErrorCode::wrong_argument, "the structure cannot be distributed", type_name, why, remedy);
 }
 
+void check_halo(const char* type_name, std::uint32_t halo) {
+    if (halo <= SlabLayout::farthest) return;
+    throw Error(ErrorCode::wrong_argument, "a halo is too wide", type_name,
+                std::to_string(halo) + " elements; the most is " + std::to_string(SlabLayout::farthest),
+                "pass a smaller Distribution::halo");
+}
+
 }  // namespace
 
 RankStream::RankStream(DeviceObject& device, std::shared_ptr<ranks::Transport> transport,
@@ -131,13 +138,15 @@ RankStream::download_image(const Memory& image, std::span<const ImageRegion> reg
     return local().download_image(image, regions, bytes);
 }
 
-void RankStream::distribute(const char* type_name, const RangeShape& shape) {
+void RankStream::distribute(const char* type_name, const RangeShape& shape, const ranks::Distribution& how) {
+    check_halo(type_name, how.halo);
     const std::optional<SlabLayout> layout = layouts_.of(shape);
     if (!layout)
         throw_not_distributed(type_name, "its elements do not lie in a buffer, plane by plane of the last axis",
                               "distribute std.array's Array in a buffer, with 2 planes or more, or std.sparse's Sparse");
     std::shared_ptr<Space>& space = dense_spaces_[layout->planes];
     if (!space) space = std::make_shared<Space>(Space{Cuts(layout->planes, messenger_.size()), nullptr});
+    space->halo = std::max(space->halo, how.halo);
     Coverage coverage;
     coverage.space = space;
     coverage.layout = coverage.ghost_layout = *layout;
@@ -145,7 +154,8 @@ void RankStream::distribute(const char* type_name, const RangeShape& shape) {
     coverages_.set(shape.indices.memory, std::move(coverage));
 }
 
-void RankStream::distribute(const PagedShape& shape) {
+void RankStream::distribute(const PagedShape& shape, const ranks::Distribution& how) {
+    check_halo(shape.type_name, how.halo);
     const unsigned last = shape.rank - 1;
     std::uint32_t pages_of_plane = 1, elements = shape.page[last];
     for (unsigned axis = 0; axis < last; ++axis) {
@@ -160,7 +170,7 @@ void RankStream::distribute(const PagedShape& shape) {
             throw_not_distributed(shape.type_name, "its frames are not in a buffer, or a layer of a page is not of whole words",
                                   "distribute std.sparse's Sparse with elements of 4 bytes or more");
     }
-    auto space = std::make_shared<Space>(Space{Cuts(planes, messenger_.size()), std::make_unique<Paging>()});
+    auto space = std::make_shared<Space>(Space{Cuts(planes, messenger_.size()), std::make_unique<Paging>(), how.halo});
     Paging& paging = *space->paging;
     paging.list = shape.list;
     paging.count = shape.count;

@@ -38,8 +38,8 @@ public:
     void flush() override { local().flush(); }
     void wait() override { local().wait(); }
 
-    void distribute(const char* type_name, const RangeShape& shape);
-    void distribute(const PagedShape& shape);
+    void distribute(const char* type_name, const RangeShape& shape, const ranks::Distribution& how);
+    void distribute(const PagedShape& shape, const ranks::Distribution& how);
     double balance(const PagedShape& shape);
     Messenger& messenger() { return messenger_; }
     const ranks::Statistics& statistics() const { return statistics_; }
@@ -55,7 +55,8 @@ private:
 
     // Distributed passes (rank_passes.cpp).
     void run_distributed(const Kernel& kernel, const Call& call, const PassPlan& plan);
-    void run_parts(const Kernel& kernel, const Call& call, const PassPlan& plan);
+    std::uint32_t run_parts(const Kernel& kernel, const Call& call, const PassPlan& plan);
+    std::uint32_t extension_of(const Kernel& kernel, const Call& call, const PassPlan& plan);
     void run_planes(const Kernel& kernel, const Call& call, const PassPlan& plan, Planes lower, Planes upper = {});
     void run_pages(const Kernel& kernel, const Call& call, const Space& space, Planes lower, Planes upper);
     std::vector<Piece> missing_ghosts(const Kernel& kernel, const Call& call, const PassPlan& plan);

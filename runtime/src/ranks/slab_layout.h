@@ -24,6 +24,9 @@ struct SlabLayout {
 
     bool operator==(const SlabLayout&) const = default;
 
+    /// Whether addresses before the first plane lead to the last planes.
+    bool wraps() const { return before[0] != nowhere && before[0] > planes / 2; }
+
     /// The plane where an address with this last coordinate leads, or `nowhere`.
     std::uint32_t plane_at(std::int64_t coordinate) const {
         if (coordinate >= 0 && coordinate < planes) return static_cast<std::uint32_t>(coordinate);

@@ -42,10 +42,12 @@ const Device& World::local_device() const { return local_; }
 Statistics World::statistics() const { return object_->ranks().statistics(); }
 void World::barrier() { object_->ranks().messenger().barrier(); }
 
-void World::distribute(const char* type_name, const detail::RangeShape& shape) {
-    object_->ranks().distribute(type_name, shape);
+void World::distribute(const char* type_name, const detail::RangeShape& shape, const Distribution& how) {
+    object_->ranks().distribute(type_name, shape, how);
 }
-void World::distribute(const detail::PagedShape& shape) { object_->ranks().distribute(shape); }
+void World::distribute(const detail::PagedShape& shape, const Distribution& how) {
+    object_->ranks().distribute(shape, how);
+}
 double World::balance(const detail::PagedShape& shape) { return object_->ranks().balance(shape); }
 
 }  // namespace glift::ranks

@@ -30,6 +30,14 @@ struct Options {
     bool overlaps = true;
 };
 
+/// How a structure is distributed.
+struct Distribution {
+    /// Exchanges bring the elements up to this many away from a rank's own, 8 at most, even if a pass reads fewer; the
+    /// next passes then compute some of them once more, in place of another exchange. With 2, every other pass with a
+    /// radius of 1 needs an exchange.
+    std::uint32_t halo = 0;
+};
+
 /// What a rank has sent and computed since its World was made.
 struct Statistics {
     std::uint64_t exchanges = 0;      ///< of elements around those that a rank owns, before passes
@@ -120,9 +128,9 @@ public:
     /// Distributes a structure that was made on device(). Of a dense array each rank owns consecutive planes of the last
     /// axis (of a matrix rows), of a sparse one consecutive planes of pages. Structures that a pass writes together with
     /// it are then distributed, too. Throws wrong_argument for a structure whose elements do not lie plane by plane.
-    template <class S> void distribute(const S& structure) {
-        if constexpr (detail::HasPages<S>) distribute(detail::paged_shape_of(structure));
-        else distribute(S::type_name, detail::shape_of(Range<S>(structure)));
+    template <class S> void distribute(const S& structure, const Distribution& how = {}) {
+        if constexpr (detail::HasPages<S>) distribute(detail::paged_shape_of(structure), how);
+        else distribute(S::type_name, detail::shape_of(Range<S>(structure)), how);
     }
     /// Moves the boundaries between ranks so that all of them own about as many resident pages, and moves elements to
     /// their new owners. Returns the largest number of pages of a rank over the mean.
@@ -135,8 +143,8 @@ public:
     void barrier();  ///< returns when every rank has called it
 
 private:
-    void distribute(const char* type_name, const detail::RangeShape& shape);
-    void distribute(const detail::PagedShape& shape);
+    void distribute(const char* type_name, const detail::RangeShape& shape, const Distribution& how);
+    void distribute(const detail::PagedShape& shape, const Distribution& how);
     double balance(const detail::PagedShape& shape);
 
     std::shared_ptr<detail::RankDevice> object_;
