@@ -93,10 +93,15 @@ bool holds_half(const Program& program, TypeId id) {
 
 /// Whether parameters that are no push constants are in a uniform buffer: those that fit and hold no halves, which need
 /// another device feature in uniform buffers. The others are in a storage buffer, from which each use is a load: a
-/// 7-point stencil takes 1.3 times as long on an H200. In draws, helper invocations of fragment shaders even read zeros
-/// from storage buffers on some devices (ir/derivatives.h).
+/// 7-point stencil takes 1.3 times as long on an H200. Kernels with images stay there, since NVIDIA's driver (580.159)
+/// fetches wrong texels for some of those with parameters in uniform buffers (examples/taxonomy/flat_3d_texture.glift).
+/// Draws do not: helper invocations of fragment shaders read zeros from storage buffers on some devices
+/// (ir/derivatives.h).
 bool suits_uniform_buffer(const Program& program, const Pass& pass) {
-    return pass.parameter_bytes <= uniform_buffer_limit &&
+    const bool draws = pass.kernel && program.kernels[pass.kernel].raster;
+    const bool has_images = std::ranges::any_of(
+        pass.bindings, [](const ir::PassBinding& binding) { return binding.shape != ir::MemoryShape::buffer; });
+    return (draws || !has_images) && pass.parameter_bytes <= uniform_buffer_limit &&
            std::ranges::none_of(pass.parameters,
                                 [&](const PassParameter& parameter) { return holds_half(program, parameter.type); });
 }

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Runs random programs and compares the results of the host device, another device and the compile-time evaluator.
+"""Runs random programs and compares the results of the host device, other devices and the compile-time evaluator.
 
-    generate.py GLIFTC [--seeds FIRST..LAST] [--kernels N] [--minutes M] [--device NAME] [--keep FOLDER] [--found FOLDER]
-                [--compile-only] [--shrink-steps N]
+    generate.py GLIFTC [--seeds FIRST..LAST] [--kernels N] [--minutes M] [--device NAME ...] [--keep FOLDER]
+                [--found FOLDER] [--compile-only] [--shrink-steps N]
 
 A program has N kernels with tests. For functions that the compile-time evaluator can compute, it also has constants
 that are calls of them, and tests that a kernel computes the same values.
@@ -34,10 +34,11 @@ MODES = {"": ([], {}), "general": ([], {"GLIFT_GENERAL_FORM": "1"}),
 
 
 class Outcome:
-    """The result of a program. `kind` is the kind of failure, '' for none. `mode` is a key of MODES."""
+    """The result of a program. `kind` is the kind of failure, '' for none. `mode` is a key of MODES, `where` what a
+    reader is told of it: the mode and the device."""
 
-    def __init__(self, kind, text, seconds=0.0, mode=""):
-        self.kind, self.text, self.seconds, self.mode = kind, text, seconds, mode
+    def __init__(self, kind, text, seconds=0.0, mode="", where=""):
+        self.kind, self.text, self.seconds, self.mode, self.where = kind, text, seconds, mode, where
 
 
 class Runner:
@@ -75,13 +76,14 @@ class Runner:
         if outcome.kind:
             return outcome
         words = [self.options.gliftc, "test", str(self.folder / f"{name}.glift")]
-        if self.options.device:
-            words[2:2] = ["--device", self.options.device]
+        devices = [["--device", device] for device in self.options.device] or [[]]
         for mode in modes:
             options, variables = MODES[mode]
-            code, output = self.run_command(words + options, SECONDS, dict(self.environment, **variables))
-            if code:
-                return Outcome(kind_of(code, output), failures_of(output), outcome.seconds, mode)
+            for device in devices:
+                code, output = self.run_command(words + device + options, SECONDS, dict(self.environment, **variables))
+                if code:
+                    where = " ".join([mode, *device[1:]])
+                    return Outcome(kind_of(code, output), failures_of(output), outcome.seconds, mode, where)
         self.keep(name)
         return outcome
 
@@ -149,7 +151,7 @@ def parse_arguments():
     parser.add_argument("--seeds", default="1..1000000", help="FIRST..LAST, both included")
     parser.add_argument("--kernels", type=int, default=40, help="kernels of a program")
     parser.add_argument("--minutes", type=float, help="no program begins later than this")
-    parser.add_argument("--device", default="", help="what the host device is compared with")
+    parser.add_argument("--device", action="append", default=[], help="what the host device is compared with; repeatable")
     parser.add_argument("--compile-only", action="store_true", help="compile, and build and run nothing")
     parser.add_argument("--keep", help="a folder for built programs")
     parser.add_argument("--found", default="found", help="a folder for programs that fail")
@@ -174,7 +176,7 @@ def main():
         runner.forget(program.module)
         if outcome.kind:
             failed += 1
-            print(f"FAIL  {program.module}: {outcome.kind} {outcome.mode}\n{outcome.text}", flush=True)
+            print(f"FAIL  {program.module}: {outcome.kind} {outcome.where}\n{outcome.text}", flush=True)
             if options.shrink_steps:
                 path = shrink(runner, program, outcome, options)
                 print(f"shrunk to {path}:\n{path.read_text()}", flush=True)

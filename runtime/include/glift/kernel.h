@@ -7,8 +7,8 @@
 //             constants where they fit (over blocks never);
 //   general   ranges with origins, a state for each structure, sizes that may live on the device; on Vulkan devices
 //             buffers are accessed by device address, without descriptors, and iterations may be split into several
-//             dispatches; parameters in a uniform buffer at binding 0, or in a storage buffer where they do not fit or
-//             one has halves; parameters of a direct form that are not push constants lie there, too.
+//             dispatches; parameters in a uniform buffer at binding 0, or a storage buffer (too large, with halves,
+//             with images); parameters of a direct form that are not push constants lie there, too.
 //
 // Generated code chooses the form. Where the ranges allow the direct form, it asks Commands::can_be_direct(kernel,
 // memories, size, sharing) before it packs the parameters. The answer is false where the direct form has no code for

@@ -132,6 +132,7 @@ void Context::read_limits(const FeatureChain& features) {
     instance->vk().vkGetPhysicalDeviceProperties2(physical, &floats);
     float_controls = FloatControls::of(v12);
     hides_loop_ends = v12.driverID == VK_DRIVER_ID_NVIDIA_PROPRIETARY;
+    separates_texels = v12.driverID == VK_DRIVER_ID_NVIDIA_PROPRIETARY;
     if (!properties.push_descriptors) return;
     VkPhysicalDevicePushDescriptorPropertiesKHR push = {
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PUSH_DESCRIPTOR_PROPERTIES_KHR};

@@ -68,6 +68,7 @@ public:
     std::uint64_t max_piece_bytes = 0;  ///< largest allocation; larger buffers need several, and sparse binding
     FloatControls float_controls;
     bool hides_loop_ends = false;         ///< the driver loses rounds of loops that end at zero: see hidden_limits.h
+    bool separates_texels = false;        ///< the driver mixes components of integer texels up: see separate_texels.h
     std::vector<const char*> extensions;  ///< names of the device's enabled extensions; point into names_
     std::atomic<bool> lost{false};
 

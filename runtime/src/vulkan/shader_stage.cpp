@@ -8,6 +8,7 @@
 #include "vulkan/spirv/hidden_limits.h"
 #include "vulkan/spirv/hidden_zeros.h"
 #include "vulkan/spirv/requirements.h"
+#include "vulkan/spirv/separate_texels.h"
 #include "vulkan/spirv/spirv_words.h"
 
 namespace glift::detail {
@@ -31,6 +32,7 @@ VkShaderModule make_module(Context& context, const Pipeline& pipeline, const Spi
     if (context.float_controls.hides_zeros) code = with_hidden_zeros(code);
     if (context.float_controls.keeps_sums) code = with_kept_sums(code);
     if (context.hides_loop_ends) code = with_hidden_limits(code);
+    if (context.separates_texels) code = with_separate_texels(code);
     const VkShaderModuleCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                            .codeSize = code.size() * sizeof(std::uint32_t),
                                            .pCode = code.data()};

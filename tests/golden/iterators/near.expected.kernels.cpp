@@ -162,7 +162,7 @@ const glift::Kernel smooth_kernel = {
     .loop_rounds = 0,
     .bindings = smooth_bindings,
     .direct = {.parameter_bytes = 12, .push_constants = true},
-    .general = {.host = &smooth_general, .parameter_bytes = 88, .base_offset = 36},
+    .general = {.host = &smooth_general, .parameter_bytes = 88, .uniform_buffer = true, .base_offset = 36},
     .parameters = smooth_parameters,
     .items = {1, 2, 1},
 };

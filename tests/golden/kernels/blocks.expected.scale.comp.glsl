@@ -5,7 +5,7 @@
 
 layout(local_size_x = 64) in;
 
-layout(scalar, set = 0, binding = 0) readonly buffer Parameters {
+layout(scalar, set = 0, binding = 0) uniform Parameters {
     uvec2 size;
     uint f_active_extent;
     uint div_ceil_x;

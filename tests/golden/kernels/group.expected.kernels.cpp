@@ -113,7 +113,7 @@ const glift::Kernel block_sums_kernel = {
     .loop_rounds = UINT64_MAX,
     .bindings = block_sums_bindings,
     .direct = {.parameter_bytes = 4, .push_constants = true},
-    .general = {.host = &block_sums_general, .parameter_bytes = 32},
+    .general = {.host = &block_sums_general, .parameter_bytes = 32, .uniform_buffer = true},
     .parameters = block_sums_parameters,
     .reports = true,
     .shared_bytes = 256,

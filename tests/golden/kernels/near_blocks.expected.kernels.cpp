@@ -225,8 +225,8 @@ const glift::Kernel right_kernel = {
     .group = {64, 1, 1},
     .loop_rounds = 0,
     .bindings = right_bindings,
-    .direct = {.parameter_bytes = 40},
-    .general = {.host = &right_general, .parameter_bytes = 120},
+    .direct = {.parameter_bytes = 40, .uniform_buffer = true},
+    .general = {.host = &right_general, .parameter_bytes = 120, .uniform_buffer = true},
     .parameters = right_parameters,
     .of_blocks = true,
 };

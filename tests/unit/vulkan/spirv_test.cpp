@@ -4,6 +4,7 @@
 #include "vulkan/spirv/float_controls.h"
 #include "vulkan/spirv/hidden_limits.h"
 #include "vulkan/spirv/hidden_zeros.h"
+#include "vulkan/spirv/separate_texels.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -289,6 +290,57 @@ TEST(HiddenLimits, AreInModulesAloneWithLoopsThatMayGoWrong) {
         const std::vector<std::uint32_t> before = assembled(limits(begin));
         EXPECT_EQ(with_hidden_limits(before), before) << begin;
     }
+}
+
+/// A shader that writes one texel of an image with these components.
+std::string texels(const std::string& component, const std::string& format) {
+    return R"(
+    OpCapability Shader
+    OpMemoryModel Logical GLSL450
+    OpEntryPoint GLCompute %4 "main" %20 %21
+    OpExecutionMode %4 LocalSize 1 1 1
+    OpDecorate %20 BuiltIn WorkgroupId
+    OpDecorate %21 DescriptorSet 0
+    OpDecorate %21 Binding 1
+    OpDecorate %21 NonReadable
+    %2 = OpTypeVoid
+    %3 = OpTypeFunction %2
+    %8 = OpTypeInt 32 0
+    %9 = OpTypeVector %8 3
+    %10 = )" +
+           component + R"(
+    %11 = OpTypeVector %10 4
+    %12 = OpTypeImage %10 2D 0 0 0 2 )" +
+           format + R"(
+    %13 = OpTypePointer UniformConstant %12
+    %14 = OpTypePointer Input %9
+    %15 = OpConstant %10 7
+    %16 = OpConstantComposite %11 %15 %15 %15 %15
+    %17 = OpTypeVector %8 2
+    %20 = OpVariable %14 Input
+    %21 = OpVariable %13 UniformConstant
+    %4 = OpFunction %2 None %3
+    %22 = OpLabel
+    %23 = OpLoad %9 %20
+    %24 = OpVectorShuffle %17 %23 %23 0 1
+    %25 = OpLoad %12 %21
+    OpImageWrite %25 %24 %16
+    OpReturn
+    OpFunctionEnd
+)";
+}
+
+TEST(SeparateTexels, AddUnknownZerosToThreeComponents) {
+    const std::vector<std::uint32_t> separate = with_separate_texels(assembled(texels("OpTypeInt 32 1", "Rgba32i")));
+    const std::string text = disassembled(separate);
+    EXPECT_EQ(error_of(separate), "") << text;
+    EXPECT_THAT(text, Not(HasSubstr("OpImageWrite %25 %24 %16")));
+    for (const char* insertion : {"%16 1\n", "%32 2\n", "%36 3\n"}) EXPECT_THAT(text, HasSubstr(insertion));
+}
+
+TEST(SeparateTexels, LeaveTexelsOfFloatsAsTheyAre) {
+    const std::vector<std::uint32_t> before = assembled(texels("OpTypeFloat 32", "Rgba32f"));
+    EXPECT_EQ(with_separate_texels(before), before);
 }
 
 TEST(Groups, LeaveTheTopBitOfAnInvocationsNumberUnset) {

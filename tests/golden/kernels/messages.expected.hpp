@@ -1,0 +1,65 @@
+// Made by gliftc from messages.glift. Changes are lost when it is made again.
+#pragma once
+
+#include "messages.glift.types.hpp"
+
+#include <glift/glift.h>
+#include <glift/structure.h>
+
+static_assert(GLIFT_VERSION_MAJOR == 0 && GLIFT_VERSION_MINOR == 1,
+              "gliftc 0.1 made this, and the Glift headers found are of another version: "
+              "run the gliftc that belongs to them, or compile with the headers and library of "
+              "Glift 0.1");
+
+namespace std_array {
+
+#ifndef GLIFT_std_array_HAS_Array_1_float
+#define GLIFT_std_array_HAS_Array_1_float
+/// Array<1, float>. A dense N-D array. Memory: one element per address; image2d rounds up to whole rows. `edge`
+/// says what reads outside give, by default zero; writes outside are discarded. Lefohn's thesis (Glift: Generic
+/// Data Structures for Graphics Hardware, 2006), section 9.1.
+class Array_1_float : public glift::Structure<Array_1_float, glift::uint, float> {
+public:
+    static constexpr const char* type_name = "Array<1, float>";
+
+    Array_1_float() = default;
+    Array_1_float(const glift::Commands& commands, glift::uint extent);
+    /// Makes the structure with the given memory.
+    Array_1_float(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+
+    glift::uint domain() const;
+    glift::uint extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    std::uint64_t data_extent() const { return data_extent_; }
+    bool same_state(const Array_1_float& other) const;
+
+    void fill(float value);
+    void fill(float value, const glift::Range<Array_1_float>& range);
+    std::uint64_t place(glift::uint address) const;
+    const glift::Memory& row_memory() const { return data_; }
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float>& range,
+        const glift::Memory& box) const;
+
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
+
+private:
+    glift::uint extent_{};
+    std::uint64_t data_extent_{};
+    glift::Memory data_;
+};
+#endif
+
+}  // namespace std_array
+
+namespace messages {
+
+using Line = ::std_array::Array_1_float;
+
+void roots(const glift::Commands& commands, const glift::Range<Line>& f);
+
+}  // namespace messages
