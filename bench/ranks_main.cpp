@@ -1,9 +1,10 @@
-// bench_ranks [--ranks N] [--what diffusion|band] [--side N] [--strong] [--steps N] [--halo N] [--no-overlap] [--json FILE]: the
-// time of a step on several devices of this host, a process for each (GLIFT_DEVICE=host or lavapipe: all use that
-// device).
+// bench_ranks [--ranks N] [--what diffusion|band] [--side N] [--strong] [--steps N] [--halo N] [--no-overlap] [--json
+// FILE]: the time of a step on several devices of this host, a process for each (GLIFT_DEVICE=host or lavapipe: all use
+// that device).
 //
 //   diffusion  examples/heat over `side`^3 voxels; unless --strong, so many for each rank (side along x and y)
-//   band       examples/narrow_band/moving_shell.glift: topology and two stencils of the pages around a moving shell, in
+//   band       examples/narrow_band/moving_shell.glift: topology and two stencils of the pages around a moving shell,
+//   in
 //              a domain of `side`^3 elements with a shell of 0.39 side; unless --strong, both grow with the square root
 //              of the number of ranks, so that each rank has as many pages
 //
@@ -36,17 +37,15 @@ struct Options {
 };
 
 struct Figures {
-    double step = 0;          ///< seconds, the median of the runs
-    double exchange = 0;      ///< seconds of the host in exchanges, a step
-    std::uint64_t bytes = 0;  ///< that this rank sent in exchanges, a step
-    std::uint64_t elements = 0;  ///< of all ranks
-    double imbalance = 1;        ///< the most pages of a rank over the mean
+    double step = 0;                                          ///< seconds, the median of the runs
+    double exchange = 0;                                      ///< seconds of the host in exchanges, a step
+    std::uint64_t bytes = 0;                                  ///< that this rank sent in exchanges, a step
+    std::uint64_t elements = 0;                               ///< of all ranks
+    double imbalance = 1;                                     ///< the most pages of a rank over the mean
     std::uint64_t exchanges = 0, distributed = 0, whole = 0;  ///< a step
 };
 
-double now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// Runs `steps` steps `runs` times, after one run that counts for nothing.
 template <class Steps> void measure(glift::ranks::World& world, const Options& options, Figures& figures, Steps steps) {
@@ -88,7 +87,8 @@ Figures band_of(glift::ranks::World& world, const Options& options) {
     const auto side = static_cast<std::uint32_t>(std::ceil(options.side * growth / 8) * 8);
     const auto radius = static_cast<float>(0.39 * options.side * growth);
     const float r = radius + 16;
-    const auto capacity = static_cast<std::uint32_t>(4 * std::numbers::pi_v<float> * r * r * 2 * 9.6f / 512 * 1.1f) + 256;
+    const auto capacity =
+        static_cast<std::uint32_t>(4 * std::numbers::pi_v<float> * r * r * 2 * 9.6f / 512 * 1.1f) + 256;
     band::Band band(world.device(), {side, side, side}, capacity);
     moving_shell::Clock clock(world.device(), 1);
     world.distribute(band, {.halo = options.halo});
@@ -114,13 +114,14 @@ int run(std::shared_ptr<glift::ranks::Transport> transport, const Options& optio
     const unsigned rank = transport->rank();
     glift::ranks::World world(std::move(transport), device_of(rank), {.overlaps = !options.no_overlap});
     const Figures f = options.what == "band" ? band_of(world, options) : diffusion(world, options);
-    std::printf("%s, %s, %u ranks, halo %u, %s, rank %u on %s: %.1f us a step, %llu bytes sent in %llu exchanges, %.1f us in "
-                "exchanges, %.1f M elements, imbalance %.3f; %llu passes distributed, %llu whole\n",
-                options.what.c_str(), options.strong ? "strong" : "weak", options.ranks, options.halo,
-                options.no_overlap ? "not overlapped" : "overlapped", rank,
-                world.local_device().properties().name.c_str(), 1e6 * f.step, static_cast<unsigned long long>(f.bytes),
-                static_cast<unsigned long long>(f.exchanges), 1e6 * f.exchange, 1e-6 * static_cast<double>(f.elements),
-                f.imbalance, static_cast<unsigned long long>(f.distributed), static_cast<unsigned long long>(f.whole));
+    std::printf(
+        "%s, %s, %u ranks, halo %u, %s, rank %u on %s: %.1f us a step, %llu bytes sent in %llu exchanges, %.1f us in "
+        "exchanges, %.1f M elements, imbalance %.3f; %llu passes distributed, %llu whole\n",
+        options.what.c_str(), options.strong ? "strong" : "weak", options.ranks, options.halo,
+        options.no_overlap ? "not overlapped" : "overlapped", rank, world.local_device().properties().name.c_str(),
+        1e6 * f.step, static_cast<unsigned long long>(f.bytes), static_cast<unsigned long long>(f.exchanges),
+        1e6 * f.exchange, 1e-6 * static_cast<double>(f.elements), f.imbalance,
+        static_cast<unsigned long long>(f.distributed), static_cast<unsigned long long>(f.whole));
     if (rank == 0 && !options.json.empty())
         std::ofstream(options.json) << nlohmann::ordered_json{{"what", options.what},
                                                               {"strong", options.strong},
@@ -149,7 +150,8 @@ int main(int argc, char** argv) {
     app.add_option("--side", options.side, "of the domain")->capture_default_str();
     app.add_option("--steps", options.steps, "of a run, at most 64 of the band")->capture_default_str();
     app.add_option("--runs", options.runs, "of which the median counts")->capture_default_str();
-    app.add_option("--halo", options.halo, "elements that an exchange brings: Distribution::halo")->capture_default_str();
+    app.add_option("--halo", options.halo, "elements that an exchange brings: Distribution::halo")
+        ->capture_default_str();
     app.add_flag("--strong", options.strong, "the same domain for any number of ranks");
     app.add_flag("--no-overlap", options.no_overlap, "compute nothing while elements are on their way");
     app.add_option("--json", options.json, "where the figures go");

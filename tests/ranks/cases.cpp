@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <thread>
 #include <type_traits>
 
@@ -177,9 +178,9 @@ Bits smoke_case(const glift::Device& device, const Spread& spread) {
 
 const std::vector<Case>& cases() {
     static const std::vector<Case> all = {
-        {"heat", heat_case},           {"edges", edges_case}, {"updates", updates_case}, {"anywhere", anywhere_case},
-        {"algorithms", algorithms_case}, {"pairs", pairs_case}, {"shell", shell_case},     {"front", front_case},
-        {"smoke", smoke_case},
+        {"heat", heat_case},         {"edges", edges_case},           {"updates", updates_case},
+        {"anywhere", anywhere_case}, {"algorithms", algorithms_case}, {"pairs", pairs_case},
+        {"shell", shell_case},       {"front", front_case},           {"smoke", smoke_case},
     };
     return all;
 }
@@ -193,7 +194,9 @@ bool compare(glift::ranks::World& world, const std::string& what, const Bits& ma
     for (std::size_t i = 0; i < many.size() && i < alone.size(); ++i) differing += many[i] != alone[i];
     if (world.rank() != 0 && differing == 0) return true;
     const glift::ranks::Statistics after = world.statistics();
-    const auto since = [](std::uint64_t now, std::uint64_t then) { return static_cast<unsigned long long>(now - then); };
+    const auto since = [](std::uint64_t now, std::uint64_t then) {
+        return static_cast<unsigned long long>(now - then);
+    };
     std::printf("%s: %s: rank %u of %u: %s, %zu of %zu words differ; %llu exchanges, %llu bytes; %llu gathers, %llu "
                 "bytes; %llu combinations; %llu passes distributed, %llu whole\n",
                 differing ? "FAIL" : "pass", what.c_str(), world.rank(), world.size(),
@@ -241,6 +244,94 @@ int check_bytes(glift::ranks::World& world) {
     return is_right ? 0 : 1;
 }
 
+int check_balance(glift::ranks::World& world) {
+    double before = 1, after = 1;
+    const auto corner = [&](const glift::Device& device, glift::ranks::World* balanced) {
+        band::Band band(device, {256, 256, 256}, 9000, {8, 8});
+        front::Balls balls(device, 1);
+        if (balanced) balanced->distribute(band);
+        for (int step = 0; step < 4; ++step) {
+            const float middle = 150 - 20 * static_cast<float>(step);
+            const front::Ball ball{{middle, middle, middle}, 80};
+            balls.write(std::vector{ball});
+            front::ask_near(device, band, ball);
+            front::begin(device, band, balls);
+            front::step(device, band, {{128, 128, 128}, 100, 0.35f, 0.15f});
+            if (balanced) before = std::max(before, balanced->imbalance(band));
+            if (balanced) after = std::max(after, balanced->balance(band));
+            front::step(device, band, {{128, 128, 128}, 100, 0.35f, 0.15f});
+        }
+        Bits bits;
+        add_resident(bits, band);
+        return bits;
+    };
+    const glift::ranks::Statistics start = world.statistics();
+    const Bits many = corner(world.device(), &world);
+    bool is_good = compare(world, "corner", many, corner(world.local_device(), nullptr), start) && after < 1.15;
+    if (world.rank() == 0)
+        std::printf("%s: %u ranks: imbalance %.3f at most before balance(), %.3f after; rank 0 sent %llu bytes to new "
+                    "owners\n",
+                    is_good ? "pass" : "FAIL", world.size(), before, after,
+                    static_cast<unsigned long long>(world.statistics().migrated_bytes));
+    return is_good ? 0 : 1;
+}
+
+int check_refusals(glift::ranks::World& world) {
+    int missing = 0;
+    const auto refuses = [&](const char* what, const std::function<void()>& call) {
+        try {
+            call();
+        } catch (const glift::Error& error) {
+            if (world.rank() == 0) std::printf("pass: %s: %s\n", what, error.what());
+            return;
+        }
+        std::printf("FAIL: %s was not refused\n", what);
+        missing = 1;
+    };
+    heat::Volume u(world.device(), {8, 8, 8}), flat(world.device(), {8, 8, 1});
+    refuses("a recording", [&] { world.device().record([](const glift::Commands&) {}); });
+    refuses("a structure of one plane", [&] { world.distribute(flat); });
+    refuses("a wide halo", [&] { world.distribute(u, {.halo = 9}); });
+    band::Band band(world.device(), {16, 16, 16}, 4);
+    refuses("balance() before distribute()", [&] { world.balance(band); });
+    return missing;
+}
+
+namespace {
+
+constexpr glift::uint3 saved_extent{24, 20, 96};
+
+}  // namespace
+
+int save_half(glift::ranks::World& world, const std::string& file) {
+    heat::Volume u(world.device(), saved_extent);
+    world.distribute(u);
+    u.write(noise(std::size_t{saved_extent.x} * saved_extent.y * saved_extent.z));
+    heat::diffuse(world.device(), u, 0.125f, 5);
+    const std::vector<float> values = u.read();
+    if (world.rank() == 0)
+        std::ofstream(file, std::ios::binary)
+            .write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(values.size() * 4));
+    return 0;
+}
+
+int load_half(glift::ranks::World& world, const std::string& file) {
+    std::vector<float> values(std::size_t{saved_extent.x} * saved_extent.y * saved_extent.z);
+    std::ifstream(file, std::ios::binary)
+        .read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(values.size() * 4));
+    const glift::ranks::Statistics start = world.statistics();
+    heat::Volume u(world.device(), saved_extent), alone(world.local_device(), saved_extent);
+    world.distribute(u);
+    u.write(values);
+    heat::diffuse(world.device(), u, 0.125f, 5);
+    alone.write(noise(values.size()));
+    heat::diffuse(world.local_device(), alone, 0.125f, 10);
+    Bits many, one;
+    add(many, u.read());
+    add(one, alone.read());
+    return compare(world, "restart", many, one, start) ? 0 : 1;
+}
+
 int check_hang(glift::ranks::World& world) {
     heat::Volume u(world.device(), {16, 16, 64});
     world.distribute(u);
@@ -256,7 +347,8 @@ int check_hang(glift::ranks::World& world) {
     } catch (const glift::Error& error) {
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         std::printf("rank %u, after %.1f s: %s\n", world.rank(), seconds, error.what());
-        const bool names_it = std::string(error.what()).find("rank " + std::to_string(world.size() - 1) + " (") != std::string::npos;
+        const bool names_it =
+            std::string(error.what()).find("rank " + std::to_string(world.size() - 1) + " (") != std::string::npos;
         return error.code() == glift::ErrorCode::lost_rank && names_it && seconds < 6 ? 0 : 1;
     }
     return 1;
@@ -274,6 +366,10 @@ int die(glift::ranks::World& world) {
 
 int run(glift::ranks::World& world, const std::string& test, const std::string& which) {
     if (test == "bytes") return check_bytes(world);
+    if (test == "balance") return check_balance(world);
+    if (test == "refusals") return check_refusals(world);
+    if (test == "save") return save_half(world, which);
+    if (test == "load") return load_half(world, which);
     if (test == "hang") return check_hang(world);
     if (test == "die") return die(world);
     return run_cases(world, which);

@@ -42,6 +42,18 @@ int run_cases(glift::ranks::World& world, const std::string& which);
 /// Counts what the heat example sends, and compares it with the definition of its halo. Returns 1 if it differs.
 int check_bytes(glift::ranks::World& world);
 
+/// A front that moves into one corner: with World::balance no rank has more than 1.15 of the mean. Returns 1 if one
+/// has, or if a bit differs.
+int check_balance(glift::ranks::World& world);
+
+/// What a device of several ranks refuses, with an error that says so. Returns 1 if it does not.
+int check_refusals(glift::ranks::World& world);
+
+/// Computes half of a diffusion and saves it in a file, or reads that file and computes the rest, which is compared
+/// with all of it computed on one device.
+int save_half(glift::ranks::World& world, const std::string& file);
+int load_half(glift::ranks::World& world, const std::string& file);
+
 /// One rank stops making calls: the others must get an error with its name within the limit. Returns 0 if this one did.
 int check_hang(glift::ranks::World& world);
 

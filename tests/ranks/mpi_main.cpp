@@ -27,7 +27,8 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     MPI_Init(&argc, &argv);
     if (argc < 2) {
-        std::fputs("usage: mpirun -n RANKS ranks_mpi bits|bytes|hang|die [CASE]\n", stderr);
+        std::fputs("usage: mpirun -n RANKS ranks_mpi bits|bytes|balance|refusals|save|load|hang|die [CASE|FILE]\n",
+                   stderr);
         MPI_Abort(MPI_COMM_WORLD, 2);
     }
     const int result = run(argc, argv);

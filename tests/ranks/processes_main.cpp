@@ -8,7 +8,7 @@
 
 int main(int argc, char** argv) {
     if (argc < 3) {
-        std::fputs("usage: ranks_processes RANKS bits|bytes|hang|die [CASE]\n", stderr);
+        std::fputs("usage: ranks_processes RANKS bits|bytes|balance|refusals|save|load|hang|die [CASE|FILE]\n", stderr);
         return 2;
     }
     const auto count = static_cast<unsigned>(std::atoi(argv[1]));

@@ -70,8 +70,7 @@ std::pair<std::uint32_t, std::uint32_t> part_of_element(const ir::Program& progr
 std::string number_text(const ir::Program& program, const ir::PassBinding& binding) {
     if (binding.access == ir::Access::read) return "";
     ir::TypeId type = binding.element;
-    for (std::uint32_t field : binding.fields)
-        type = program.structs[program.types[type].struct_].fields[field].type;
+    for (std::uint32_t field : binding.fields) type = program.structs[program.types[type].struct_].fields[field].type;
     const ir::TypeId scalar = program.types.scalar_of(type);
     if (program.types.is_floating(scalar)) return ", .number = glift::Number::real";
     if (program.types.is_signed(scalar)) return ", .number = glift::Number::signed_integer";

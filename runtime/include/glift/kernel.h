@@ -54,8 +54,8 @@ enum class Reach : std::uint8_t { memory, range, window, element };
 /// than `none`, may alias. `coherent`: workgroups share the memory within the pass.
 enum class Combine : std::uint8_t { none, min, max, add, bit_and, bit_or, bit_xor, coherent };
 
-/// What a pass does to the elements of a memory, if it is always the same and the pass loads none of them: `store` gives
-/// them a value; the others combine one with theirs. `other`: anything else.
+/// What a pass does to the elements of a memory, if it is always the same and the pass loads none of them: `store`
+/// gives them a value; the others combine one with theirs. `other`: anything else.
 enum class Update : std::uint8_t { other, store, min, max, add, bit_and, bit_or, bit_xor };
 
 /// The kind of the numbers that an update combines.
@@ -136,8 +136,8 @@ struct HostTargets {
     uint2 origin, extent;
 };
 
-/// The elements that one call on the host device visits: along each axis from 0 to before the size; along the last of the
-/// kernel's `rank` axes from `first` on.
+/// The elements that one call on the host device visits: along each axis from 0 to before the size; along the last of
+/// the kernel's `rank` axes from `first` on.
 struct HostSize : std::array<std::uint32_t, 4> {
     HostSize() = default;
     constexpr HostSize(const std::array<std::uint32_t, 4>& size) : std::array<std::uint32_t, 4>(size) {}

@@ -110,10 +110,11 @@ private:
             MPI_Status status;
             MPI_Iprobe(MPI_ANY_SOURCE, waiting_tag, communicator_, &is_there, &status);
             if (is_there)
-                MPI_Recv(&waits[static_cast<std::size_t>(status.MPI_SOURCE)], 1, MPI_INT, status.MPI_SOURCE, waiting_tag,
-                         communicator_, MPI_STATUS_IGNORE);
+                MPI_Recv(&waits[static_cast<std::size_t>(status.MPI_SOURCE)], 1, MPI_INT, status.MPI_SOURCE,
+                         waiting_tag, communicator_, MPI_STATUS_IGNORE);
         }
-        detail::throw_lost_ranks(*this, std::move(open), [&](unsigned rank) { return waits[rank]; }, limit);
+        detail::throw_lost_ranks(
+            *this, std::move(open), [&](unsigned rank) { return waits[rank]; }, limit);
     }
 
     MPI_Comm communicator_ = MPI_COMM_NULL;

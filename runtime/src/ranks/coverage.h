@@ -15,12 +15,13 @@ namespace glift::detail {
 /// The pages of a sparse structure, of which all ranks know which are resident. Pages are cut by planes of pages along
 /// the last axis, so that those of a rank, and those of a plane, are consecutive in the list.
 struct Paging {
-    Memory list;        ///< the numbers of resident pages, ascending
-    DeviceValue count;  ///< how many there are
-    Memory table;       ///< for each page its frame + 1, or 0
+    Memory list;                                   ///< the numbers of resident pages, ascending
+    DeviceValue count;                             ///< how many there are
+    Memory table;                                  ///< for each page its frame + 1, or 0
     std::uint32_t pages_of_plane = 0, layers = 0;  ///< layers of elements of a page, along the last axis
 
-    /// Where each plane begins in the list, and the end; stale after a pass that writes the list, the count or the table.
+    /// Where each plane begins in the list, and the end; stale after a pass that writes the list, the count or the
+    /// table.
     std::vector<std::uint32_t> first_of_plane;
     bool is_stale = true;
 
@@ -31,6 +32,13 @@ struct Paging {
         std::uint32_t pages = 0;
     };
     std::vector<Sublist> sublists;
+    std::vector<Memory> spare;  ///< of sublists that are needed no more
+    Memory planes;              ///< first_of_plane, on the device
+
+    void forget_sublists() {
+        for (Sublist& list : sublists) spare.push_back(std::move(list.memory));
+        sublists.clear();
+    }
 };
 
 /// What is cut into parts: the planes of dense structures of one extent, or the planes of pages of a sparse one.
@@ -49,8 +57,8 @@ struct Coverage {
     std::weak_ptr<MemoryObject> memory;
     std::shared_ptr<Space> space;
     std::uint32_t ghost = everywhere;
-    SlabLayout ghost_layout;  ///< by which `ghost` is counted beyond the domain's edge
-    SlabLayout layout;        ///< of a dense structure
+    SlabLayout ghost_layout;   ///< by which `ghost` is counted beyond the domain's edge
+    SlabLayout layout;         ///< of a dense structure
     std::uint64_t number = 0;  ///< in the order of Coverages::set, which is the same on every rank
     std::uint64_t frame_bytes = 0, layer_bytes = 0;  ///< of a sparse one: of a page and of a layer of it
 

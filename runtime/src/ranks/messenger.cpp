@@ -2,6 +2,8 @@
 
 #include "page_kernels.h"
 
+#include <glift/iteration.h>
+
 #include <algorithm>
 
 namespace glift::detail {
@@ -14,7 +16,8 @@ std::uint64_t bytes_of(std::span<const Piece> pieces) {
     return bytes;
 }
 
-/// Calls use(rank, first byte, bytes) for each rank with which the pieces, which are ordered by `rank_of`, are exchanged.
+/// Calls use(rank, first byte, bytes) for each rank with which the pieces, which are ordered by `rank_of`, are
+/// exchanged.
 template <class RankOf, class Use> void each_rank(std::span<const Piece> pieces, RankOf rank_of, Use use) {
     std::uint64_t first = 0;
     for (std::size_t i = 0; i < pieces.size();) {
@@ -35,23 +38,30 @@ Messenger::Messenger(std::shared_ptr<ranks::Transport> transport, std::shared_pt
 
 Memory Messenger::staging(Memory& memory, std::uint64_t bytes) {
     if (!memory || memory.description().bytes < bytes)
-        memory = stream().allocate({.name = "messages of ranks", .bytes = (bytes + bytes / 4 + 255) / 4 * 4, .zeroed = false});
+        memory = stream().allocate(
+            {.name = "messages of ranks", .bytes = (bytes + bytes / 4 + 255) / 4 * 4, .zeroed = false});
     return memory;
 }
 
 void Messenger::move(const Piece& piece, const Memory& packed, std::uint64_t at, bool packs) {
     if (!piece.paging) {
-        const CopyRegion region = packs ? CopyRegion{piece.offset, at, piece.run} : CopyRegion{at, piece.offset, piece.run};
-        return packs ? stream().copy(piece.memory, packed, {&region, 1}) : stream().copy(packed, piece.memory, {&region, 1});
+        const CopyRegion region =
+            packs ? CopyRegion{piece.offset, at, piece.run} : CopyRegion{at, piece.offset, piece.run};
+        return packs ? stream().copy(piece.memory, packed, {&region, 1})
+                     : stream().copy(packed, piece.memory, {&region, 1});
     }
-    const MovePages parameters = {words(piece.bytes()), piece.first, words(piece.run), words(piece.offset),
-                                  words(piece.frame_bytes), words(at), {}};
+    const MovePages parameters = {words(piece.bytes()),
+                                  piece.first,
+                                  words(piece.run),
+                                  words(piece.offset),
+                                  words(piece.frame_bytes),
+                                  words(at),
+                                  {}};
     const Memory memories[] = {piece.paging->list, piece.paging->table, piece.memory, packed};
-    stream().dispatch(packs ? pack_pages_kernel : unpack_pages_kernel,
-                      {.form = FormName::general,
-                       .memories = memories,
-                       .parameters = {reinterpret_cast<const std::byte*>(&parameters), sizeof parameters},
-                       .size = {parameters.size, 1, 1, 1}});
+    stream().dispatch(packs ? pack_pages_kernel : unpack_pages_kernel, {.form = FormName::general,
+                                                                        .memories = memories,
+                                                                        .parameters = glift::bytes_of(parameters),
+                                                                        .size = {parameters.size, 1, 1, 1}});
 }
 
 Messenger::Started Messenger::start(const std::vector<Piece>& pieces) {
@@ -77,22 +87,25 @@ Messenger::Started Messenger::start(const std::vector<Piece>& pieces) {
 }
 
 std::uint64_t Messenger::finish(const Started& started) {
-    std::vector<std::byte> arrived(bytes_of(started.received));
+    if (arrived_.size() < bytes_of(started.received)) arrived_.resize(bytes_of(started.received));
+    const std::span<std::byte> arrived(arrived_.data(), bytes_of(started.received));
     std::vector<ranks::Send> sends;
     std::vector<ranks::Receive> receives;
     std::uint64_t sent = 0;
     if (started.download) {
         const std::span<const std::byte> bytes = started.download->get();
-        each_rank(started.sent, [](const Piece& piece) { return piece.to; },
-                  [&](unsigned to, std::uint64_t first, std::uint64_t count) {
-                      sends.push_back({to, bytes.subspan(first, count)});
-                      sent += count;
-                  });
+        each_rank(
+            started.sent, [](const Piece& piece) { return piece.to; },
+            [&](unsigned to, std::uint64_t first, std::uint64_t count) {
+                sends.push_back({to, bytes.subspan(first, count)});
+                sent += count;
+            });
     }
-    each_rank(started.received, [](const Piece& piece) { return piece.from; },
-              [&](unsigned from, std::uint64_t first, std::uint64_t count) {
-                  receives.push_back({from, std::span(arrived).subspan(first, count)});
-              });
+    each_rank(
+        started.received, [](const Piece& piece) { return piece.from; },
+        [&](unsigned from, std::uint64_t first, std::uint64_t count) {
+            receives.push_back({from, arrived.subspan(first, count)});
+        });
     if (!sends.empty() || !receives.empty()) transport_->exchange(sends, receives, limit_);
     if (arrived.empty()) return sent;
     const Memory packed = staging(receive_, arrived.size());

@@ -2,6 +2,7 @@
 
 #include "find_planes.h"
 #include "pack_pages.h"
+#include "take_pages.h"
 #include "unpack_pages.h"
 
 #include <algorithm>
@@ -48,6 +49,13 @@ void unpack_pages_on_host(const HostCall& call) {
     });
 }
 
+void take_pages_on_host(const HostCall& call) {
+    const auto& p = *static_cast<const TakePages*>(call.parameters);
+    std::uint32_t* taken = words_to_write(call, 1);
+    std::copy_n(words(call, 0) + p.lower, p.lower_count, taken);
+    std::copy_n(words(call, 0) + p.upper, p.size - p.lower_count, taken + p.lower_count);
+}
+
 constexpr std::uint32_t address_of(std::size_t first, std::size_t number) {
     return static_cast<std::uint32_t>(first + 8 * number);
 }
@@ -72,7 +80,25 @@ constexpr Binding unpack_bindings[] = {
     {.name = "packed", .address_offset = address_of(move_addresses, 3)},
 };
 
+constexpr std::uint32_t take_addresses = offsetof(TakePages, addresses);
+constexpr Binding take_bindings[] = {
+    {.name = "list", .address_offset = address_of(take_addresses, 0)},
+    {.name = "taken", .access = Access::write, .address_offset = address_of(take_addresses, 1)},
+};
+
 }  // namespace
+
+const Kernel take_pages_kernel = {
+    .name = "take_pages",
+    .file = "",
+    .line = 0,
+    .rank = 1,
+    .group = {64, 1, 1},
+    .loop_rounds = 0,
+    .bindings = take_bindings,
+    .direct = {},
+    .general = {.spirv = take_pages, .host = take_pages_on_host, .parameter_bytes = sizeof(TakePages)},
+};
 
 const Kernel find_planes_kernel = {
     .name = "find_planes",

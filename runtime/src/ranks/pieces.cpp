@@ -12,7 +12,11 @@ Piece piece_of(const Memory& memory, const Coverage& coverage, unsigned from, un
                std::uint32_t first_layer, std::uint32_t layers) {
     const Paging* paging = coverage.space->paging.get();
     if (!paging)
-        return {from, to, memory, nullptr, planes.first * coverage.layout.plane_bytes,
+        return {from,
+                to,
+                memory,
+                nullptr,
+                planes.first * coverage.layout.plane_bytes,
                 planes.count() * coverage.layout.plane_bytes};
     const std::uint32_t first = paging->first_of_plane[planes.first];
     return {from,

@@ -11,9 +11,9 @@ namespace glift::detail {
 struct Piece {
     unsigned from, to;
     Memory memory;
-    const Paging* paging;  ///< null: the bytes lie together, from `offset` on
-    std::uint64_t offset;  ///< with pages: of the run of bytes in each frame
-    std::uint64_t run;     ///< bytes, of each page
+    const Paging* paging;                ///< null: the bytes lie together, from `offset` on
+    std::uint64_t offset;                ///< with pages: of the run of bytes in each frame
+    std::uint64_t run;                   ///< bytes, of each page
     std::uint32_t first = 0, pages = 1;  ///< in the list of pages
     std::uint64_t frame_bytes = 0;
 

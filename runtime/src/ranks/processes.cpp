@@ -1,5 +1,6 @@
 #include <glift/ranks/processes.h>
 
+#include <glift/error.h>
 #include <glift/ranks/lost_ranks.h>
 
 #include <sys/mman.h>
@@ -89,10 +90,13 @@ private:
     Channel* channels_;
 };
 
-/// A message of which `done` bytes have gone.
+/// A message of which `done` bytes have gone, after its length, of which `length_done` bytes have.
 template <class Message> struct Started {
     Message message;
-    std::size_t done = 0;
+    std::uint64_t length;
+    std::size_t done = 0, length_done = 0;
+
+    bool is_over() const { return length_done == sizeof length && done == message.bytes.size(); }
 };
 
 class ProcessTransport final : public Transport {
@@ -109,8 +113,8 @@ public:
     void exchange(std::span<const Send> sends, std::span<const Receive> receives, Seconds limit) override {
         std::vector<Started<Send>> out;
         std::vector<Started<Receive>> in;
-        for (const Send& send : sends) out.push_back({send});
-        for (const Receive& receive : receives) in.push_back({receive});
+        for (const Send& send : sends) out.push_back({send, send.bytes.size()});
+        for (const Receive& receive : receives) in.push_back({receive, 0});
         auto last = std::chrono::steady_clock::now();
         for (unsigned idle = 0; !out.empty() || !in.empty();) {
             const bool progress = send_some(out) | receive_some(in);
@@ -135,29 +139,44 @@ private:
     bool send_some(std::vector<Started<Send>>& out) {
         bool progress = false;
         std::vector<bool> is_busy(size());
-        for (auto& [message, done] : out) {
-            if (is_busy[message.to]) continue;
-            const std::size_t count = channels_->between(rank_, message.to).put(message.bytes.subspan(done));
-            done += count;
-            progress = progress || count != 0;
-            is_busy[message.to] = done < message.bytes.size();
+        for (Started<Send>& one : out) {
+            if (is_busy[one.message.to]) continue;
+            Channel& channel = channels_->between(rank_, one.message.to);
+            const std::size_t before = one.length_done + one.done;
+            one.length_done += channel.put(std::as_bytes(std::span(&one.length, 1)).subspan(one.length_done));
+            if (one.length_done == sizeof one.length) one.done += channel.put(one.message.bytes.subspan(one.done));
+            progress = progress || one.length_done + one.done != before;
+            is_busy[one.message.to] = !one.is_over();
         }
-        std::erase_if(out, [](const auto& one) { return one.done == one.message.bytes.size(); });
+        std::erase_if(out, [](const auto& one) { return one.is_over(); });
         return progress;
     }
 
     bool receive_some(std::vector<Started<Receive>>& in) {
         bool progress = false;
         std::vector<bool> is_busy(size());
-        for (auto& [message, done] : in) {
-            if (is_busy[message.from]) continue;
-            const std::size_t count = channels_->between(message.from, rank_).take(message.bytes.subspan(done));
-            done += count;
-            progress = progress || count != 0;
-            is_busy[message.from] = done < message.bytes.size();
+        for (Started<Receive>& one : in) {
+            if (is_busy[one.message.from]) continue;
+            Channel& channel = channels_->between(one.message.from, rank_);
+            const std::size_t before = one.length_done + one.done;
+            one.length_done += channel.take(std::as_writable_bytes(std::span(&one.length, 1)).subspan(one.length_done));
+            if (one.length_done == sizeof one.length) {
+                if (one.length != one.message.bytes.size()) throw_other_length(one);
+                one.done += channel.take(one.message.bytes.subspan(one.done));
+            }
+            progress = progress || one.length_done + one.done != before;
+            is_busy[one.message.from] = !one.is_over();
         }
-        std::erase_if(in, [](const auto& one) { return one.done == one.message.bytes.size(); });
+        std::erase_if(in, [](const auto& one) { return one.is_over(); });
         return progress;
+    }
+
+    [[noreturn]] void throw_other_length(const Started<Receive>& one) {
+        throw Error(ErrorCode::lost_rank, "ranks make different calls",
+                    "rank " + std::to_string(rank_) + " and rank " + std::to_string(one.message.from),
+                    "one sent " + std::to_string(one.length) + " bytes where the other expects " +
+                        std::to_string(one.message.bytes.size()),
+                    "make the same calls with the same arguments, in the same order, on every rank");
     }
 
     [[noreturn]] void throw_silent(const std::vector<Started<Send>>& out, const std::vector<Started<Receive>>& in,
@@ -165,8 +184,8 @@ private:
         std::vector<unsigned> silent;
         for (const auto& one : in) silent.push_back(one.message.from);
         for (const auto& one : out) silent.push_back(one.message.to);
-        detail::throw_lost_ranks(*this, std::move(silent),
-                                 [&](unsigned rank) { return channels_->process(rank).waits_for.load(); }, limit);
+        detail::throw_lost_ranks(
+            *this, std::move(silent), [&](unsigned rank) { return channels_->process(rank).waits_for.load(); }, limit);
     }
 
     std::shared_ptr<SharedChannels> channels_;

@@ -2,6 +2,8 @@
 #include "page_kernels.h"
 #include "rank_stream.h"
 
+#include <glift/iteration.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstring>
@@ -14,11 +16,11 @@ bool reads(const Binding& binding) { return binding.access != Access::write; }
 bool writes(const Binding& binding) { return binding.access != Access::read; }
 bool is_local(const Binding& binding) { return binding.reach == Reach::element || binding.reach == Reach::window; }
 
-double now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-std::uint32_t up_to(std::uint32_t value, std::uint32_t multiple) { return (value + multiple - 1) / multiple * multiple; }
+std::uint32_t up_to(std::uint32_t value, std::uint32_t multiple) {
+    return (value + multiple - 1) / multiple * multiple;
+}
 
 /// Whether this rank has all elements of which the pass may read any.
 bool must_gather(const Binding& binding, const Coverage& coverage, const PassPlan& plan) {
@@ -33,19 +35,23 @@ bool must_gather(const Binding& binding, const Coverage& coverage, const PassPla
 void RankStream::refresh(Paging& paging, const Cuts& cuts) {
     if (!paging.is_stale) return;
     const std::uint32_t count = cuts.planes() + 1;
-    const Memory result = local().allocate({.name = "planes of pages", .bytes = 4 * std::uint64_t{count}, .zeroed = false});
-    const FindPlanes parameters = {count, paging.pages_of_plane, static_cast<std::uint32_t>(paging.count.offset / 4),
-                                   static_cast<std::uint32_t>(paging.list.description().bytes / 4), {}};
-    const Memory memories[] = {paging.list, paging.count.memory, result};
-    local().dispatch(find_planes_kernel,
-                     {.form = FormName::general,
-                      .memories = memories,
-                      .parameters = {reinterpret_cast<const std::byte*>(&parameters), sizeof parameters},
-                      .size = {count, 1, 1, 1}});
-    const std::vector<std::byte> bytes = bytes_of(result);
+    if (!paging.planes)
+        paging.planes =
+            local().allocate({.name = "planes of pages", .bytes = 4 * std::uint64_t{count}, .zeroed = false});
+    const FindPlanes parameters = {count,
+                                   paging.pages_of_plane,
+                                   static_cast<std::uint32_t>(paging.count.offset / 4),
+                                   static_cast<std::uint32_t>(paging.list.description().bytes / 4),
+                                   {}};
+    const Memory memories[] = {paging.list, paging.count.memory, paging.planes};
+    local().dispatch(find_planes_kernel, {.form = FormName::general,
+                                          .memories = memories,
+                                          .parameters = glift::bytes_of(parameters),
+                                          .size = {count, 1, 1, 1}});
+    const std::vector<std::byte> bytes = bytes_of(paging.planes);
     paging.first_of_plane.resize(count);
     std::memcpy(paging.first_of_plane.data(), bytes.data(), 4 * std::size_t{count});
-    paging.sublists.clear();
+    paging.forget_sublists();
     paging.is_stale = false;
 }
 
@@ -53,18 +59,27 @@ void RankStream::refresh(Paging& paging, const Cuts& cuts) {
 const Paging::Sublist& RankStream::sublist(Paging& paging, Planes lower, Planes upper) {
     for (const Paging::Sublist& list : paging.sublists)
         if (list.lower == lower && list.upper == upper) return list;
-    Paging::Sublist list{lower, upper, local().allocate({.name = "pages of a rank",
-                                                         .bytes = paging.list.description().bytes,
-                                                         .zeroed = false}), 0};
-    std::vector<CopyRegion> regions;
-    for (const Planes& planes : {lower, upper}) {
-        if (planes.count() == 0) continue;
-        const std::uint32_t first = paging.first_of_plane[planes.first];
-        const std::uint32_t pages = paging.first_of_plane[planes.end] - first;
-        if (pages != 0) regions.push_back({4 * std::uint64_t{first}, 4 * std::uint64_t{list.pages}, 4 * std::uint64_t{pages}});
-        list.pages += pages;
+    const auto part = [&](Planes planes) {
+        if (planes.count() == 0) return Planes{};
+        return Planes{paging.first_of_plane[planes.first], paging.first_of_plane[planes.end]};
+    };
+    const Planes first = part(lower), second = part(upper);
+    Paging::Sublist list{lower, upper, Memory(), first.count() + second.count()};
+    if (!paging.spare.empty()) {
+        list.memory = paging.spare.back();
+        paging.spare.pop_back();
+    } else {
+        const MemoryDescription& whole = paging.list.description();
+        list.memory = local().allocate({.name = "pages of a rank", .bytes = whole.bytes, .zeroed = false});
     }
-    if (!regions.empty()) local().copy(paging.list, list.memory, regions);
+    if (list.pages != 0) {
+        const TakePages parameters = {list.pages, first.first, first.count(), second.first, {}};
+        const Memory memories[] = {paging.list, list.memory};
+        local().dispatch(take_pages_kernel, {.form = FormName::general,
+                                             .memories = memories,
+                                             .parameters = glift::bytes_of(parameters),
+                                             .size = {list.pages, 1, 1, 1}});
+    }
     return paging.sublists.emplace_back(std::move(list));
 }
 

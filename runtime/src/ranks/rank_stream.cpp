@@ -133,8 +133,8 @@ std::shared_ptr<DownloadObject> RankStream::download(const Memory& from, std::sp
     return local().download(from, regions, bytes);
 }
 
-std::shared_ptr<DownloadObject>
-RankStream::download_image(const Memory& image, std::span<const ImageRegion> regions, std::uint64_t bytes) {
+std::shared_ptr<DownloadObject> RankStream::download_image(const Memory& image, std::span<const ImageRegion> regions,
+                                                           std::uint64_t bytes) {
     return local().download_image(image, regions, bytes);
 }
 
@@ -142,8 +142,9 @@ void RankStream::distribute(const char* type_name, const RangeShape& shape, cons
     check_halo(type_name, how.halo);
     const std::optional<SlabLayout> layout = layouts_.of(shape);
     if (!layout)
-        throw_not_distributed(type_name, "its elements do not lie in a buffer, plane by plane of the last axis",
-                              "distribute std.array's Array in a buffer, with 2 planes or more, or std.sparse's Sparse");
+        throw_not_distributed(
+            type_name, "its elements do not lie in a buffer, plane by plane of the last axis",
+            "distribute std.array's Array in a buffer, with 2 planes or more, or std.sparse's Sparse");
     std::shared_ptr<Space>& space = dense_spaces_[layout->planes];
     if (!space) space = std::make_shared<Space>(Space{Cuts(layout->planes, messenger_.size()), nullptr});
     space->halo = std::max(space->halo, how.halo);
@@ -167,7 +168,8 @@ void RankStream::distribute(const PagedShape& shape, const ranks::Distribution& 
         const MemoryDescription& d = frames.description();
         const std::uint64_t element = shape.capacity ? d.bytes / shape.capacity / elements : 0;
         if (d.kind != MemoryKind::buffer || element * elements / shape.page[last] % 4 != 0 || element == 0)
-            throw_not_distributed(shape.type_name, "its frames are not in a buffer, or a layer of a page is not of whole words",
+            throw_not_distributed(shape.type_name,
+                                  "its frames are not in a buffer, or a layer of a page is not of whole words",
                                   "distribute std.sparse's Sparse with elements of 4 bytes or more");
     }
     auto space = std::make_shared<Space>(Space{Cuts(planes, messenger_.size()), std::make_unique<Paging>(), how.halo});
@@ -189,29 +191,39 @@ void RankStream::distribute(const PagedShape& shape, const ranks::Distribution& 
     paged_spaces_.push_back(std::move(space));
 }
 
-double RankStream::balance(const PagedShape& shape) {
+/// The space of a distributed structure, of whose pages the places are known.
+Space& RankStream::space_of(const PagedShape& shape) {
     const auto at = std::ranges::find_if(paged_spaces_, [&](const auto& s) { return s->paging->list == shape.list; });
     if (at == paged_spaces_.end())
         throw Error(ErrorCode::wrong_argument, "the structure is not distributed", shape.type_name, {},
                     "call World::distribute first");
-    Space& space = **at;
-    Paging& paging = *space.paging;
-    refresh(paging, space.cuts);
-    const std::vector<std::uint64_t> before(paging.first_of_plane.begin(), paging.first_of_plane.end());
-    const Cuts next(before, messenger_.size());
-    if (!(next == space.cuts)) {
-        for (const auto& [memory, coverage] : coverages_.of(space)) {
-            if (!coverage->is_partial()) continue;
-            statistics_.migrated_bytes += messenger_.finish(messenger_.start(migration_pieces(memory, *coverage, next)));
-            coverage->ghost = 0;
-        }
-        space.cuts = next;
-        paging.sublists.clear();
-    }
-    std::uint64_t most = 0;
+    refresh(*(*at)->paging, (*at)->cuts);
+    return **at;
+}
+
+double RankStream::imbalance(const PagedShape& shape) {
+    const Space& space = space_of(shape);
+    const std::vector<std::uint32_t>& first = space.paging->first_of_plane;
+    std::uint32_t most = 0;
     for (unsigned rank = 0; rank < messenger_.size(); ++rank)
-        most = std::max(most, before[next.of(rank).end] - before[next.of(rank).first]);
-    return before.back() == 0 ? 1 : static_cast<double>(most) * messenger_.size() / static_cast<double>(before.back());
+        most = std::max(most, first[space.cuts.of(rank).end] - first[space.cuts.of(rank).first]);
+    return first.back() == 0 ? 1 : static_cast<double>(most) * messenger_.size() / first.back();
+}
+
+double RankStream::balance(const PagedShape& shape) {
+    Space& space = space_of(shape);
+    const std::vector<std::uint64_t> before(space.paging->first_of_plane.begin(), space.paging->first_of_plane.end());
+    const Cuts next(before, messenger_.size());
+    if (before.back() == 0 || next == space.cuts) return imbalance(shape);
+    for (const auto& [memory, coverage] : coverages_.of(space)) {
+        if (!coverage->is_partial()) continue;
+        const std::vector<Piece> pieces = migration_pieces(memory, *coverage, next);
+        statistics_.migrated_bytes += messenger_.finish(messenger_.start(pieces));
+        coverage->ghost = 0;
+    }
+    space.cuts = next;
+    space.paging->forget_sublists();
+    return imbalance(shape);
 }
 
 std::vector<std::byte> RankStream::bytes_of(const Memory& memory) {

@@ -41,6 +41,7 @@ public:
     void distribute(const char* type_name, const RangeShape& shape, const ranks::Distribution& how);
     void distribute(const PagedShape& shape, const ranks::Distribution& how);
     double balance(const PagedShape& shape);
+    double imbalance(const PagedShape& shape);
     Messenger& messenger() { return messenger_; }
     const ranks::Statistics& statistics() const { return statistics_; }
 
@@ -52,6 +53,8 @@ private:
     void gather(const Memory& memory);
     void gather(const DeviceValue& value) { gather(value.memory); }
     void note_topology_write(const Memory& memory);
+
+    Space& space_of(const PagedShape& shape);
 
     // Distributed passes (rank_passes.cpp).
     void run_distributed(const Kernel& kernel, const Call& call, const PassPlan& plan);

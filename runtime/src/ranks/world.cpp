@@ -48,6 +48,7 @@ void World::distribute(const char* type_name, const detail::RangeShape& shape, c
 void World::distribute(const detail::PagedShape& shape, const Distribution& how) {
     object_->ranks().distribute(shape, how);
 }
+double World::imbalance(const detail::PagedShape& shape) { return object_->ranks().imbalance(shape); }
 double World::balance(const detail::PagedShape& shape) { return object_->ranks().balance(shape); }
 
 }  // namespace glift::ranks

@@ -156,7 +156,7 @@ void Pipelines::insert(Pipeline* pipeline) {
     std::size_t at = hash(pipeline->digest, pipeline->name);
     while (table_[at & (table_.size() - 1)].pipeline) ++at;
     table_[at & (table_.size() - 1)] = {pipeline->digest, pipeline, pipeline->name,
-                                          pipeline->fixed.empty() && !pipeline->starts_anywhere};
+                                        pipeline->fixed.empty() && !pipeline->starts_anywhere};
 }
 
 std::uint32_t Pipelines::status_slot(std::uint64_t digest, const Kernel& kernel) {

@@ -59,9 +59,8 @@ public:
     Pipeline& get(const Kernel& kernel, FormName form, std::span<const FixedWord> fixed, bool starts_anywhere = false) {
         const std::uint64_t digest = digest_of(kernel);
         const Entry& entry = table_[hash(digest, form) & (table_.size() - 1)];
-        const bool known =
-            fixed.empty() && !starts_anywhere && entry.pipeline && entry.digest == digest && entry.form == form &&
-            entry.plain;
+        const bool known = fixed.empty() && !starts_anywhere && entry.pipeline && entry.digest == digest &&
+                           entry.form == form && entry.plain;
         Pipeline& pipeline = known ? *entry.pipeline : find(digest, kernel, form, fixed, starts_anywhere);
         pipeline.kernel = &kernel;
         pipeline.form = &form_of(kernel, form);

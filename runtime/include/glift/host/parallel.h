@@ -143,8 +143,7 @@ template <class Body> void spread_in_order(std::size_t count, std::size_t grain,
 
 /// Calls `body(const Rows&)` in parallel for groups of rows, or parts of long rows, that partition `size`. A task has
 /// about `task` elements.
-template <class Body>
-void for_rows(const HostSize& size, const Body& body, std::size_t task = detail::task_elements) {
+template <class Body> void for_rows(const HostSize& size, const Body& body, std::size_t task = detail::task_elements) {
     const std::size_t all_rows = std::size_t{size[1]} * size[2] * size[3], before = size.rows_before();
     const uint left = size.first_along(0);
     if (all_rows <= before || size[0] <= left) return;

@@ -40,16 +40,16 @@ struct Distribution {
 
 /// What a rank has sent and computed since its World was made.
 struct Statistics {
-    std::uint64_t exchanges = 0;      ///< of elements around those that a rank owns, before passes
-    std::uint64_t exchanged_bytes = 0;  ///< that this rank sent in them
-    std::uint64_t gathers = 0;        ///< of whole memories, since a pass or the host reads any of their elements
-    std::uint64_t gathered_bytes = 0;  ///< that this rank sent in them
-    std::uint64_t combinations = 0;   ///< of what ranks wrote by `scatter` to one memory
-    std::uint64_t combined_bytes = 0;  ///< that this rank sent in them
-    std::uint64_t migrated_bytes = 0;  ///< that this rank sent as elements changed their owner (World::balance)
+    std::uint64_t exchanges = 0;           ///< of elements around those that a rank owns, before passes
+    std::uint64_t exchanged_bytes = 0;     ///< that this rank sent in them
+    std::uint64_t gathers = 0;             ///< of whole memories, since a pass or the host reads any of their elements
+    std::uint64_t gathered_bytes = 0;      ///< that this rank sent in them
+    std::uint64_t combinations = 0;        ///< of what ranks wrote by `scatter` to one memory
+    std::uint64_t combined_bytes = 0;      ///< that this rank sent in them
+    std::uint64_t migrated_bytes = 0;      ///< that this rank sent as elements changed their owner (World::balance)
     std::uint64_t distributed_passes = 0;  ///< of which each rank computed its part
     std::uint64_t whole_passes = 0;        ///< that each rank computed wholly
-    double exchange_seconds = 0;  ///< of the host, in exchanges; the device may compute meanwhile
+    double exchange_seconds = 0;           ///< of the host, in exchanges; the device may compute meanwhile
 };
 
 }  // namespace glift::ranks
@@ -61,9 +61,9 @@ class RankDevice;
 /// The memories of a structure whose elements lie in pages: what World::distribute has to know of it.
 struct PagedShape {
     const char* type_name;
-    Memory list;         ///< the numbers of resident pages, ascending
-    DeviceValue count;   ///< how many there are
-    Memory table;        ///< for each page its frame + 1, or 0
+    Memory list;                 ///< the numbers of resident pages, ascending
+    DeviceValue count;           ///< how many there are
+    Memory table;                ///< for each page its frame + 1, or 0
     std::vector<Memory> frames;  ///< each field's, or that of all fields
     std::uint32_t capacity;      ///< frames
     unsigned rank;
@@ -77,8 +77,8 @@ concept HasPages = requires(const S& s) {
     { s.pages().active().data() } -> std::same_as<const Memory&>;
     { s.pages().state().data() } -> std::same_as<const Memory&>;
     { s.table().entries().data() } -> std::same_as<const Memory&>;
-    { s.field().frames().extent() };
-    { s.block_extent() };
+    {s.field().frames().extent()};
+    {s.block_extent()};
 };
 
 /// Collects the memories that describe() of a structure names.
@@ -125,18 +125,25 @@ public:
     const Device& device() const;
     const Device& local_device() const;
 
-    /// Distributes a structure that was made on device(). Of a dense array each rank owns consecutive planes of the last
-    /// axis (of a matrix rows), of a sparse one consecutive planes of pages. Structures that a pass writes together with
-    /// it are then distributed, too. Throws wrong_argument for a structure whose elements do not lie plane by plane.
+    /// Distributes a structure that was made on device(). Of a dense array each rank owns consecutive planes of the
+    /// last axis (of a matrix rows), of a sparse one consecutive planes of pages. Structures that a pass writes
+    /// together with it are then distributed, too. Throws wrong_argument for a structure whose elements do not lie
+    /// plane by plane.
     template <class S> void distribute(const S& structure, const Distribution& how = {}) {
         if constexpr (detail::HasPages<S>) distribute(detail::paged_shape_of(structure), how);
         else distribute(S::type_name, detail::shape_of(Range<S>(structure)), how);
     }
     /// Moves the boundaries between ranks so that all of them own about as many resident pages, and moves elements to
-    /// their new owners. Returns the largest number of pages of a rank over the mean.
+    /// their new owners. Returns imbalance().
     template <class S> double balance(const S& structure) {
         static_assert(detail::HasPages<S>, "balance() is for sparse structures: ranks own equal parts of dense ones");
         return balance(detail::paged_shape_of(structure));
+    }
+
+    /// The largest number of resident pages of a rank over the mean.
+    template <class S> double imbalance(const S& structure) {
+        static_assert(detail::HasPages<S>, "imbalance() is for sparse structures");
+        return imbalance(detail::paged_shape_of(structure));
     }
 
     Statistics statistics() const;
@@ -146,6 +153,7 @@ private:
     void distribute(const char* type_name, const detail::RangeShape& shape, const Distribution& how);
     void distribute(const detail::PagedShape& shape, const Distribution& how);
     double balance(const detail::PagedShape& shape);
+    double imbalance(const detail::PagedShape& shape);
 
     std::shared_ptr<detail::RankDevice> object_;
     Device device_, local_;
