@@ -118,12 +118,15 @@ Bits algorithms_case(const glift::Device& device, const Spread& spread) {
 
 Bits pairs_case(const glift::Device& device, const Spread& spread) {
     const glift::uint3 extent{20, 19, 48};
-    fields::Pairs pairs(device, extent);
-    fields::Volume with_it(device, extent);
-    spread(with_it);
-    fields::pairs(device, pairs, 3);
+    fields::Pairs apart(device, extent);
+    fields::Together together(device, extent);
+    spread(apart);
+    spread(together);
+    fields::pairs(device, apart, 3);
+    fields::pairs_together(device, together, 3);
     Bits bits;
-    add(bits, pairs.read());
+    add(bits, apart.read());
+    add(bits, together.read());
     return bits;
 }
 

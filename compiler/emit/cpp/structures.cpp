@@ -482,7 +482,8 @@ void print_class(Unit& unit, Writer& out, ir::StructureId index) {
         }
         if (has_indices(unit.program, structure)) {
             out.line("std::uint64_t index_of(" + unit.type(structure.domain_type, true) + " address) const;");
-            out.line("const glift::Memory& index_memory() const { return " + rows_of(unit, index) + "; }");
+            if (const std::string memory = index_memory_of(unit, index); !memory.empty())
+                out.line("const glift::Memory& index_memory() const { return " + memory + "; }");
         }
         out.line("void copy_out" + parameters);
         if (is_written) out.line("void copy_in" + parameters);

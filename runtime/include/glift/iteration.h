@@ -25,13 +25,13 @@ public:
 
     /// A range that is visited element by element. All such ranges must have one size.
     template <class S> void each(const char* name, const Range<S>& range) {
-        note(&range, &detail::shape_of<S>);
+        note(name, &range, &detail::shape_of<S>);
         add_visited(detail::box_of(name, range), range.is_whole(), range.device_counts());
     }
     /// A range that is read in a window around the current element. In a whole structure the windows lie around the
     /// addresses of the first visited range; a box has an origin of its own, and must have that range's size.
     template <class S> void near(const char* name, const Range<S>& range) {
-        note(&range, &detail::shape_of<S>);
+        note(name, &range, &detail::shape_of<S>);
         add_near(detail::box_of(name, range), range.is_whole());
     }
     /// A range that is read or written at any address.
@@ -103,8 +103,8 @@ private:
     GLIFT_API void patch(const std::vector<detail::DeviceCount>& counts, std::size_t offset, const Extent& limits,
                          unsigned axes);
 
-    void note(const void* range, detail::RangeShape (*shape)(const void*)) {
-        if (visited_count_ < visited_ranges_.size()) visited_ranges_[visited_count_] = {range, shape};
+    void note(const char* name, const void* range, detail::RangeShape (*shape)(const void*)) {
+        if (visited_count_ < visited_ranges_.size()) visited_ranges_[visited_count_] = {name, range, shape};
         ++visited_count_;
     }
 

@@ -76,6 +76,7 @@ namespace detail {
 
 /// A range that a call visits element by element, or around its elements, with its type erased.
 struct VisitedRange {
+    const char* name;  ///< the kernel's parameter: the names of its bindings (Binding::name) begin with it and a point
     const void* range;
     struct RangeShape (*shape)(const void* range);
 };

@@ -34,12 +34,17 @@ template <class A> A address_of(const Extent& extent) {
     }
 }
 
-/// Structures whose elements lie in a buffer by maps that gliftc can compute on the host, if not as rows (HasRows).
+/// Structures whose elements lie in a buffer by maps that gliftc can compute on the host, if not as rows (HasRows); or
+/// in several buffers, by the same maps (ElementIndices::memory is then empty).
 template <class S>
 concept HasIndices = requires(const S& s, typename S::Address a) {
     { s.index_of(a) } -> std::same_as<std::uint64_t>;
-    { s.index_memory() } -> std::same_as<const Memory&>;
 };
+
+template <class S> Memory index_memory_of(const S& structure) {
+    if constexpr (requires { structure.index_memory(); }) return structure.index_memory();
+    else return Memory();
+}
 
 /// Structures that have rows (HasRows of structure.h).
 template <class S>
@@ -60,7 +65,7 @@ template <class S> ElementIndices indices_of(const S& structure) {
                 [](const void* s, const Extent& at) {
                     return static_cast<const S*>(s)->index_of(address_of<typename S::Address>(at));
                 },
-                structure.index_memory()};
+                index_memory_of(structure)};
     else return {};
 }
 

@@ -1,6 +1,7 @@
 #include "pass_plan.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace glift::detail {
 
@@ -65,6 +66,11 @@ std::optional<PassPlan> paged_plan(const Kernel& kernel, const Call& call, Cover
     return plan;
 }
 
+bool belongs_to(const Binding& binding, std::string_view parameter) {
+    const std::string_view name = binding.name;
+    return name.starts_with(parameter) && name.size() > parameter.size() && name[parameter.size()] == '.';
+}
+
 /// Finds what the visited ranges have in common, and the layouts of their memories.
 std::optional<PassPlan> dense_plan(const Kernel& kernel, const Call& call, Coverages& coverages, SlabLayouts& layouts,
                                    bool is_host) {
@@ -73,7 +79,8 @@ std::optional<PassPlan> dense_plan(const Kernel& kernel, const Call& call, Cover
     std::vector<RangeShape> shapes;
     for (const VisitedRange& visited : call.visited) shapes.push_back(visited.shape(visited.range));
     const unsigned last = shapes[0].rank - 1;
-    if (kernel.rank != shapes[0].rank) return std::nullopt;
+    // An invocation may take several elements of a range.
+    if (kernel.rank != shapes[0].rank || call.size != shapes[0].size) return std::nullopt;
     plan.origin = shapes[0].origin[last];
     plan.size = call.size[last];
     for (const RangeShape& shape : shapes) {
@@ -84,12 +91,16 @@ std::optional<PassPlan> dense_plan(const Kernel& kernel, const Call& call, Cover
     for (std::size_t k = 0; k < call.memories.size(); ++k) {
         const Binding& binding = kernel.bindings[k];
         if (!is_local(binding)) continue;
-        for (const RangeShape& shape : shapes)
-            if (shape.indices.memory == call.memories[k]) plan.layouts[k] = layouts.of(shape);
+        for (std::size_t i = 0; i < shapes.size(); ++i)
+            if (belongs_to(binding, call.visited[i].name) &&
+                (!shapes[i].indices.memory || shapes[i].indices.memory == call.memories[k])) {
+                shapes[i].element_bytes = binding.element_bytes;  // of a component: those of the whole
+                plan.layouts[k] = layouts.of(shapes[i]);
+            }
         const Coverage* coverage = coverages.find(call.memories[k]);
-        if (writes(binding) && !plan.layouts[k]) return std::nullopt;
-        if (coverage && coverage->space->paging) return std::nullopt;
-        if (!coverage || !plan.layouts[k]) continue;
+        if ((writes(binding) || coverage) && !plan.layouts[k]) return std::nullopt;
+        if (!coverage) continue;
+        if (coverage->space->paging) return std::nullopt;
         if (coverage->layout.plane_bytes != plan.layouts[k]->plane_bytes) return std::nullopt;
         if (coverage->space->cuts.planes() != shapes[0].domain[last]) return std::nullopt;
         plan.space = coverage->space;

@@ -26,6 +26,7 @@ namespace {
 /// A ring of bytes from one rank to another one.
 struct Channel {
     static constexpr std::uint64_t capacity = std::uint64_t{4} << 20;
+    static constexpr std::uint64_t most_at_once = std::uint64_t{1} << 17;  // so that both sides copy at the same time
 
     alignas(64) std::atomic<std::uint64_t> written{0};
     alignas(64) std::atomic<std::uint64_t> read{0};
@@ -35,7 +36,7 @@ struct Channel {
     std::size_t put(std::span<const std::byte> from) {
         const std::uint64_t at = written.load(std::memory_order_relaxed);
         const std::uint64_t room = capacity - (at - read.load(std::memory_order_acquire));
-        const std::size_t count = std::min<std::uint64_t>(room, from.size());
+        const std::size_t count = std::min({room, std::uint64_t{from.size()}, most_at_once});
         const std::size_t first = std::min<std::uint64_t>(count, capacity - at % capacity);
         std::memcpy(bytes + at % capacity, from.data(), first);
         std::memcpy(bytes, from.data() + first, count - first);

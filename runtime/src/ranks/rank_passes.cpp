@@ -180,6 +180,8 @@ std::uint32_t RankStream::run_parts(const Kernel& kernel, const Call& call, cons
     statistics_.exchange_seconds += now() - (overlaps ? waits : begin);
     if (overlaps) run_planes(kernel, call, plan, {all.first, inner.first}, {inner.end, all.end});
     else run_planes(kernel, call, plan, all);
+    local().flush();
+    passes_since_flush_ = 0;
     return extension;
 }
 
@@ -211,6 +213,7 @@ void RankStream::run_pages(const Kernel& kernel, const Call& call, const Space& 
     part.parameters = parameters;
     part.size[1] = list.pages;
     part.patches = patches;
+    part.fixed = {};
     local().dispatch(kernel, part);
 }
 

@@ -10,6 +10,7 @@ namespace glift::detail {
 
 namespace {
 
+constexpr unsigned most_passes_unsubmitted = 8;
 constexpr std::uint64_t most_gathered_at_once = std::uint64_t{32} << 20;
 
 bool reads(const Binding& binding) { return binding.access != Access::write; }
@@ -34,12 +35,15 @@ RankStream::RankStream(DeviceObject& device, std::shared_ptr<ranks::Transport> t
       messenger_(std::move(transport), std::move(local), options.limit.count()) {}
 
 void RankStream::dispatch(const Kernel& kernel, const Call& call) {
-    if (messenger_.size() > 1) {
-        if (const auto plan = plan_of(kernel, call, coverages_, layouts_, paged_spaces_,
-                                      local_->properties().kind == DeviceKind::host))
-            return run_distributed(kernel, call, *plan);
-    }
-    run_whole(kernel, call);
+    if (messenger_.size() == 1) return run_whole(kernel, call);
+    const bool is_host = local_->properties().kind == DeviceKind::host;
+    if (const auto plan = plan_of(kernel, call, coverages_, layouts_, paged_spaces_, is_host))
+        run_distributed(kernel, call, *plan);
+    else run_whole(kernel, call);
+    // The host waits for the device at each exchange, and so is never far ahead of it.
+    if (++passes_since_flush_ < most_passes_unsubmitted) return;
+    local().flush();
+    passes_since_flush_ = 0;
 }
 
 /// Runs the pass on every rank, after gathering what it reads. What it writes alone gets the same values on every rank,
@@ -138,21 +142,27 @@ std::shared_ptr<DownloadObject> RankStream::download_image(const Memory& image, 
     return local().download_image(image, regions, bytes);
 }
 
-void RankStream::distribute(const char* type_name, const RangeShape& shape, const ranks::Distribution& how) {
+void RankStream::distribute(const char* type_name, const RangeShape& shape, std::span<const Memory> memories,
+                            const ranks::Distribution& how) {
     check_halo(type_name, how.halo);
-    const std::optional<SlabLayout> layout = layouts_.of(shape);
-    if (!layout)
-        throw_not_distributed(
-            type_name, "its elements do not lie in a buffer, plane by plane of the last axis",
-            "distribute std.array's Array in a buffer, with 2 planes or more, or std.sparse's Sparse");
-    std::shared_ptr<Space>& space = dense_spaces_[layout->planes];
-    if (!space) space = std::make_shared<Space>(Space{Cuts(layout->planes, messenger_.size()), nullptr});
-    space->halo = std::max(space->halo, how.halo);
-    Coverage coverage;
-    coverage.space = space;
-    coverage.layout = coverage.ghost_layout = *layout;
-    gather(shape.indices.memory);
-    coverages_.set(shape.indices.memory, std::move(coverage));
+    for (const Memory& memory : memories) {
+        RangeShape one = shape;
+        if (const std::uint64_t elements = volume_of(shape.domain); memory && elements != 0)
+            one.element_bytes = static_cast<std::uint32_t>(memory.description().bytes / elements);
+        const std::optional<SlabLayout> layout = memory ? layouts_.of(one) : std::nullopt;
+        if (!layout)
+            throw_not_distributed(
+                type_name, "its elements do not lie in buffers, plane by plane of the last axis",
+                "distribute std.array's Array in buffers, with 2 planes or more, or std.sparse's Sparse");
+        std::shared_ptr<Space>& space = dense_spaces_[layout->planes];
+        if (!space) space = std::make_shared<Space>(Space{Cuts(layout->planes, messenger_.size()), nullptr});
+        space->halo = std::max(space->halo, how.halo);
+        Coverage coverage;
+        coverage.space = space;
+        coverage.layout = coverage.ghost_layout = *layout;
+        gather(memory);
+        coverages_.set(memory, std::move(coverage));
+    }
 }
 
 void RankStream::distribute(const PagedShape& shape, const ranks::Distribution& how) {

@@ -38,7 +38,8 @@ public:
     void flush() override { local().flush(); }
     void wait() override { local().wait(); }
 
-    void distribute(const char* type_name, const RangeShape& shape, const ranks::Distribution& how);
+    void distribute(const char* type_name, const RangeShape& shape, std::span<const Memory> memories,
+                    const ranks::Distribution& how);
     void distribute(const PagedShape& shape, const ranks::Distribution& how);
     double balance(const PagedShape& shape);
     double imbalance(const PagedShape& shape);
@@ -86,6 +87,7 @@ private:
     std::vector<std::shared_ptr<Space>> paged_spaces_;
     std::map<std::uint32_t, std::shared_ptr<Space>> dense_spaces_;  ///< by planes
     ranks::Statistics statistics_;
+    unsigned passes_since_flush_ = 0;
 };
 
 }  // namespace glift::detail

@@ -42,8 +42,9 @@ const Device& World::local_device() const { return local_; }
 Statistics World::statistics() const { return object_->ranks().statistics(); }
 void World::barrier() { object_->ranks().messenger().barrier(); }
 
-void World::distribute(const char* type_name, const detail::RangeShape& shape, const Distribution& how) {
-    object_->ranks().distribute(type_name, shape, how);
+void World::distribute(const char* type_name, const detail::RangeShape& shape, const std::vector<Memory>& memories,
+                       const Distribution& how) {
+    object_->ranks().distribute(type_name, shape, memories, how);
 }
 void World::distribute(const detail::PagedShape& shape, const Distribution& how) {
     object_->ranks().distribute(shape, how);

@@ -92,14 +92,18 @@ struct MemoryList {
     template <class S> void given(const char*, const S&) {}
 };
 
+template <class S> std::vector<Memory> memories_of(const S& structure) {
+    MemoryList list;
+    structure.describe(list);
+    return list.memories;
+}
+
 template <class S> PagedShape paged_shape_of(const S& structure) {
-    MemoryList frames;
-    structure.field().frames().describe(frames);
     return {S::type_name,
             structure.pages().active().data(),
             {structure.pages().state().data(), 0},
             structure.table().entries().data(),
-            frames.memories,
+            memories_of(structure.field().frames()),
             structure.field().frames().extent()[1],
             Axes<typename S::Address>::count,
             extent_of(structure.domain()),
@@ -131,7 +135,15 @@ public:
     /// plane by plane.
     template <class S> void distribute(const S& structure, const Distribution& how = {}) {
         if constexpr (detail::HasPages<S>) distribute(detail::paged_shape_of(structure), how);
-        else distribute(S::type_name, detail::shape_of(Range<S>(structure)), how);
+        else {
+            const Range<S> range(structure);  // the shape refers to it
+            const detail::RangeShape shape = detail::shape_of(range);
+            std::vector<Memory> memories = {shape.indices.memory};
+            if constexpr (detail::HasIndices<S>) {
+                if (!shape.indices.memory) memories = detail::memories_of(structure);
+            }
+            distribute(S::type_name, shape, memories, how);
+        }
     }
     /// Moves the boundaries between ranks so that all of them own about as many resident pages, and moves elements to
     /// their new owners. Returns imbalance().
@@ -150,7 +162,8 @@ public:
     void barrier();  ///< returns when every rank has called it
 
 private:
-    void distribute(const char* type_name, const detail::RangeShape& shape, const Distribution& how);
+    void distribute(const char* type_name, const detail::RangeShape& shape, const std::vector<Memory>& memories,
+                    const Distribution& how);
     void distribute(const detail::PagedShape& shape, const Distribution& how);
     double balance(const detail::PagedShape& shape);
     double imbalance(const detail::PagedShape& shape);
