@@ -91,12 +91,14 @@ bool Iteration::can_be_direct(const Commands& commands, std::span<const Memory> 
 void Iteration::dispatch(const Commands& commands, FormName form, std::span<const Memory> memories,
                          std::span<const std::byte> parameters, std::initializer_list<std::size_t> sizes) {
     for (std::size_t offset : sizes) patch(counts_, offset, first_.size, first_.rank);
-    commands.dispatch(kernel_, {.form = form,
-                                .memories = memories,
-                                .parameters = parameters,
-                                .size = size(),
-                                .patches = {patches_.data(), patch_count_},
-                                .sharing = sharing_});
+    commands.dispatch(
+        kernel_, {.form = form,
+                  .memories = memories,
+                  .parameters = parameters,
+                  .size = size(),
+                  .patches = {patches_.data(), patch_count_},
+                  .sharing = sharing_,
+                  .visited = {visited_ranges_.data(), visited_count_ > visited_ranges_.size() ? 0 : visited_count_}});
 }
 
 void Iteration::same_blocks(const char* first, const char* other,

@@ -153,7 +153,7 @@ public:
     /// Waits for what was submitted, and gives the profiler what it does not know of yet.
     virtual void finish_profile() {}
 
-    MessageOutlet& messages() { return messages_; }
+    virtual MessageOutlet& messages() { return messages_; }
 
 private:
     Profiler profiler_;

@@ -145,7 +145,6 @@ void print_messages(Unit& unit, Writer& out, const Pass& pass, const std::string
 void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, const Kernel& kernel,
                     const std::string& name) {
     if (forms.general.bindings.empty()) return;
-    const bool shares = may_share(forms.general);
     out.line("const glift::Binding " + name + "_bindings[] = {");
     out.indent();
     for (std::size_t i = 0; i < forms.general.bindings.size(); ++i) {
@@ -166,7 +165,7 @@ void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, co
             text += ", .address_offset = " + std::to_string(forms.general.parameters[binding.address_parameter].offset);
         if (binding.shape == ir::MemoryShape::buffer)
             text += ", .element_bytes = sizeof(" + storage_text(unit.globals, binding.element) + ")";
-        if (shares) text += sharing_fields(unit.program, kernel, binding);
+        text += sharing_fields(unit.program, kernel, binding) + update_fields(unit.program, forms.general, i);
         out.line(text + "},");
     }
     out.dedent();
@@ -246,6 +245,7 @@ static void print_rare_fields(Unit& unit, Writer& out, const ir::Lowered::Forms&
         out.line(".items = {" + std::to_string(items[0]) + ", " + std::to_string(items[1]) + ", " +
                  std::to_string(items[2]) + "},");
     if (any.of_blocks) out.line(".of_blocks = true,");
+    if (unit.program.kernels[any.kernel].grouped()) out.line(".declares_group = true,");
     if (any.has_status()) out.line(".reports = true,");
     if (const std::uint32_t bytes = shared_bytes_of(forms)) out.line(".shared_bytes = " + std::to_string(bytes) + ",");
     if (!any.sum_orders().empty()) out.line(".sums = " + name + "_sums,");

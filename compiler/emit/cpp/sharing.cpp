@@ -1,9 +1,11 @@
 #include "emit/cpp/sharing.h"
 
 #include "ir/effects.h"
+#include "ir/walk.h"
 #include "layout/layout.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace gliftc::cpp {
 
@@ -64,6 +66,17 @@ std::pair<std::uint32_t, std::uint32_t> part_of_element(const ir::Program& progr
     return {offset, layout::size_of(program, type).size};
 }
 
+/// The kind of the numbers that are combined, where that is not unsigned integers.
+std::string number_text(const ir::Program& program, const ir::PassBinding& binding) {
+    if (binding.access == ir::Access::read) return "";
+    ir::TypeId type = binding.element;
+    for (std::uint32_t field : binding.fields) type = program.structs[program.types[type].struct_].fields[field].type;
+    const ir::TypeId scalar = program.types.scalar_of(type);
+    if (program.types.is_floating(scalar)) return ", .number = glift::Number::real";
+    if (program.types.is_signed(scalar)) return ", .number = glift::Number::signed_integer";
+    return "";
+}
+
 }  // namespace
 
 bool may_share(const ir::Pass& pass) {
@@ -100,6 +113,30 @@ std::string sharing_fields(const ir::Program& program, const ir::Kernel& kernel,
     else if (param.combine != ir::Combine::replace)
         text += std::string(", .combine = glift::Combine::") + combine_text(param.combine);
     return text;
+}
+
+std::string update_fields(const ir::Program& program, const ir::Pass& pass, std::size_t number) {
+    const ir::PassBinding& binding = pass.bindings[number];
+    if (binding.access == ir::Access::read || binding.is_workspace || binding.coherent) return "";
+    std::optional<ir::Combine> combine;
+    bool is_pure = binding.shape == ir::MemoryShape::buffer;
+    const auto look_at = [&](const std::vector<ir::StmtId>& body) {
+        ir::for_each_statement(program, body, [&](const ir::Stmt& stmt) {
+            const bool updates = stmt.op == ir::StmtOp::store || stmt.op == ir::StmtOp::atomic;
+            if (!updates || stmt.slot != number) return;
+            is_pure = is_pure && (!combine || *combine == stmt.combine);
+            combine = stmt.combine;
+        });
+        ir::for_each_expression(program, body, [&](ir::ExprId id) {
+            const ir::Expr& expr = program.exprs[id];
+            if (expr.op == ir::Op::load && expr.slot == number) is_pure = false;
+        });
+    };
+    look_at(pass.plain().body);
+    for (ir::FunctionId function : pass.functions) look_at(program.functions[function].body);
+    if (!is_pure || !combine) return "";
+    const std::string name = *combine == ir::Combine::replace ? "store" : combine_text(*combine);
+    return ", .update = glift::Update::" + name + number_text(program, binding);
 }
 
 }  // namespace gliftc::cpp

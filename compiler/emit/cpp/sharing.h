@@ -13,4 +13,8 @@ bool may_share(const ir::Pass& pass);
 /// The fields of glift::Binding that say which parameter the memory belongs to and how the parameter accesses it.
 std::string sharing_fields(const ir::Program& program, const ir::Kernel& kernel, const ir::PassBinding& binding);
 
+/// The initialisers of glift::Binding::update and number: empty if the pass also loads from the binding, or changes it
+/// in several ways.
+std::string update_fields(const ir::Program& program, const ir::Pass& pass, std::size_t binding);
+
 }  // namespace gliftc::cpp

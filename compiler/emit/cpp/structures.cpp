@@ -477,6 +477,15 @@ void print_class(Unit& unit, Writer& out, ir::StructureId index) {
             out.line("std::uint64_t place(" + unit.type(structure.domain_type, true) + " address) const;");
             out.line("const glift::Memory& row_memory() const { return " + rows_of(unit, index) + "; }");
         }
+        if (structure.blocks) {
+            out.line("/// The extent of every block.");
+            out.line(unit.type(structure.domain_type, true) + " block_extent() const;");
+        }
+        if (has_indices(unit.program, structure)) {
+            out.line("std::uint64_t index_of(" + unit.type(structure.domain_type, true) + " address) const;");
+            if (const std::string memory = index_memory_of(unit, index); !memory.empty())
+                out.line("const glift::Memory& index_memory() const { return " + memory + "; }");
+        }
         out.line("void copy_out" + parameters);
         if (is_written) out.line("void copy_in" + parameters);
         print_list_declaration(unit, out, index);
@@ -520,6 +529,15 @@ void print_class_members(Unit& unit, Writer& out, ir::StructureId index) {
     print_same_state(unit, out, index, names);
     if (structure.field) print_maker(unit, out, index);
     if (has_rows(unit.program, structure)) print_place(unit, out, index);
+    if (has_transfers(structure) && structure.blocks) {
+        Printer p = own_printer(unit, index);
+        out.open(unit.linkage(structure.key) + unit.type(structure.domain_type) + " " + unit.own_name(index) +
+                 "::block_extent() const");
+        out.line("return " + print_any(p, structure.blocks->extent) + ";");
+        out.close();
+        out.gap();
+    }
+    if (has_transfers(structure) && has_indices(unit.program, structure)) print_index(unit, out, index);
     print_methods(unit, out, index);
 }
 

@@ -3,6 +3,9 @@
 #include "emit/cpp/mentions.h"
 #include "ir/chain.h"
 
+#include <algorithm>
+#include <optional>
+
 namespace gliftc::cpp {
 
 bool uses_state_elsewhere(const ir::Program& program, ir::FunctionId id) {
@@ -86,6 +89,69 @@ bool has_rows(const ir::Program& program, const ir::Structure& structure) {
     return memory.shape == ir::MemoryShape::buffer && memory.element == structure.element && is_number;
 }
 
+/// Whether the elements lie in buffers of the structure's own, all by the same index, which index_of() can compute.
+static bool lies_by_index(const ir::Program& program, const ir::Structure& structure) {
+    if (structure.kind != ir::StructureKind::stored || !structure.base.empty() || structure.field) return false;
+    const bool are_buffers = std::ranges::all_of(structure.memories, [&](const ir::Memory& memory) {
+        const bool is_number = program.types.is_number(program.types.scalar_of(memory.element)) ||
+                               memory.element == program.types.bool_ ||
+                               program.types.kind(memory.element) == ir::TypeKind::struct_;
+        const bool holds_elements = memory.element == structure.element || !memory.fields.empty();
+        return memory.shape == ir::MemoryShape::buffer && holds_elements && is_number;
+    });
+    return are_buffers && std::ranges::all_of(structure.via, [&](const ir::Stage& stage) {
+               const ir::Translator& translator = program.translators[stage.translator];
+               return translator.properties.mapping != ir::Mapping::many_to_one && translator.structures.empty() &&
+                      !uses_state_elsewhere(program, translator.translate);
+           });
+}
+
+namespace {
+
+/// The structure of which another one is a component, of a component, …, and the path of fields that leads there.
+struct ComponentPath {
+    const ir::Structure* structure;
+    std::vector<std::uint32_t> fields;
+};
+
+ComponentPath component_path(const ir::Program& program, const ir::Structure& structure) {
+    ComponentPath whole{&structure, {}};
+    while (whole.structure->field) {
+        whole.fields.insert(whole.fields.begin(), *whole.structure->field);
+        whole.structure = &program.structures[whole.structure->members[0].structure];
+    }
+    return whole;
+}
+
+/// The number of the memory that has a component's elements.
+std::optional<std::size_t> memory_of(const ComponentPath& whole) {
+    const std::vector<ir::Memory>& memories = whole.structure->memories;
+    for (std::size_t i = 0; i < memories.size(); ++i)
+        if (memories[i].fields.empty() || memories[i].fields == whole.fields) return i;
+    return std::nullopt;
+}
+
+}  // namespace
+
+bool has_indices(const ir::Program& program, const ir::Structure& structure) {
+    if (!structure.field) return !has_rows(program, structure) && lies_by_index(program, structure);
+    const ComponentPath whole = component_path(program, structure);
+    return lies_by_index(program, *whole.structure) && memory_of(whole).has_value();
+}
+
+std::string index_memory_of(const Unit& unit, ir::StructureId index) {
+    const ir::Structure& structure = unit.program.structures[index];
+    const ComponentPath whole = component_path(unit.program, structure);
+    if (!structure.field) return structure.memories.size() == 1 ? rows_of(unit, index) : "";
+    std::string text;
+    ir::StructureId at = index;
+    while (unit.program.structures[at].field) {
+        text += unit.globals.class_names[at].members[0] + "().";
+        at = unit.program.structures[at].members[0].structure;
+    }
+    return text + unit.globals.class_names[at].memories[*memory_of(whole)] + "()";
+}
+
 std::string rows_of(const Unit& unit, ir::StructureId index) {
     const ir::Structure& structure = unit.program.structures[index];
     if (structure.base.empty()) return unit.globals.class_names[index].memory_fields[structure.via_memory];
@@ -118,6 +184,44 @@ void print_place(Unit& unit, Writer& out, ir::StructureId index) {
         place = structure_property(unit.globals, base, index, "").text + ".place(" + place + ")";
     }
     out.line("return " + place + ";");
+    out.close();
+    out.gap();
+}
+
+void print_index(Unit& unit, Writer& out, ir::StructureId index) {
+    const ir::Structure& structure = unit.program.structures[index];
+    out.open(unit.linkage(structure.key) + ("std::uint64_t " + unit.own_name(index)) + "::index_of(" +
+             unit.type(structure.domain_type) + " address) const");
+    const ClassNames& names = unit.globals.class_names[index];
+    const NameSet& hiding = names.all;
+    std::string at = "address";
+    if (structure.field) {
+        const bool rows = has_rows(unit.program, unit.program.structures[structure.members[0].structure]);
+        out.line("return " + names.members[0] + "()." + (rows ? "place" : "index_of") + "(address);");
+        out.close();
+        out.gap();
+        return;
+    }
+    for (std::size_t i = 0; i < structure.via.size(); ++i) {
+        const ir::Stage& stage = structure.via[i];
+        const ir::Translator& translator = unit.program.translators[stage.translator];
+        const std::string step = "step_" + std::to_string(i);
+        out.open("const auto " + step + " = [&](auto address)");
+        const std::vector<std::string> states =
+            print_state(unit, out, index, stage, "", {"address", "translate", "step_0", "step_1", "step_2"}, &hiding);
+        const ir::FunctionId exact = stage.wide ? stage.wide : translator.translate;
+        print_method(unit, out, "translate", exact, unit.type(unit.program.functions[exact].result), states, {},
+                     &hiding);
+        out.line("return translate(address);");
+        out.close(";");
+        out.line("const auto at_" + std::to_string(i) + " = " + step + "(" + at + ");");
+        at = "at_" + std::to_string(i);
+        if (translator.properties.partial) {
+            out.line("if (!" + at + ") return UINT64_MAX;");
+            at = "*" + at;
+        }
+    }
+    out.line("return " + at + ";");
     out.close();
     out.gap();
 }

@@ -39,4 +39,17 @@ std::string rows_of(const Unit& unit, ir::StructureId structure);
 /// has rows.
 void print_place(Unit& unit, Writer& out, ir::StructureId structure);
 
+/// Whether the class of a structure without rows gets index_of(), with which the runtime finds out how its elements lie
+/// in a buffer. This holds if they lie in buffers of the structure's own, and if no translator reads structures, is
+/// many-to-one, or cannot be printed by print_method; and for components of such structures and of those with rows.
+bool has_indices(const ir::Program& program, const ir::Structure& structure);
+
+/// The C++ expression, within the class, of the memory that has the elements: what index_memory() returns. Empty if
+/// they lie apart in several memories.
+std::string index_memory_of(const Unit& unit, ir::StructureId structure);
+
+/// `std::uint64_t index_of(uint4 address) const`: the index of an element in its memory; UINT64_MAX where the address
+/// leads nowhere.
+void print_index(Unit& unit, Writer& out, ir::StructureId structure);
+
 }  // namespace gliftc::cpp

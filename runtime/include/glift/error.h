@@ -31,6 +31,7 @@ enum class ErrorCode : std::uint8_t {
     bad_file,          ///< a file that is damaged, cut off, or of no format that glift/files.h reads
     device_lost,
     missing_form,  ///< the kernel has no code for this kind of device, or not in the form that the call needs
+    lost_rank,     ///< another rank of the program does not answer, or has ended (ranks/world.h)
     vulkan,        ///< any other failed Vulkan call
 };
 

@@ -4,6 +4,7 @@
 #include <glift/commands.h>
 #include <glift/footprint.h>
 #include <glift/range.h>
+#include <glift/range_shape.h>
 
 #include <array>
 #include <cstddef>
@@ -24,11 +25,13 @@ public:
 
     /// A range that is visited element by element. All such ranges must have one size.
     template <class S> void each(const char* name, const Range<S>& range) {
+        note(name, &range, &detail::shape_of<S>);
         add_visited(detail::box_of(name, range), range.is_whole(), range.device_counts());
     }
     /// A range that is read in a window around the current element. In a whole structure the windows lie around the
     /// addresses of the first visited range; a box has an origin of its own, and must have that range's size.
     template <class S> void near(const char* name, const Range<S>& range) {
+        note(name, &range, &detail::shape_of<S>);
         add_near(detail::box_of(name, range), range.is_whole());
     }
     /// A range that is read or written at any address.
@@ -100,6 +103,11 @@ private:
     GLIFT_API void patch(const std::vector<detail::DeviceCount>& counts, std::size_t offset, const Extent& limits,
                          unsigned axes);
 
+    void note(const char* name, const void* range, detail::RangeShape (*shape)(const void*)) {
+        if (visited_count_ < visited_ranges_.size()) visited_ranges_[visited_count_] = {name, range, shape};
+        ++visited_count_;
+    }
+
     const Kernel& kernel_;
     detail::Box first_{};
     unsigned count_ = 0;
@@ -111,6 +119,8 @@ private:
     std::optional<DeviceValue> block_count_;
     std::array<Patch, 24> patches_{};
     std::size_t patch_count_ = 0;
+    std::array<detail::VisitedRange, 12> visited_ranges_;
+    std::size_t visited_count_ = 0;  ///< more than there is room for: the ranges are not known
 };
 
 /// A parameter block as bytes. Not std::as_bytes, since compiling that for every kernel's types of parameter blocks

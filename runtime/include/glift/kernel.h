@@ -54,6 +54,13 @@ enum class Reach : std::uint8_t { memory, range, window, element };
 /// than `none`, may alias. `coherent`: workgroups share the memory within the pass.
 enum class Combine : std::uint8_t { none, min, max, add, bit_and, bit_or, bit_xor, coherent };
 
+/// What a pass does to the elements of a memory, if it is always the same and the pass loads none of them: `store`
+/// gives them a value; the others combine one with theirs. `other`: anything else.
+enum class Update : std::uint8_t { other, store, min, max, add, bit_and, bit_or, bit_xor };
+
+/// The kind of the numbers that an update combines.
+enum class Number : std::uint8_t { unsigned_integer, signed_integer, real };
+
 /// How a sampled image is filtered between texels.
 enum class Filter : std::uint8_t { nearest, linear };
 /// What a sampled image has beyond its edges (clamp_to_border: zeros).
@@ -86,6 +93,8 @@ struct Binding {
     /// The parameters of which the kernel promises (@disjoint) that they access other elements than this binding's
     /// parameter does: bit i stands for the parameter with number i (as in `parameter`), i up to 31.
     std::uint32_t apart_from = 0;
+    Update update = Update::other;
+    Number number = Number::unsigned_integer;  ///< of `update`
 
     bool is_apart_from(std::uint32_t other) const { return other < 32 && (apart_from >> other & 1) != 0; }
     /// Whether both access elements of one size, and different fields of them.
@@ -127,12 +136,29 @@ struct HostTargets {
     uint2 origin, extent;
 };
 
+/// The elements that one call on the host device visits: along each axis from 0 to before the size; along the last of
+/// the kernel's `rank` axes from `first` on.
+struct HostSize : std::array<std::uint32_t, 4> {
+    HostSize() = default;
+    constexpr HostSize(const std::array<std::uint32_t, 4>& size) : std::array<std::uint32_t, 4>(size) {}
+
+    std::uint32_t rank = 1, first = 0;
+
+    constexpr std::uint32_t first_along(std::uint32_t axis) const { return axis + 1 == rank ? first : 0; }
+    /// How many rows (elements along x) are left out: those before `first`.
+    constexpr std::size_t rows_before() const {
+        std::size_t rows = rank > 1 ? first : 0;
+        for (std::uint32_t axis = 1; axis + 1 < rank; ++axis) rows *= (*this)[axis];
+        return rows;
+    }
+};
+
 /// The arguments of one call on the host device.
 struct HostCall {
     const void* parameters;                ///< the parameter block of the form that is called, with the values that
                                            ///< come from the device (Call::patches, pass.h) already written into it
     std::span<const HostMemory> memories;  ///< in binding order
-    std::array<std::uint32_t, 4> size;     ///< elements to iterate over along each axis; unused axes are 1
+    HostSize size;                         ///< elements to iterate over along each axis; unused axes are 1
     StatusRecord* status = nullptr;        ///< kernels that report: never null
     const HostTargets* targets = nullptr;  ///< draws: never null
     MessageHeader* messages = nullptr;     ///< kernels that print: never null
@@ -243,6 +269,7 @@ struct Kernel {
     std::span<const Parameter> parameters = {};      ///< what Commands::specialised can fix
     std::array<std::uint32_t, 3> items = {1, 1, 1};  ///< elements that one invocation takes along each axis
     bool of_blocks = false;                          ///< runs over {elements of a block, blocks}: rank 2
+    bool declares_group = false;                     ///< the source declares the workgroup size
     bool reports = false;            ///< has a StatusRecord: a storage buffer (scalar layout) at binding
                                      ///< bindings.size() + 1 in every form
     std::uint32_t shared_bytes = 0;  ///< workgroup memory

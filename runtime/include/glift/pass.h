@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 namespace glift {
@@ -65,6 +66,23 @@ enum class Sharing : std::uint8_t {
                 ///< accessed by their own invocation through two bindings: the form must not be direct
 };
 
+/// The elements of an iteration that a call visits: those from `first` to before `end` along the kernel's last axis. A
+/// Vulkan device visits whole workgroups, and so perhaps elements beside the part.
+struct Part {
+    std::uint32_t first, end;
+};
+
+namespace detail {
+
+/// A range that a call visits element by element, or around its elements, with its type erased.
+struct VisitedRange {
+    const char* name;  ///< the kernel's parameter: the names of its bindings (Binding::name) begin with it and a point
+    const void* range;
+    struct RangeShape (*shape)(const void* range);
+};
+
+}  // namespace detail
+
 /// One call of a kernel. Spans need to live only until Commands::dispatch returns.
 struct Call {
     FormName form;
@@ -76,6 +94,10 @@ struct Call {
     Sharing sharing = Sharing::unknown;
     std::span<const Condition> conditions = {};  ///< all must hold
     const DrawTargets* targets = nullptr;        ///< of a kernel that draws
+    /// Not with patches, conditions, blocks or a declared workgroup size.
+    std::optional<Part> part = std::nullopt;
+    /// The ranges of Iteration::each and Iteration::near, in the order of these calls; empty: not known.
+    std::span<const detail::VisitedRange> visited = {};
 };
 
 }  // namespace glift

@@ -64,7 +64,7 @@ template <class Row> void each_row(const Memory& image, std::span<const ImageReg
 
 // Returns a copy of the parameters with the patches of the call applied. Those of the iteration size also change
 // `size`.
-std::vector<std::byte> patched(const Kernel& kernel, const Call& call, std::array<std::uint32_t, 4>& size) {
+std::vector<std::byte> patched(const Kernel& kernel, const Call& call, HostSize& size) {
     const std::uint32_t first = form_of(kernel, call.form).size_offset;
     std::vector<std::byte> parameters(call.parameters.begin(), call.parameters.end());
     std::uint32_t last = 0;
@@ -150,6 +150,11 @@ void HostStream::dispatch(const Kernel& kernel, const Call& call) {
     }
     for (std::size_t k = 0; k < call.memories.size(); ++k) views[k] = host_memory(call.memories[k]).view();
     HostCall host = {call.parameters.data(), {views, call.memories.size()}, call.size, nullptr};
+    host.size.rank = kernel.rank;
+    if (call.part) {
+        host.size.first = call.part->first;
+        host.size[kernel.rank - 1] = std::min(host.size[kernel.rank - 1], call.part->end);
+    }
     std::vector<std::byte> parameters;
     if (!call.patches.empty()) {
         parameters = patched(kernel, call, host.size);

@@ -208,11 +208,12 @@ void Encoder::bind(const Pipeline& pipeline, const Call& call, const Slice& bloc
 void Encoder::dispatch(const Kernel& kernel, const Call& call) {
     check_call(&device_, kernel, call);
     check_form(kernel, call);
-    const Pipeline& pipeline = device_.pipelines().get(kernel, call.form, call.fixed);
+    const Pipeline& pipeline = device_.pipelines().get(kernel, call.form, call.fixed, call.part.has_value());
     if (kernel.drawing) return draw(pipeline, call);
     Groups groups = count_groups(kernel, call.size);
     if (groups.none()) return;
     ++batch_->operations;
+    if (call.part) return dispatch_part(pipeline, call, groups);
     const auto& limit = context_.properties.max_workgroups;
     if (kernel.rank == 1) fold(groups, limit_along_x(kernel, limit[0]));
     if (kernel.of_blocks) fold_blocks(groups, limit[1]);
@@ -235,6 +236,25 @@ void Encoder::dispatch(const Kernel& kernel, const Call& call) {
     bind(pipeline, call, block);
     context_.vk.vkCmdDispatch(commands_, static_cast<std::uint32_t>(groups.count[0]),
                               static_cast<std::uint32_t>(groups.count[1]), static_cast<std::uint32_t>(groups.count[2]));
+}
+
+// Dispatches the workgroups that have elements of the part.
+void Encoder::dispatch_part(const Pipeline& pipeline, const Call& call, const Groups& groups) {
+    const Kernel& kernel = *pipeline.kernel;
+    if (!groups.within(context_.properties.max_workgroups)) throw_too_many_groups(kernel, context_);
+    const std::uint32_t axis = std::min(kernel.rank - 1, 2u), covered = covered_by_group(kernel)[axis];
+    const std::uint64_t along = kernel.rank == 4 ? call.size[2] : 1;  // axes z and w count as one
+    std::array<std::uint32_t, 3> base = {}, count;
+    for (int i = 0; i < 3; ++i) count[i] = static_cast<std::uint32_t>(groups.count[i]);
+    base[axis] = static_cast<std::uint32_t>(call.part->first * along / covered);
+    const std::uint64_t end = std::min(div_ceil(call.part->end * along, covered), groups.count[axis]);
+    if (end <= base[axis]) return;
+    count[axis] = static_cast<std::uint32_t>(end - base[axis]);
+    const Slice block = write_parameters(pipeline, call);
+    if (!kernel.messages.empty()) begin_messages(pipeline);
+    order(kernel, call);
+    bind(pipeline, call, block);
+    context_.vk.vkCmdDispatchBase(commands_, base[0], base[1], base[2], count[0], count[1], count[2]);
 }
 
 // Names the kernel in the buffer of messages, after those of earlier passes and before its own.

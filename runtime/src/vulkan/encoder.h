@@ -70,6 +70,7 @@ private:
     void push_descriptors(const Pipeline& pipeline, const Call& call, const Slice& block);
     void begin_messages(const Pipeline& pipeline);
     void dispatch_split(const Pipeline& pipeline, const Call& call, const Groups& groups);
+    void dispatch_part(const Pipeline& pipeline, const Call& call, const Groups& groups);
 
     // encoder_indirect.cpp
     struct PrepareArguments;

@@ -79,6 +79,7 @@ private:
     X(vkCmdCopyImage) \
     X(vkCmdCopyImageToBuffer) \
     X(vkCmdDispatch) \
+    X(vkCmdDispatchBase) \
     X(vkCmdDispatchIndirect) \
     X(vkCmdDraw) \
     X(vkCmdDrawIndirect) \

@@ -130,16 +130,18 @@ void Pipelines::destroy(Pipeline& pipeline) {
     context_.vk.vkDestroyDescriptorSetLayout(context_.device, pipeline.set_layout, nullptr);
 }
 
-Pipeline& Pipelines::find(std::uint64_t digest, const Kernel& kernel, FormName form, std::span<const FixedWord> fixed) {
+Pipeline& Pipelines::find(std::uint64_t digest, const Kernel& kernel, FormName form, std::span<const FixedWord> fixed,
+                          bool starts_anywhere) {
+    const bool plain = fixed.empty() && !starts_anywhere;
     for (std::size_t at = hash(digest, form);; ++at) {
         const Entry& entry = table_[at & (table_.size() - 1)];
         if (!entry.pipeline) break;
-        if (entry.digest == digest && entry.form == form && entry.plain == fixed.empty() &&
-            std::ranges::equal(fixed, entry.pipeline->fixed)) {
+        if (entry.digest == digest && entry.form == form && entry.plain == plain &&
+            entry.pipeline->starts_anywhere == starts_anywhere && std::ranges::equal(fixed, entry.pipeline->fixed)) {
             return *entry.pipeline;
         }
     }
-    std::unique_ptr<Pipeline> made = make(digest, kernel, form, fixed);
+    std::unique_ptr<Pipeline> made = make(digest, kernel, form, fixed, starts_anywhere);
     all_.push_back(std::move(made));
     if (all_.size() * 2 > table_.size()) {
         table_.assign(table_.size() * 2, {});
@@ -153,7 +155,8 @@ Pipeline& Pipelines::find(std::uint64_t digest, const Kernel& kernel, FormName f
 void Pipelines::insert(Pipeline* pipeline) {
     std::size_t at = hash(pipeline->digest, pipeline->name);
     while (table_[at & (table_.size() - 1)].pipeline) ++at;
-    table_[at & (table_.size() - 1)] = {pipeline->digest, pipeline, pipeline->name, pipeline->fixed.empty()};
+    table_[at & (table_.size() - 1)] = {pipeline->digest, pipeline, pipeline->name,
+                                        pipeline->fixed.empty() && !pipeline->starts_anywhere};
 }
 
 std::uint32_t Pipelines::status_slot(std::uint64_t digest, const Kernel& kernel) {
@@ -170,7 +173,7 @@ std::uint32_t Pipelines::status_slot(std::uint64_t digest, const Kernel& kernel)
 }
 
 std::unique_ptr<Pipeline> Pipelines::make(std::uint64_t digest, const Kernel& kernel, FormName form,
-                                          std::span<const FixedWord> fixed) {
+                                          std::span<const FixedWord> fixed, bool starts_anywhere) {
     const Form& compiled = form_of(kernel, form);
     if (compiled.spirv.empty()) throw_missing_form(kernel, form_text(form), context_.properties.name.c_str());
     check_limits(context_, kernel, compiled);
@@ -185,6 +188,7 @@ std::unique_ptr<Pipeline> Pipelines::make(std::uint64_t digest, const Kernel& ke
     pipeline->form = &compiled;
     pipeline->name = form;
     pipeline->fixed.assign(fixed.begin(), fixed.end());
+    pipeline->starts_anywhere = starts_anywhere;
     if (kernel.reports) pipeline->status_slot = status_slot(digest, kernel);
     try {
         make_layout(*pipeline);
@@ -277,7 +281,10 @@ VkPipeline Pipelines::make_handle(const Pipeline& pipeline) {
 VkPipeline Pipelines::make_compute_pipeline(const Pipeline& pipeline) {
     const ShaderStage stage(context_, pipeline, pipeline.form->spirv, VK_SHADER_STAGE_COMPUTE_BIT);
     const VkComputePipelineCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO, .stage = stage.info(), .layout = pipeline.layout};
+        .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+        .flags = pipeline.starts_anywhere ? VkPipelineCreateFlags(VK_PIPELINE_CREATE_DISPATCH_BASE_BIT) : 0,
+        .stage = stage.info(),
+        .layout = pipeline.layout};
     VkPipeline handle = VK_NULL_HANDLE;
     context_.check(context_.vk.vkCreateComputePipelines(context_.device, disk_->handle(), 1, &info, nullptr, &handle),
                    ("vkCreateComputePipelines for " + kernel_text(*pipeline.kernel)).c_str());

@@ -21,6 +21,7 @@ struct Pipeline {
     const Form* form = nullptr;
     FormName name = FormName::direct;
     std::vector<FixedWord> fixed;
+    bool starts_anywhere = false;  ///< for vkCmdDispatchBase
     VkPipeline handle = VK_NULL_HANDLE;
     VkPipelineLayout layout = VK_NULL_HANDLE;
     VkDescriptorSetLayout set_layout = VK_NULL_HANDLE;
@@ -55,12 +56,12 @@ public:
     ~Pipelines();
 
     /// Throws missing_form, missing_feature, loop_limit, too_large.
-    Pipeline& get(const Kernel& kernel, FormName form, std::span<const FixedWord> fixed) {
+    Pipeline& get(const Kernel& kernel, FormName form, std::span<const FixedWord> fixed, bool starts_anywhere = false) {
         const std::uint64_t digest = digest_of(kernel);
         const Entry& entry = table_[hash(digest, form) & (table_.size() - 1)];
-        const bool known =
-            fixed.empty() && entry.pipeline && entry.digest == digest && entry.form == form && entry.plain;
-        Pipeline& pipeline = known ? *entry.pipeline : find(digest, kernel, form, fixed);
+        const bool known = fixed.empty() && !starts_anywhere && entry.pipeline && entry.digest == digest &&
+                           entry.form == form && entry.plain;
+        Pipeline& pipeline = known ? *entry.pipeline : find(digest, kernel, form, fixed, starts_anywhere);
         pipeline.kernel = &kernel;
         pipeline.form = &form_of(kernel, form);
         return pipeline;
@@ -77,16 +78,17 @@ private:
         std::uint64_t digest = 0;
         Pipeline* pipeline = nullptr;  ///< null: there is none
         FormName form = FormName::direct;
-        bool plain = true;  ///< no parameter is fixed
+        bool plain = true;  ///< no parameter is fixed, and it does not start anywhere
     };
 
     static std::size_t hash(std::uint64_t digest, FormName form) {
         return ((digest + static_cast<std::uint64_t>(form)) * 0x9E3779B97F4A7C15u) >> 20;
     }
 
-    Pipeline& find(std::uint64_t digest, const Kernel& kernel, FormName form, std::span<const FixedWord> fixed);
+    Pipeline& find(std::uint64_t digest, const Kernel& kernel, FormName form, std::span<const FixedWord> fixed,
+                   bool starts_anywhere);
     std::unique_ptr<Pipeline> make(std::uint64_t digest, const Kernel& kernel, FormName form,
-                                   std::span<const FixedWord> fixed);
+                                   std::span<const FixedWord> fixed, bool starts_anywhere);
     void make_layout(Pipeline& pipeline);
     VkPipeline make_handle(const Pipeline& pipeline);
     VkPipeline make_compute_pipeline(const Pipeline& pipeline);

@@ -145,6 +145,10 @@ bool Listed::same_state(const Listed& other) const {
         && active_.same_state(other.active_) && state_.same_state(other.state_) && frames_.same_state(other.frames_);
 }
 
+uint3 Listed::block_extent() const {
+    return uint3(8u, 8u, 8u);
+}
+
 void Listed::copy_out(const glift::Commands& commands, const glift::Range<Listed>& range,
     const glift::Memory& box) const {
     ::std_transfer::read_box_a23c245a(commands, range, ::std_transfer::Box_3_float(commands, range.size(), box));

@@ -140,6 +140,8 @@ public:
 
     void fill(float value);
     void fill(float value, const glift::Range<Listed>& range);
+    /// The extent of every block.
+    glift::uint3 block_extent() const;
     void copy_out(const glift::Commands& commands, const glift::Range<Listed>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Listed>& range, const glift::Memory& box) const;
     /// The type of the physical addresses to which addresses are translated.

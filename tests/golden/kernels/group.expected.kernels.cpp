@@ -98,7 +98,7 @@ static void block_sums_general(const glift::HostCall& call) {
 const glift::Binding block_sums_bindings[] = {
     {.name = "value.data", .address_offset = 16, .element_bytes = sizeof(uint), .reach = glift::Reach::element},
     {.name = "sums.data", .access = glift::Access::write, .address_offset = 24, .element_bytes = sizeof(uint),
-        .parameter = 1, .reach = glift::Reach::range},
+        .parameter = 1, .reach = glift::Reach::range, .update = glift::Update::store},
 };
 constexpr glift::Parameter block_sums_parameters[] = {{"value_extent", 0, 4}};
 }  // namespace
@@ -115,6 +115,7 @@ const glift::Kernel block_sums_kernel = {
     .direct = {.parameter_bytes = 4, .push_constants = true},
     .general = {.host = &block_sums_general, .parameter_bytes = 32, .uniform_buffer = true},
     .parameters = block_sums_parameters,
+    .declares_group = true,
     .reports = true,
     .shared_bytes = 256,
     .longest_loop = {"group.glift", 14},

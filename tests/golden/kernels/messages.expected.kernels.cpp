@@ -53,7 +53,8 @@ static void roots_general(const glift::HostCall& call) {
 }
 
 const glift::Binding roots_bindings[] = {
-    {.name = "f.data", .access = glift::Access::read_write, .address_offset = 8, .element_bytes = sizeof(float)},
+    {.name = "f.data", .access = glift::Access::read_write, .address_offset = 8, .element_bytes = sizeof(float),
+        .reach = glift::Reach::element},
 };
 constexpr glift::Parameter roots_parameters[] = {{"f_extent", 0, 4}};
 constexpr glift::MessageFormat roots_messages[] = {

@@ -100,6 +100,10 @@ bool Listed::same_state(const Listed& other) const {
         && active_.same_state(other.active_) && frames_.same_state(other.frames_);
 }
 
+uint2 Listed::block_extent() const {
+    return uint2(8u, 8u);
+}
+
 void Listed::copy_out(const glift::Commands& commands, const glift::Range<Listed>& range,
     const glift::Memory& box) const {
     ::std_transfer::read_box_9bb01b1e(commands, range, ::std_transfer::Box_2_float(commands, range.size(), box));

@@ -107,8 +107,9 @@ static void draw_mesh_general(const glift::HostCall& call) {
 }
 
 const glift::Binding draw_mesh_bindings[] = {
-    {.name = "corner.data", .address_offset = 96, .element_bytes = sizeof(uint)},
-    {.name = "points.data", .address_offset = 104, .element_bytes = sizeof(float3)},
+    {.name = "corner.data", .address_offset = 96, .element_bytes = sizeof(uint), .reach = glift::Reach::element},
+    {.name = "points.data", .address_offset = 104, .element_bytes = sizeof(float3), .parameter = 1,
+        .reach = glift::Reach::range},
 };
 constexpr glift::Parameter draw_mesh_parameters[] = {{"points_extent", 0, 4}, {"camera", 4, 64}};
 const glift::ColourTarget draw_mesh_colours[] = {
@@ -213,8 +214,9 @@ static void draw_marks_general(const glift::HostCall& call) {
 }
 
 const glift::Binding draw_marks_bindings[] = {
-    {.name = "corner.data", .address_offset = 24, .element_bytes = sizeof(float3)},
-    {.name = "mark.data", .address_offset = 32, .element_bytes = sizeof(float3)},
+    {.name = "corner.data", .address_offset = 24, .element_bytes = sizeof(float3), .reach = glift::Reach::element},
+    {.name = "mark.data", .address_offset = 32, .element_bytes = sizeof(float3), .parameter = 1,
+        .reach = glift::Reach::element},
 };
 const glift::ColourTarget draw_marks_colours[] = {
     {.name = "image", .format = glift::Format::rgba8, .blend = glift::Blend::over},
@@ -311,7 +313,7 @@ static void even_general(const glift::HostCall& call) {
 }
 
 const glift::Binding even_bindings[] = {
-    {.name = "corner.data", .address_offset = 32, .element_bytes = sizeof(float3)},
+    {.name = "corner.data", .address_offset = 32, .element_bytes = sizeof(float3), .reach = glift::Reach::element},
 };
 constexpr glift::Parameter even_parameters[] = {{"factor", 0, 4}, {"factor_2", 4, 8}};
 const glift::ColourTarget even_colours[] = {

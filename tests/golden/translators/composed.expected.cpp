@@ -60,6 +60,28 @@ bool Turned::same_state(const Turned& other) const {
     return extent_ == other.extent_;
 }
 
+std::uint64_t Turned::index_of(uint2 address) const {
+    const auto step_0 = [&](auto address) {
+        [[maybe_unused]] const uint2 extent = extent_;
+        const auto translate = [&](uint2 va) -> uint2 {
+            // composed.glift:8
+            return glift::swizzle<1, 0>(va);
+        };
+        return translate(address);
+    };
+    const auto at_0 = step_0(address);
+    const auto step_1 = [&](auto address) {
+        [[maybe_unused]] const uint width = extent_.y;
+        const auto translate = [&](uint2 va) -> uint {
+            // composed.glift:15
+            return va.y * width + va.x;
+        };
+        return translate(address);
+    };
+    const auto at_1 = step_1(at_0);
+    return at_1;
+}
+
 void Turned::copy_out(const glift::Commands& commands, const glift::Range<Turned>& range,
     const glift::Memory& box) const {
     ::std_transfer::read_box_fa044b2c(commands, range, ::std_transfer::Box_2_float(commands, range.size(), box));

@@ -35,6 +35,8 @@ public:
 
     void fill(float value);
     void fill(float value, const glift::Range<Turned>& range);
+    std::uint64_t index_of(glift::uint2 address) const;
+    const glift::Memory& index_memory() const { return data_; }
     void copy_out(const glift::Commands& commands, const glift::Range<Turned>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Turned>& range, const glift::Memory& box) const;
 

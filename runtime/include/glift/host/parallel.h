@@ -143,54 +143,60 @@ template <class Body> void spread_in_order(std::size_t count, std::size_t grain,
 
 /// Calls `body(const Rows&)` in parallel for groups of rows, or parts of long rows, that partition `size`. A task has
 /// about `task` elements.
-template <class Body>
-void for_rows(const std::array<std::uint32_t, 4>& size, const Body& body, std::size_t task = detail::task_elements) {
-    const std::size_t rows = std::size_t{size[1]} * size[2] * size[3];
-    if (rows == 0 || size[0] == 0) return;
+template <class Body> void for_rows(const HostSize& size, const Body& body, std::size_t task = detail::task_elements) {
+    const std::size_t all_rows = std::size_t{size[1]} * size[2] * size[3], before = size.rows_before();
+    const uint left = size.first_along(0);
+    if (all_rows <= before || size[0] <= left) return;
+    const std::size_t rows = all_rows - before, length = size[0] - left;
     const auto run = [&](uint begin, uint end, std::size_t first, std::size_t count) {
+        first += before;
         const Row row{begin, end, static_cast<uint>(first % size[1]), static_cast<uint>(first / size[1] % size[2]),
                       static_cast<uint>(first / size[1] / size[2])};
         body(Rows(row, count, size));
     };
-    const std::size_t all = rows * size[0];
-    if (rows == 1 || size[0] > 16 * detail::task_elements) {  // long rows: split them
-        const std::size_t pieces = (size[0] + task - 1) / task;
+    const std::size_t all = rows * length;
+    if (rows == 1 || length > 16 * detail::task_elements) {  // long rows: split them
+        const std::size_t pieces = (length + task - 1) / task;
         detail::spread(rows * pieces, 1, [&](std::size_t first, std::size_t last) {
             while (first < last) {  // the pieces of one row at once
                 const std::size_t row = first / pieces, next = detail::least(last, (row + 1) * pieces);
                 const std::size_t end = (next - row * pieces) * task;
-                run(static_cast<uint>(first % pieces * task),
-                    static_cast<uint>(detail::least<std::size_t>(end, size[0])), row, 1);
+                run(static_cast<uint>(left + first % pieces * task),
+                    static_cast<uint>(left + detail::least<std::size_t>(end, length)), row, 1);
                 first = next;
             }
         });
         return;
     }
-    if (all <= task) return run(0, size[0], 0, rows);
-    const std::size_t grain = detail::most<std::size_t>(1, task / size[0]);
-    detail::spread(rows, grain, [&](std::size_t first, std::size_t last) { run(0, size[0], first, last - first); });
+    if (all <= task) return run(left, size[0], 0, rows);
+    const std::size_t grain = detail::most<std::size_t>(1, task / length);
+    detail::spread(rows, grain, [&](std::size_t first, std::size_t last) { run(left, size[0], first, last - first); });
 }
 
 /// Like for_rows, but for tiles: 32 elements along x, and 32 rows along `axis` (1: y, 2: z). If an address exchanges
 /// these two axes, the rows of a tile share the cache lines that each of them accesses with a stride.
-template <unsigned axis, class Body> void for_tiles(const std::array<std::uint32_t, 4>& size, const Body& body) {
+template <unsigned axis, class Body> void for_tiles(const HostSize& size, const Body& body) {
     static_assert(axis == 1 || axis == 2);
     constexpr std::size_t side = 32;
-    const std::size_t columns = (size[0] + side - 1) / side, bands = (size[axis] + side - 1) / side;
-    const std::size_t other = size[3 - axis];
+    if (size[axis] <= size.first_along(axis) || size[3 - axis] <= size.first_along(3 - axis)) return;
+    if (size[3] <= size.first_along(3)) return;
+    const std::size_t columns = (size[0] + side - 1) / side;
+    const std::size_t bands = (size[axis] - size.first_along(axis) + side - 1) / side;
+    const std::size_t other = size[3 - axis] - size.first_along(3 - axis);
     const auto run = [&](std::size_t i) {
         const std::size_t x = i % columns * side, band = i / columns % bands * side, rest = i / columns / bands;
         const uint begin = static_cast<uint>(x), end = static_cast<uint>(detail::least<std::size_t>(x + side, size[0]));
-        const uint first = static_cast<uint>(band);
-        const uint last = static_cast<uint>(detail::least<std::size_t>(band + side, size[axis]));
-        const uint fixed = static_cast<uint>(rest % other), w = static_cast<uint>(rest / other);
+        const uint first = static_cast<uint>(band) + size.first_along(axis);
+        const uint last = static_cast<uint>(detail::least<std::size_t>(first + side, size[axis]));
+        const uint fixed = static_cast<uint>(rest % other) + size.first_along(3 - axis);
+        const uint w = static_cast<uint>(rest / other) + size.first_along(3);
         if constexpr (axis == 1) {
             body(Rows({begin, end, first, fixed, w}, last - first, size));
         } else {
             for (uint z = first; z < last; ++z) body(Rows({begin, end, fixed, z, w}, 1, size));
         }
     };
-    detail::spread(columns * bands * other * size[3], detail::task_elements / (side * side),
+    detail::spread(columns * bands * other * (size[3] - size.first_along(3)), detail::task_elements / (side * side),
                    [&](std::size_t begin, std::size_t end) {
                        for (std::size_t i = begin; i < end; ++i) run(i);
                    });

@@ -59,20 +59,22 @@ template <class T> struct Copies {
 
 /// for_rows or, in more than one dimension, for_tiles, for elements that are much work: a task may be one run. In
 /// tiles, the rows that are computed one after the other load the same elements, if what they load depends on x alone.
-template <class Body> void for_runs(const std::array<std::uint32_t, 4>& size, const Body& body) {
+template <class Body> void for_runs(const HostSize& size, const Body& body) {
     constexpr std::size_t rows_of_task = 16;
-    const std::size_t rows = std::size_t{size[1]} * size[2] * size[3];
-    if (rows <= 1) return for_rows(size, body, run_elements);
+    const std::size_t all_rows = std::size_t{size[1]} * size[2] * size[3], before = size.rows_before();
+    if (all_rows <= before) return;
+    const std::size_t rows = all_rows - before;
+    if (all_rows <= 1) return for_rows(size, body, run_elements);
     const std::size_t runs = (std::size_t{size[0]} + run_elements - 1) / run_elements;
     const std::size_t bands = (rows + rows_of_task - 1) / rows_of_task;
     detail::spread(runs * bands, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const std::size_t x = i % runs * run_elements, first = i / runs * rows_of_task;
+            const std::size_t x = i % runs * run_elements, done = i / runs * rows_of_task, first = before + done;
             const Row row{static_cast<uint>(x),
                           static_cast<uint>(detail::least<std::size_t>(x + run_elements, size[0])),
                           static_cast<uint>(first % size[1]), static_cast<uint>(first / size[1] % size[2]),
                           static_cast<uint>(first / size[1] / size[2])};
-            body(Rows(row, detail::least(rows_of_task, rows - first), size));
+            body(Rows(row, detail::least(rows_of_task, rows - done), size));
         }
     });
 }

@@ -1,0 +1,82 @@
+// Which elements of a memory are up to date on this rank.
+#pragma once
+
+#include "cuts.h"
+#include "slab_layout.h"
+
+#include <glift/pass.h>
+
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+namespace glift::detail {
+
+/// The pages of a sparse structure, of which all ranks know which are resident. Pages are cut by planes of pages along
+/// the last axis, so that those of a rank, and those of a plane, are consecutive in the list.
+struct Paging {
+    Memory list;                                   ///< the numbers of resident pages, ascending
+    DeviceValue count;                             ///< how many there are
+    Memory table;                                  ///< for each page its frame + 1, or 0
+    std::uint32_t pages_of_plane = 0, layers = 0;  ///< layers of elements of a page, along the last axis
+
+    /// Where each plane begins in the list, and the end; stale after a pass that writes the list, the count or the
+    /// table.
+    std::vector<std::uint32_t> first_of_plane;
+    bool is_stale = true;
+
+    /// Lists of the pages of some planes, in place of `list`, for the planes that they were made for.
+    struct Sublist {
+        Planes lower, upper;
+        Memory memory;
+        std::uint32_t pages = 0;
+    };
+    std::vector<Sublist> sublists;
+    std::vector<Memory> spare;  ///< of sublists that are needed no more
+    Memory planes;              ///< first_of_plane, on the device
+
+    void forget_sublists() {
+        for (Sublist& list : sublists) spare.push_back(std::move(list.memory));
+        sublists.clear();
+    }
+};
+
+/// What is cut into parts: the planes of dense structures of one extent, or the planes of pages of a sparse one.
+struct Space {
+    Cuts cuts;
+    std::unique_ptr<Paging> paging;  ///< null: dense
+    /// Exchanges bring the elements up to this many away from a rank's own, even if a pass reads fewer. The rank then
+    /// computes some of them itself in the passes that follow (ranks::Distribution::halo).
+    std::uint32_t halo = 0;
+};
+
+/// A rank has its own elements, and those up to `ghost` elements away from them along the last axis.
+struct Coverage {
+    static constexpr std::uint32_t everywhere = UINT32_MAX;
+
+    std::weak_ptr<MemoryObject> memory;
+    std::shared_ptr<Space> space;
+    std::uint32_t ghost = everywhere;
+    SlabLayout ghost_layout;   ///< by which `ghost` is counted beyond the domain's edge
+    SlabLayout layout;         ///< of a dense structure
+    std::uint64_t number = 0;  ///< in the order of Coverages::set, which is the same on every rank
+    std::uint64_t frame_bytes = 0, layer_bytes = 0;  ///< of a sparse one: of a page and of a layer of it
+
+    bool is_partial() const { return ghost != everywhere; }
+};
+
+/// Memories that are not in it are up to date everywhere.
+class Coverages {
+public:
+    /// Null: there is none.
+    Coverage* find(const Memory& memory);
+    Coverage& set(const Memory& memory, Coverage coverage);
+    /// Those of memories that exist, in the same order on every rank.
+    std::vector<std::pair<Memory, Coverage*>> of(const Space& space);
+
+private:
+    std::unordered_map<const MemoryObject*, Coverage> coverages_;
+    std::uint64_t next_number_ = 0;
+};
+
+}  // namespace glift::detail

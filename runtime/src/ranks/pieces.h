@@ -1,0 +1,34 @@
+// Which bytes ranks send each other.
+#pragma once
+
+#include "coverage.h"
+
+#include <vector>
+
+namespace glift::detail {
+
+/// Bytes of a memory that one rank sends to another one.
+struct Piece {
+    unsigned from, to;
+    Memory memory;
+    const Paging* paging;                ///< null: the bytes lie together, from `offset` on
+    std::uint64_t offset;                ///< with pages: of the run of bytes in each frame
+    std::uint64_t run;                   ///< bytes, of each page
+    std::uint32_t first = 0, pages = 1;  ///< in the list of pages
+    std::uint64_t frame_bytes = 0;
+
+    std::uint64_t bytes() const { return run * pages; }
+};
+
+/// Elements that each rank needs, up to `width` away from its own. `edges` says where addresses beyond the edge of a
+/// dense structure lead.
+std::vector<Piece> ghost_pieces(const Memory& memory, const Coverage& coverage, std::uint32_t width,
+                                const SlabLayout& edges);
+/// Planes of all owners, for all other ranks: of each owner those numbered [first, end) among its own.
+std::vector<Piece> gather_pieces(const Memory& memory, const Coverage& coverage, Planes of_each);
+/// What changes its owner with these cuts.
+std::vector<Piece> migration_pieces(const Memory& memory, const Coverage& coverage, const Cuts& next);
+/// The bytes of the planes in which one owner has most.
+std::uint64_t most_bytes_of_plane(const Coverage& coverage);
+
+}  // namespace glift::detail
