@@ -102,6 +102,11 @@ std::string without_comments(const std::string& text) {
     return rest;
 }
 
+/// Whether a source has no code: of several sources for kernels (--shards) some may have none.
+bool is_blank(const Output& source) {
+    return without_comments(source.bytes).find_first_not_of(" \n") == std::string::npos;
+}
+
 /// The contents of a source and of all that it includes, but for comments and the runtime's headers.
 std::string contents_of(const Output& source, const std::vector<Output>& outputs, const std::string& headers) {
     std::string text = without_comments(source.bytes) + headers;
@@ -189,7 +194,7 @@ bool Objects::build(const std::vector<Output>& outputs, const std::vector<std::s
     const fs::path made = folder_ / "object.new";
     link.insert(link.end(), {"-shared", "-Wl,-Bsymbolic", "-o", made.string()});
     for (const Output& output : outputs) {
-        if (!output.name.ends_with(".cpp")) continue;
+        if (!output.name.ends_with(".cpp") || is_blank(output)) continue;
         const std::string source = (code_ / output.name).string(), object = source + ".o";
         link.push_back(object);
         std::string text = contents_of(output, outputs, headers);
