@@ -78,15 +78,17 @@ private:
     std::map<std::string, std::string> states_;
 };
 
-/// Waits until a file changes, and until all that changed are there again.
+/// Waits until files change and have been written: they are all there, and none has changed since the last look.
 std::set<std::string> wait_for_change(Files& files) {
     std::set<std::string> changed;
     while ((changed = files.changed()).empty()) std::this_thread::sleep_for(between_looks);
     const auto is_there = [](const std::string& path) { return fs::exists(path); };
-    for (const auto begin = Clock::now();
-         Clock::now() - begin < longest_rename && !std::ranges::all_of(changed, is_there);)
+    for (const auto begin = Clock::now(); Clock::now() - begin < longest_rename;) {
         std::this_thread::sleep_for(between_looks);
-    files.changed();
+        const std::set<std::string> more = files.changed();
+        changed.insert(more.begin(), more.end());
+        if (more.empty() && std::ranges::all_of(changed, is_there)) break;
+    }
     return changed;
 }
 
