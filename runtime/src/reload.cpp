@@ -243,7 +243,8 @@ struct Reload::Folder {
     }
 };
 
-Reload::Reload(std::string folder) : folder_(std::make_unique<Folder>(Folder{std::move(folder), {}})) {}
+Reload::Reload(std::string folder)
+    : folder_(folder.empty() ? nullptr : std::make_unique<Folder>(Folder{std::move(folder), {}})) {}
 Reload::~Reload() = default;
 Reload::Reload(Reload&&) noexcept = default;
 Reload& Reload::operator=(Reload&&) noexcept = default;

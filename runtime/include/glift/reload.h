@@ -22,7 +22,7 @@ namespace glift {
 /// ends.
 class GLIFT_API Reload {
 public:
-    /// `folder` is the output folder of `gliftc watch`, which may not exist yet.
+    /// `folder` is the output folder of `gliftc watch`, which may not exist yet. Empty: `poll` does nothing.
     explicit Reload(std::string folder);
     ~Reload();
     Reload(Reload&&) noexcept;
