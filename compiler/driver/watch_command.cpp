@@ -10,6 +10,7 @@
 #include "driver/cxx_compiler.h"
 #include "driver/environment.h"
 #include "driver/include_folders.h"
+#include "driver/shaders.h"
 
 #include <algorithm>
 #include <chrono>
@@ -262,6 +263,7 @@ int run_watch(const Options& given) {
     Options options = given;
     options.targets = {Target::cpp, Target::host};
     options.spirv_files = options.reload = true;
+    if (!options.source_lines) keep_shaders();
     Objects objects(options.output_folder);
     Files files;
     files.note({options.files.begin(), options.files.end()});
