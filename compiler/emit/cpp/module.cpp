@@ -18,6 +18,7 @@
 // sources of other runs may define them, too.
 #include "base/version.h"
 #include "emit/cpp/reloadable.h"
+#include "emit/cpp/spaces.h"
 #include "emit/cpp/unit.h"
 
 #include <algorithm>
@@ -27,30 +28,6 @@
 namespace gliftc::cpp {
 
 namespace {
-
-/// Opens and closes namespaces, so that consecutive declarations of one namespace share a block.
-class Spaces {
-public:
-    explicit Spaces(Writer& out) : out_(out) {}
-    void enter(const std::string& space) {
-        if (open_ == space) return;
-        leave();
-        out_.gap();
-        out_.line("namespace " + space + " {");
-        out_.raw("\n");
-        open_ = space;
-    }
-    void leave() {
-        if (open_.empty()) return;
-        out_.gap();
-        out_.line("}  // namespace " + open_);
-        open_.clear();
-    }
-
-private:
-    Writer& out_;
-    std::string open_;
-};
 
 /// Prints all files of one module.
 class ModulePrinter {
@@ -421,12 +398,7 @@ void ModulePrinter::print_definitions(Unit& unit, Writer& out) {
     out.raw("\n");
     out.line("using namespace glift::types;");
     out.gap();
-    if (options_.reload) {
-        out.line("namespace {");
-        out.line(hash_of_functions(unit));
-        out.line("}  // namespace");
-        out.gap();
-    }
+    if (options_.reload) print_hash_of_functions(unit, out);
     if (!unit.globals.functions.empty() || !checks.text().empty()) {
         out.line("namespace {");
         out.raw("\n");

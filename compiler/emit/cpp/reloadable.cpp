@@ -67,9 +67,12 @@ void print_function(const Unit& unit, Writer& out, const FunctionParts& parts, c
     out.close();
 }
 
-std::string hash_of_functions(const Unit& unit) {
-    return std::string("[[maybe_unused]] constexpr std::uint64_t ") + functions_hash + " = " +
-           hash_of(unit.globals.functions) + ";";
+void print_hash_of_functions(const Unit& unit, Writer& out) {
+    out.line("namespace {");
+    out.line(std::string("[[maybe_unused]] constexpr std::uint64_t ") + functions_hash + " = " +
+             hash_of(unit.globals.functions) + ";");
+    out.line("}  // namespace");
+    out.gap();
 }
 
 void print_declared_types(Unit& unit, Writer& out, const std::map<ir::StructureId, std::string>& members) {

@@ -19,8 +19,8 @@ struct FunctionParts {
 /// Prints a function whose statements, one level deep, are `body`.
 void print_function(const Unit& unit, Writer& out, const FunctionParts& parts, const std::string& body);
 
-/// The definition of a hash of the functions that the functions of this namespace call.
-std::string hash_of_functions(const Unit& unit);
+/// Prints a hash of what the functions of this namespace may call: Globals::functions, which must be complete.
+void print_hash_of_functions(const Unit& unit, Writer& out);
 
 /// Prints the objects by which the runtime sees that types and structures are still as they were declared. `members` is
 /// the C++ of the functions of each class.

@@ -39,7 +39,7 @@ struct CommandBatch {
     std::uint64_t value = 0;               ///< the timeline's value once the device is done with it
     std::uint64_t operations = 0;          ///< recorded
     std::uint64_t passes = 0;              ///< calls of kernels in a recording
-    bool prints = false;           ///< some kernel has messages
+    bool prints = false;                   ///< some kernel has messages
 };
 
 }  // namespace glift::detail
