@@ -173,6 +173,13 @@ def test(folder, watch, program):
     program_values = program.ask("structure")
     expect(program_values == ["7", "8"] * 2, "structures keep their elements", program_values)
 
+    # A program that was built after the last save has newer code already.
+    later = time.time() + 3600
+    os.utime(folder / "program", (later, later))
+    save(("f + 5.0", "f + 6.0"))
+    loads("same")
+    says("kernel", 35)
+
     # Files that are not complete, or of another version.
     announcement = folder / "new" / "reload"
     whole = announcement.read_text()
