@@ -27,6 +27,10 @@
 # GLIFT_SPIRV_FILES, a cache variable (detected once; set it to OFF for C++ that needs no files): SPIR-V is in files
 # beside the sources, which the assembler embeds.
 #
+# GLIFT_RELOAD, a variable (OFF without it): a running program takes newer code of kernels and pipelines (gliftc
+# --reload). The options of `gliftc watch` for the files are in glift/<target>/<first file>.watch of the build folder,
+# and programs load from the folder glift/<target>/<first file>.reload beside it.
+#
 # In builds of type Debug and RelWithDebInfo (gliftc -g) debuggers show kernels on the host device at the lines of the
 # .glift files.
 #
@@ -71,6 +75,24 @@ function(glift_check_names target)
         endif()
         set_target_properties(${target} PROPERTIES ${property} ${source})
     endforeach()
+endfunction()
+
+# Writes the options of `gliftc watch`, one a line, as a response file of gliftc.
+function(glift_write_watch_file file out)
+    set(text)
+    foreach(word IN ITEMS -o ${out} LISTS ARGN)
+        if(NOT word MATCHES "^[$]<")  # a generator expression may be empty, and is then no word
+            string(REPLACE "\\" "\\\\" word "${word}")
+            string(REPLACE "\"" "\\\"" word "${word}")
+            set(word "\"${word}\"")
+        endif()
+        string(APPEND text "${word}\n")
+    endforeach()
+    get_property(has_several GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
+    if(has_several)
+        string(APPEND file .$<CONFIG>)
+    endif()
+    file(GENERATE OUTPUT ${file} CONTENT "${text}")
 endfunction()
 
 function(glift_compile)
@@ -118,6 +140,9 @@ function(glift_compile)
     list(APPEND arguments --shards=${arg_SHARDS})
     if(GLIFT_SPIRV_FILES)
         list(APPEND arguments --spirv-files)
+    endif()
+    if(GLIFT_RELOAD)
+        list(APPEND arguments --reload)
     endif()
     list(APPEND arguments ${arg_OPTIONS})
 
@@ -168,13 +193,17 @@ function(glift_compile)
     if(NOT GLIFT_SPIRV_FILES)
         set(spirv)
     endif()
+    set(by_type "$<$<CONFIG:Debug,RelWithDebInfo>:-g>" "$<$<CONFIG:Release,MinSizeRel>:-O>"
+        "$<$<CONFIG:Release,MinSizeRel>:--no-print>")
+    if(GLIFT_RELOAD)
+        glift_write_watch_file(${out}/${first}.watch ${out}/${first}.reload ${by_type} ${arguments} ${sources})
+    endif()
     set(stamp ${out}/${first}.stamp)
     add_custom_command(
         OUTPUT ${stamp}
         BYPRODUCTS ${headers} ${codes} ${spirv}
         COMMAND glift::gliftc -o ${out} --depfile ${out}/${first}.d --target=cpp --target=host
-                "$<$<CONFIG:Debug,RelWithDebInfo>:-g>" "$<$<CONFIG:Release,MinSizeRel>:-O>" "$<$<CONFIG:Release,MinSizeRel>:--no-print>"
-                ${arguments} ${sources}
+                ${by_type} ${arguments} ${sources}
         COMMAND ${CMAKE_COMMAND} -D DEPFILE=${out}/${first}.d -D STAMP=${stamp}
                 -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/GliftDepfile.cmake
         DEPENDS ${sources} $<TARGET_FILE:glift::gliftc>

@@ -19,6 +19,7 @@ int run(const gliftc::Options& options) {
     switch (options.command) {
     case gliftc::Command::compile: return gliftc::run_compile(options);
     case gliftc::Command::test: return gliftc::run_tests(options);
+    case gliftc::Command::watch: return gliftc::run_watch(options);
     case gliftc::Command::explain: return gliftc::run_explain(options);
     case gliftc::Command::fmt: return gliftc::run_format(options);
     case gliftc::Command::lsp: return gliftc::run_language_server(options);

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <string_view>
@@ -117,8 +118,13 @@ void check_combinations(const Options& options) {
     if (!options.depfile.empty() && (!writes || options.command != Command::compile))
         throw CLI::ValidationError("--depfile", "nothing is written here: leave it out");
     const bool makes_outputs = !options.check_only && !stops;
-    if (makes_outputs && (options.command == Command::compile || options.command == Command::test))
+    if (makes_outputs &&
+        (options.command == Command::compile || options.command == Command::test || options.command == Command::watch))
         check_file_names(options);
+    if (options.command == Command::watch && options.output_folder == ".")
+        throw CLI::ValidationError("-o", "name a folder, from which programs load");
+    if (options.command == Command::watch && std::ranges::find(options.files, "-") != options.files.end())
+        throw CLI::ValidationError("files", "standard input cannot be watched; name a file");
     if (options.output_folder == "-")
         throw CLI::ValidationError("-o",
                                    "outputs are several files, which do not go to standard output: name a folder");
@@ -163,6 +169,9 @@ void add_output_options(CLI::App& app, Options& options, Typed& typed) {
         ->group("Output");
     app.add_flag("--spirv-files", options.spirv_files,
                  "Write SPIR-V to files, which the generated C++ embeds from the folder GLIFT_SPIRV_FOLDER")
+        ->group("Output");
+    app.add_flag("--reload", options.reload,
+                 "Generated C++ takes newer code of kernels and pipelines while the program runs: gliftc watch")
         ->group("Output");
     app.add_flag("-g", options.source_lines, "Generated C++ names the lines of its source, for debuggers")
         ->group("Output");
@@ -256,6 +265,16 @@ void add_test_command(CLI::App& app, Options& options) {
     test->add_flag("--list", options.list_tests, "Print the titles of the tests and run none");
 }
 
+void add_watch_command(CLI::App& app, Options& options) {
+    add_command(app, options, "watch",
+                "Whenever a file is saved, build its kernels and pipelines for a running program, which loads them",
+                Command::watch)
+        ->footer("The program's C++ comes from gliftc --reload with the same options (CMake: -DGLIFT_RELOAD=ON). It "
+                 "loads from the\n"
+                 "folder of -o: glift::Reload(\"DIR\"), or GLIFT_RELOAD=DIR in its environment. Control-C ends the "
+                 "watch.");
+}
+
 void add_explain_command(CLI::App& app, Options& options) {
     CLI::App* explain = add_command(app, options, "explain",
                                     "Print what is known of every translator and structure in the files; or, given the "
@@ -312,6 +331,7 @@ std::variant<Options, ExitCode> read_command_line(int argc, char** argv) {
     add_stage_options(app, options, typed);
     add_diagnostics_options(app, options, typed);
     add_test_command(app, options);
+    add_watch_command(app, options);
     add_explain_command(app, options);
     add_format_command(app, options);
     add_new_command(app, options);

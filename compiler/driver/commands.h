@@ -13,6 +13,10 @@ int run_compile(const Options& options);
 /// `gliftc test FILE`: builds the tests with the system's C++ compiler and runs them.
 int run_tests(const Options& options);
 
+/// `gliftc watch FILE`: whenever a file is saved, builds its kernels and pipelines as a library for running programs
+/// (glift/reload.h). Returns only after errors of the surroundings, such as a missing C++ compiler, which it throws.
+int run_watch(const Options& options);
+
 /// `gliftc explain FILE`: prints what is known of translators, structures and draws. `gliftc explain ID`: prints what a
 /// diagnostic means.
 int run_explain(const Options& options);

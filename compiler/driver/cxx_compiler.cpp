@@ -101,7 +101,7 @@ bool CompilerRun::wait() {
     messages = all_of(collected_);
     std::fwrite(messages.data(), 1, messages.size(), stderr);
     if (ended.code == cannot_run)
-        throw EnvironmentError("'gliftc test' builds tests with a C++ compiler, and there is no '" +
+        throw EnvironmentError("'gliftc test' and 'gliftc watch' need a C++ compiler, and there is no '" +
                                compiler_words()[0] + "' here: install one (Debian: g++), or name one in CXX");
     return ended.code == 0;
 }

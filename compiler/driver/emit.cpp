@@ -177,6 +177,7 @@ std::vector<Output> emit(const Options& options, const Compilation& c) {
     std::vector<Output> outputs;
     cpp::Options cpp{.shards = options.shards,
                      .spirv_files = options.spirv_files,
+                     .reload = options.reload && options.command != Command::test,
                      .tests = options.command == Command::test,
                      .host_kernel = options.wants(Target::host) ? &host::kernel_of : nullptr};
     cpp::Defined defined;

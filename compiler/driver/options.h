@@ -10,7 +10,7 @@
 
 namespace gliftc {
 
-enum class Command : std::uint8_t { compile, test, explain, fmt, make_project, lsp };
+enum class Command : std::uint8_t { compile, test, watch, explain, fmt, make_project, lsp };
 
 /// What gliftc writes; each is one `--target=`.
 enum class Target : std::uint8_t { glsl, spirv, cpp, host, json };
@@ -41,6 +41,7 @@ struct Options {
                                               ///< that it uses of other modules
     bool spirv_files = false;                 ///< --spirv-files: generated C++ embeds SPIR-V from files in the folder
                                               ///< that its macro GLIFT_SPIRV_FOLDER names
+    bool reload = false;                      ///< --reload: functions run newer code that `gliftc watch` makes
     bool source_lines = false;                ///< -g: #line in generated C++, so that debuggers show the .glift file
     bool list_outputs = false;
     bool time_report = false;

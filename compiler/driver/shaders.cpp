@@ -4,7 +4,10 @@
 #include "emit/glsl/emit.h"
 #include "emit/spirv/emit.h"
 
+#include <algorithm>
+#include <mutex>
 #include <stdexcept>
+#include <unordered_map>
 
 namespace gliftc {
 
@@ -41,13 +44,59 @@ std::vector<Job> list_jobs(const Compilation& c, const std::set<ir::KernelId>& k
     return jobs;
 }
 
+/// The shaders that were compiled, by options and GLSL without its `#line` directives.
+class Kept {
+public:
+    void begin() { is_on_ = true; }
+    spirv::Spirv get(const std::string& glsl, spirv::Optimise optimise, spirv::Stage stage,
+                     spirv::Contraction contraction) {
+        if (!is_on_) return spirv::spirv_of(glsl, optimise, stage, contraction);
+        std::string key;
+        for (int option : {static_cast<int>(optimise), static_cast<int>(stage), static_cast<int>(contraction)})
+            key += std::to_string(option) + " ";
+        key += without_lines(glsl);
+        {
+            const std::lock_guard lock(mutex_);
+            if (const auto found = shaders_.find(key); found != shaders_.end()) return {found->second, {}};
+        }
+        spirv::Spirv made = spirv::spirv_of(glsl, optimise, stage, contraction);
+        const std::lock_guard lock(mutex_);
+        if (shaders_.size() >= most) shaders_.clear();
+        if (made.error.empty()) shaders_[std::move(key)] = made.words;
+        return made;
+    }
+
+private:
+    static constexpr std::size_t most = 1 << 14;
+
+    static std::string without_lines(const std::string& glsl) {
+        std::string rest;
+        for (std::size_t begin = 0; begin < glsl.size();) {
+            const std::size_t end = std::min(glsl.find('\n', begin), glsl.size() - 1) + 1;
+            const std::size_t first = std::min(glsl.find_first_not_of(' ', begin), end);
+            if (glsl.compare(first, 6, "#line ") != 0) rest.append(glsl, begin, end - begin);
+            begin = end;
+        }
+        return rest;
+    }
+
+    bool is_on_ = false;
+    std::mutex mutex_;
+    std::unordered_map<std::string, std::vector<std::uint32_t>> shaders_;
+};
+
+Kept& kept() {
+    static Kept& only = *new Kept;
+    return only;
+}
+
 void run(Job& job, const Compilation& c, spirv::Optimise optimise) {
     const bool is_fast = c.program.kernels[job.pass->kernel].fast_math;
     const auto rounding = is_fast ? glsl::Rounding::device : glsl::Rounding::correct;
     const auto contraction = is_fast ? spirv::Contraction::on : spirv::Contraction::off;
     std::string text = glsl::glsl_of(c.program, c.sources, *job.pass,
                                      {.lines = glsl::LineMarks::directives, .rounding = rounding, .part = job.part});
-    spirv::Spirv made = spirv::spirv_of(text, optimise, stage_of(job.part), contraction);
+    spirv::Spirv made = kept().get(text, optimise, stage_of(job.part), contraction);
     *job.words = std::move(made.words);
     job.error = std::move(made.error);
 }
@@ -65,5 +114,7 @@ cpp::KernelCodes compile_shaders(const Compilation& c, const std::set<ir::Kernel
                                      "' is not valid:\n" + job.error);
     return shaders;
 }
+
+void keep_shaders() { kept().begin(); }
 
 }  // namespace gliftc

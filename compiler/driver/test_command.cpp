@@ -3,6 +3,7 @@
 #include "driver/command_line.h"
 #include "driver/commands.h"
 #include "driver/compile.h"
+#include "driver/include_folders.h"
 #include "driver/remembered_runs.h"
 #include "driver/test_program.h"
 
@@ -81,24 +82,6 @@ std::vector<Output> sources_of(const Output& output, const Result& result) {
     for (const Output& each : result.outputs)
         if (each.name.starts_with(stem)) sources.push_back(each);
     return sources;
-}
-
-/// The folders in which headers of `extern struct` may be: those of the files and of imported modules that declare one,
-/// and those given by -I.
-std::vector<std::string> include_folders(const Options& options, const Compilation& compilation) {
-    std::vector<std::string> folders;
-    const auto also = [&](const fs::path& folder) {
-        std::string text = fs::absolute(folder).string();
-        if (std::ranges::find(folders, text) == folders.end()) folders.push_back(std::move(text));
-    };
-    for (const std::string& file : options.files) also(fs::absolute(file).parent_path());
-    for (const ast::Decl& decl : compilation.tree.decls) {
-        const auto* record = std::get_if<ast::Struct>(&decl.body);
-        if (record && !record->extern_header.empty())
-            also(fs::absolute(compilation.sources[decl.name.span.file].path).parent_path());
-    }
-    for (const std::string& folder : options.import_folders) also(folder);
-    return folders;
 }
 
 /// Compiles the modules and builds the programs that have wanted tests. Returns all programs, or the exit code after

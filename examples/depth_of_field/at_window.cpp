@@ -2,6 +2,8 @@
 
 #include "on_screen.glift.hpp"
 
+#include <glift/reload.h>
+
 #include <imgui/imgui.h>
 
 #include <algorithm>
@@ -50,12 +52,14 @@ bool sliders(const Subject& subject, Settings& settings) {
 
 class Show {
 public:
-    Show(window::Window& window, Subject& subject, Settings& settings, const std::function<void()>& save)
-        : window_(window), subject_(subject), settings_(settings), save_(save),
+    Show(window::Window& window, Subject& subject, Settings& settings, const std::string& reload,
+         const std::function<void()>& save)
+        : reload_(reload), window_(window), subject_(subject), settings_(settings), save_(save),
           shown_(subject.device(), subject.image().extent()) {}
 
     void frame() {
         react();
+        is_old_ |= reload_.poll();
         if (has_sliders_) is_old_ |= sliders(subject_, settings_);
         if (window_.is_minimised()) return;
         fit();
@@ -85,6 +89,7 @@ private:
         is_old_ = true;
     }
 
+    glift::Reload reload_;
     window::Window& window_;
     Subject& subject_;
     Settings& settings_;
@@ -95,7 +100,8 @@ private:
 
 }  // namespace
 
-void show_at(window::Window& window, Subject& subject, Settings& settings, const std::function<void()>& save) {
-    Show show(window, subject, settings, save);
+void show_at(window::Window& window, Subject& subject, Settings& settings, const std::string& reload,
+             const std::function<void()>& save) {
+    Show show(window, subject, settings, reload, save);
     while (window.next_event()) show.frame();
 }

@@ -23,7 +23,7 @@ struct Arguments {
     Settings settings;
     unsigned reference = 0;
     bool window = false;
-    std::string visualise, out = "depth_of_field.png", pinhole;
+    std::string visualise, out = "depth_of_field.png", pinhole, reload;
 };
 
 std::unique_ptr<Subject> subject_of(const Arguments& a, const glift::Device& device) {
@@ -114,7 +114,7 @@ std::string words_of(const Arguments& a, glift::uint2 size) {
 void run_window(Arguments& a) {
     window::Window window("Depth of field", {a.size[0], a.size[1]});
     const std::unique_ptr<Subject> subject = subject_of(a, window.device());
-    show_at(window, *subject, a.settings, [&] { save(a.out, subject->result()); });
+    show_at(window, *subject, a.settings, a.reload, [&] { save(a.out, subject->result()); });
     std::printf("the same picture: %s\n", words_of(a, subject->image().extent()).c_str());
 }
 
@@ -161,6 +161,7 @@ void add_options(CLI::App& app, Arguments& a) {
     app.add_option("--reference", a.reference, "Also draw the scene through so many points of the lens, and compare");
     app.add_flag("--window", a.window,
                  "Show it in a window: sliders, a click sets the focus, S writes the picture, Tab hides the sliders");
+    app.add_option("--reload", a.reload, "In the window: the folder of `gliftc watch`, for edits of photograph.glift");
     app.add_option("--out", a.out, "The picture to write, PNG or EXR")->capture_default_str();
     app.footer("GLIFT_DEVICE=gpu|lavapipe|host|NAME chooses the device.");
 }

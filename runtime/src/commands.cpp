@@ -4,6 +4,7 @@
 #include "measuring.h"
 #include "objects.h"
 #include "recording_scope.h"
+#include "reload.h"
 #include "report.h"
 #include "text.h"
 
@@ -17,13 +18,18 @@ namespace glift {
 using detail::check_range;
 
 bool Download::ready() const { return object_.in("Download::ready").ready(); }
-std::span<const std::byte> Download::get() const { return object_.in("Download::get").get(); }
+std::span<const std::byte> Download::get() const {
+    detail::DownloadObject& object = object_.in("Download::get");
+    detail::poll_reload();
+    return object.get();
+}
 double Timestamp::seconds() const { return object_.in("Timestamp::seconds").seconds(); }
 
 void Recording::submit() const {
     detail::RecordingObject& object = object_.in("Recording::submit");
     detail::require_no_recording(object.device(), "Recording::submit");
     object.submit();
+    detail::poll_reload();
 }
 
 std::uint64_t Recording::workspace_bytes() const { return object_.in("Recording::workspace_bytes").workspace_bytes(); }
@@ -266,8 +272,14 @@ Download Commands::download_image(const Memory& image, std::span<const ImageRegi
 }
 
 Timestamp Commands::timestamp() const { return Timestamp(unconditional_stream("Commands::timestamp").timestamp()); }
-void Commands::flush() const { stream("Commands::flush").flush(); }
-void Commands::wait() const { stream("Commands::wait").wait(); }
+void Commands::flush() const {
+    stream("Commands::flush").flush();
+    detail::poll_reload();
+}
+void Commands::wait() const {
+    stream("Commands::wait").wait();
+    detail::poll_reload();
+}
 
 namespace detail {
 

@@ -9,7 +9,7 @@ from gliftc import Folder, expect, finish, says
 here = Folder()
 says(here.run("shell-files", "shell"), 0)
 shell = here.path / "shell"
-commands = ["explain", "fmt", "lsp", "new", "test"]
+commands = ["explain", "fmt", "lsp", "new", "test", "watch"]
 expect(here.names("shell/man1") == ["gliftc-" + c + ".1" for c in commands] + ["gliftc.1"], "a page for each command",
        str(here.names("shell/man1")))
 

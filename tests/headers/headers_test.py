@@ -29,7 +29,7 @@ pub kernel twice(f: in each<Line>, g: out each<Line>) { g = 2.0 * f; }
 pub kernel count(f: in each<Line>, g: out scatter<Counts, add>) { g[uint(f)] = 1u; }
 """
 # Headers that a program includes; others are for generated code and for `gliftc test`.
-PUBLIC = ["glift", "inspect", "log", "recording", "vulkan"]
+PUBLIC = ["glift", "inspect", "log", "recording", "reload", "vulkan"]
 # Two sources that define the same things, and one that uses them.
 SHARED = """#include <glift/api.h>
 struct Kernel { int name; };

@@ -31,6 +31,7 @@ struct Options {
     /// of other modules that it uses. Where there are few kernels, the last ones are empty.
     std::uint32_t shards = 1;
     bool spirv_files = false;  ///< SPIR-V in files beside the sources, else within
+    bool reload = false;       ///< functions run newer code that the program has loaded (glift/reload.h)
     bool tests = false;        ///< a test program: also tests, checks of translators, a table of them, main
     /// Prints `static void <name>(const glift::HostCall& call)` for a pass: kernel_of of emit/cpp/host, or null if no
     /// code for the host device is wanted.

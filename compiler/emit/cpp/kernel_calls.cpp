@@ -1,5 +1,6 @@
 // Kernels as functions that a program calls: each chooses a form, packs its parameters and dispatches it.
 #include "emit/cpp/kernel_parts.h"
+#include "emit/cpp/reloadable.h"
 #include "emit/cpp/sharing.h"
 #include "ir/chain.h"
 #include "ir/effects.h"
@@ -369,21 +370,28 @@ std::string kernel_function(Unit& unit, ir::KernelId index) {
     const ir::Lowered::Forms& forms = unit.lowered.passes[index];
     const std::string& name = unit.globals.kernel_stems.at(index);
     const Pass& any = forms.general;
+    Writer body;
+    body.indent();
+    body.line((kernel.raster ? "glift::DrawIteration iteration(" : "glift::Iteration iteration(") + name + "_kernel);");
+    if (kernel.raster) print_draw_arguments(unit, body, kernel);
+    else print_iteration(unit, body, kernel);
+    if (kernel.space) print_same_blocks(unit, body, kernel);
+    if (kernel.space) print_blocks_visited(unit, body, kernel, any);
+    if (!any.bindings.empty())
+        body.line("const glift::Memory memories[] = {" + memories_text(unit, kernel, any) + "};");
+    if (may_share(any))
+        body.line("if (iteration.is_shared(memories)) iteration.share(memories, {" + footprints_text(unit, kernel) +
+                  "});");
+    print_choice(unit, body, kernel, forms);
+    std::string arguments = "commands";
+    for (const KernelParam& param : kernel.params) arguments += ", " + param_name(unit, param);
     Writer out;
     out.line("extern const glift::Kernel " + name + "_kernel;");
     out.gap();
-    out.open(unit.linkage(kernel.key) + kernel_signature(unit, index, false));
-    out.line((kernel.raster ? "glift::DrawIteration iteration(" : "glift::Iteration iteration(") + name + "_kernel);");
-    if (kernel.raster) print_draw_arguments(unit, out, kernel);
-    else print_iteration(unit, out, kernel);
-    if (kernel.space) print_same_blocks(unit, out, kernel);
-    if (kernel.space) print_blocks_visited(unit, out, kernel, any);
-    if (!any.bindings.empty()) out.line("const glift::Memory memories[] = {" + memories_text(unit, kernel, any) + "};");
-    if (may_share(any))
-        out.line("if (iteration.is_shared(memories)) iteration.share(memories, {" + footprints_text(unit, kernel) +
-                 "});");
-    print_choice(unit, out, kernel, forms);
-    out.close();
+    print_function(unit, out,
+                   {unit.linkage(kernel.key), kernel_signature(unit, index, false), kernel_signature(unit, index, true),
+                    unit.own.kernels[index], arguments, name, name + "_kernel"},
+                   body.text());
     return out.take();
 }
 

@@ -174,20 +174,42 @@ void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, co
 
 /// glift::Kernel::digest, by which the runtime finds the Vulkan pipelines of a kernel again: a hash (as FNV-1a) of the
 /// words of the kernel's SPIR-V and of all else that is printed about it. Empty where there is no code for Vulkan
-/// devices.
+/// devices, unless a running program replaces kernels whose digest differs (Options::reload).
 std::string digest_text(const Unit& unit, ir::KernelId kernel, const std::string& printed) {
-    if (!unit.code.contains(kernel) || !unit.reach.vulkan_kernels.contains(kernel)) return "";
+    const bool is_on_vulkan = unit.code.contains(kernel) && unit.reach.vulkan_kernels.contains(kernel);
+    if (!is_on_vulkan && !unit.options.reload) return "";
     std::uint64_t hash = 14695981039346656037u;
     const auto add = [&](std::uint64_t value) { hash = (hash ^ value) * 1099511628211u; };
-    const KernelCode& code = unit.code[kernel];
-    for (const FormCode* form : {&code.direct, &code.general}) {
-        for (const std::vector<std::uint32_t>* words : {&form->shader, &form->fragment}) {
-            for (std::uint32_t word : *words) add(word);
-            add(words->size());
+    if (is_on_vulkan) {
+        for (const FormCode* form : {&unit.code[kernel].direct, &unit.code[kernel].general}) {
+            for (const std::vector<std::uint32_t>* words : {&form->shader, &form->fragment}) {
+                for (std::uint32_t word : *words) add(word);
+                add(words->size());
+            }
         }
     }
     for (char c : printed) add(static_cast<unsigned char>(c));
     return std::to_string(hash | 1) + "u";  // 0 means: no digest
+}
+
+/// What is printed about a kernel, without what edits of other kernels change: comments, its line, and the names of
+/// constants with SPIR-V.
+std::string lasting_text(const std::string& printed, const FormWords& words) {
+    std::string lasting;
+    for (std::size_t begin = 0; begin < printed.size();) {
+        const std::size_t end = std::min(printed.find('\n', begin), printed.size() - 1) + 1;
+        const std::string line = printed.substr(begin, end - begin);
+        const std::size_t first = std::min(line.find_first_not_of(' '), line.size());
+        if (line.compare(first, 2, "//") != 0 && line.compare(first, 5, ".line") != 0) lasting += line;
+        begin = end;
+    }
+    for (const Words* form : {&words.direct, &words.general}) {
+        for (const std::string* name : {&form->spirv, &form->fragment}) {
+            if (const std::size_t at = name->empty() ? lasting.npos : lasting.find(*name); at != lasting.npos)
+                lasting.erase(at, name->size());
+        }
+    }
+    return lasting;
 }
 
 /// The table of parameters that Commands::specialised can name.
@@ -304,7 +326,9 @@ std::string kernel_code(Unit& unit, ir::KernelId index) {
     if (has_parameters) out.line(".parameters = " + name + "_parameters,");
     print_rare_fields(unit, out, forms, name);
     if (kernel.raster) out.line(".drawing = &" + name + "_drawing,");
-    if (const std::string digest = digest_text(unit, index, code.text() + out.text()); !digest.empty())
+    const std::string printed =
+        unit.options.reload ? lasting_text(code.text() + out.text(), words) : code.text() + out.text();
+    if (const std::string digest = digest_text(unit, index, printed); !digest.empty())
         out.line(".digest = " + digest + ",");
     out.close(";");
     return code.text() + spirv.text() + out.text();

@@ -17,6 +17,8 @@
 // test program define all that it uses. Instances of generics and functions of other modules are weak symbols, so that
 // sources of other runs may define them, too.
 #include "base/version.h"
+#include "emit/cpp/reloadable.h"
+#include "emit/cpp/spaces.h"
 #include "emit/cpp/unit.h"
 
 #include <algorithm>
@@ -26,30 +28,6 @@
 namespace gliftc::cpp {
 
 namespace {
-
-/// Opens and closes namespaces, so that consecutive declarations of one namespace share a block.
-class Spaces {
-public:
-    explicit Spaces(Writer& out) : out_(out) {}
-    void enter(const std::string& space) {
-        if (open_ == space) return;
-        leave();
-        out_.gap();
-        out_.line("namespace " + space + " {");
-        out_.raw("\n");
-        open_ = space;
-    }
-    void leave() {
-        if (open_.empty()) return;
-        out_.gap();
-        out_.line("}  // namespace " + open_);
-        open_.clear();
-    }
-
-private:
-    Writer& out_;
-    std::string open_;
-};
 
 /// Prints all files of one module.
 class ModulePrinter {
@@ -370,6 +348,7 @@ void ModulePrinter::print_includes(Writer& out) const {
     out.line("#include \"" + stem_ + ".glift.internal.hpp\"");
     out.gap();
     out.line("#include <glift/host/math.h>");
+    if (options_.reload) out.line("#include <glift/reload.h>");
     out.gap();
     out.line("#include <cstddef>");
     out.line("#include <optional>");
@@ -389,26 +368,37 @@ void ModulePrinter::print_definitions(Unit& unit, Writer& out) {
     std::vector<ir::KernelId> kernels = kernels_to_define(unit.home == module_);
     std::erase_if(kernels, [&](ir::KernelId kernel) { return program_.kernels[kernel].module != unit.home; });
     const std::vector<std::string> callers = printed_kernels(unit, kernels, function_adds_functions, kernel_function);
-    Writer checks, members, pipelines, tests;
+    Writer checks, members, pipelines, tests, types;
     if (options_.tests && unit.home == module_) {
         unit.translation_checks = print_translation_checks(unit, checks);
         unit.block_lists = print_block_lists(unit, checks);
     }
+    std::map<ir::StructureId, std::string> texts;  ///< of the members of each class that is defined here
     for (ir::StructureId structure : reach_.structures) {
         if (program_.structures[structure].module != unit.home) continue;
-        if (!defined_.structures.contains(structure)) print_class_members(unit, members, structure);
+        if (!defined_.structures.contains(structure)) {
+            const std::size_t before = members.text().size();
+            print_class_members(unit, members, structure);
+            texts[structure] = members.text().substr(before);
+        }
         if (reach_.moved.contains(structure) && !defined_.moved.contains(structure))
             print_transfers(unit, members, structure);
     }
-    for (ir::PipelineId pipeline : reach_.pipelines)
-        if (program_.pipelines[pipeline].module == unit.home && !defined_.pipelines.contains(pipeline))
-            print_pipeline(unit, pipelines, pipeline);
+    for (ir::PipelineId pipeline : reach_.pipelines) {
+        if (program_.pipelines[pipeline].module != unit.home || defined_.pipelines.contains(pipeline)) continue;
+        const std::size_t before = pipelines.text().size();
+        print_pipeline(unit, pipelines, pipeline);
+        if (const auto owner = texts.find(program_.pipelines[pipeline].owner); owner != texts.end())
+            owner->second += pipelines.text().substr(before);
+    }
+    if (options_.reload) print_declared_types(unit, types, texts);
     if (options_.tests && unit.home == module_) print_tests(unit, tests);
 
     out.line("namespace " + unit.globals.space + " {");
     out.raw("\n");
     out.line("using namespace glift::types;");
     out.gap();
+    if (options_.reload) print_hash_of_functions(unit, out);
     if (!unit.globals.functions.empty() || !checks.text().empty()) {
         out.line("namespace {");
         out.raw("\n");
@@ -420,7 +410,7 @@ void ModulePrinter::print_definitions(Unit& unit, Writer& out) {
         out.parts({callers[i]});
         if (reach_.pub_kernels.contains(kernels[i])) out.parts({short_kernel_function(unit, kernels[i])});
     }
-    out.parts({members.text(), pipelines.text(), tests.text()});
+    out.parts({members.text(), pipelines.text(), tests.text(), types.text()});
     out.line("}  // namespace " + unit.globals.space);
 }
 

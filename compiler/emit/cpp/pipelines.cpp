@@ -1,5 +1,6 @@
 // Pipelines as functions that call kernels and other pipelines.
 #include "emit/cpp/mentions.h"
+#include "emit/cpp/reloadable.h"
 #include "emit/cpp/translators.h"
 #include "emit/cpp/unit.h"
 #include "ir/chain.h"
@@ -378,6 +379,11 @@ bool is_test(const Unit& unit, ir::PipelineId pipeline) {
     return false;
 }
 
+/// Whether a running program can replace the pipeline: it is neither a function of a structure nor a test.
+bool is_reloadable(const Unit& unit, ir::PipelineId pipeline) {
+    return unit.options.reload && !unit.program.pipelines[pipeline].owner && !is_test(unit, pipeline);
+}
+
 std::string param_type(const Unit& unit, const ir::PipelineParam& param, bool qualified) {
     const ir::TypeId type = unit.program.locals[param.local].type;
     switch (param.pattern) {
@@ -428,14 +434,29 @@ void print_pipeline(Unit& unit, Writer& out, ir::PipelineId index) {
     const std::string body = printer.p.out.take();
     const bool uses_commands = body.find("commands") != std::string::npos;
     const std::string mark = uses_commands ? "" : "[[maybe_unused]] ";
-    out.open(unit.linkage(pipeline.key) + signature(unit, index, printer.p, owner, false, mark));
+    Writer statements;
+    statements.indent();
     // What profiles and debuggers show (<glift/mark.h>). A value's pipeline is a part of its caller, and a test is no
     // part of a program. No name of the language's begins with '_' here: the variable hides none.
     if (uses_commands && !pipeline.is_value && !printer.tracks)
-        out.line("const glift::PipelineMark _mark(" + quoted(pipeline.display) + ", \"" +
-                 place_text(unit.sources, pipeline.span) + "\");");
-    out.raw(body);
-    out.close();
+        statements.line("const glift::PipelineMark _mark(" + quoted(pipeline.display) + ", \"" +
+                        place_text(unit.sources, pipeline.span) + "\");");
+    statements.raw(body);
+    const std::string head = signature(unit, index, printer.p, owner, false, mark);
+    if (!is_reloadable(unit, index)) {
+        out.open(unit.linkage(pipeline.key) + head);
+        out.raw(statements.text());
+        out.close();
+        return;
+    }
+    std::string arguments = "commands";
+    for (const ir::PipelineParam& param : pipeline.params) arguments += ", " + printer.p.local_names.at(param.local);
+    const std::string& name = unit.own.pipelines[index];
+    std::string stem = "pipeline_" + name;
+    for (int n = 2; !unit.reloadable.insert(stem).second; ++n) stem = "pipeline_" + name + "_" + std::to_string(n);
+    print_function(unit, out,
+                   {unit.linkage(pipeline.key), head, pipeline_signature(unit, index, true), name, arguments, stem, ""},
+                   statements.text());
 }
 
 }  // namespace gliftc::cpp

@@ -75,6 +75,7 @@ struct Unit {
     /// In a test program: the functions that give the addresses in the blocks of structures.
     std::map<ir::StructureId, std::string> block_lists{};
     std::vector<TestName> test_names{};     ///< in a test program
+    std::set<std::string> reloadable{};     ///< Options::reload: names of the objects that know the newest code
     const SpirvFile* spirv_file = nullptr;  ///< of the printed source; null: the source has the SPIR-V
 
     std::string name(Name n) const { return (*program.names)[n]; }
