@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
     }
     const auto count = static_cast<unsigned>(std::atoi(argv[1]));
     return glift::ranks::run_processes(count, [&](std::shared_ptr<glift::ranks::Transport> transport) {
-        glift::ranks::World world(std::move(transport), glift::Device::open());
+        const glift::Device device = glift::ranks::device_of(*transport);
+        glift::ranks::World world(std::move(transport), device);
         return ranks_test::run(world, argv[2], argc > 3 ? argv[3] : "");
     });
 }
