@@ -21,7 +21,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <numbers>
 #include <string>
@@ -104,15 +103,10 @@ Figures band_of(glift::ranks::World& world, const Options& options) {
     return figures;
 }
 
-glift::Device device_of(unsigned rank) {
-    const char* wanted = std::getenv("GLIFT_DEVICE");
-    if (wanted && *wanted) return glift::Device::open();
-    return glift::Device::open("gpu:" + std::to_string(rank));
-}
-
 int run(std::shared_ptr<glift::ranks::Transport> transport, const Options& options) {
     const unsigned rank = transport->rank();
-    glift::ranks::World world(std::move(transport), device_of(rank), {.overlaps = !options.no_overlap});
+    const glift::Device device = glift::ranks::device_of(*transport);
+    glift::ranks::World world(std::move(transport), device, {.overlaps = !options.no_overlap});
     const Figures f = options.what == "band" ? band_of(world, options) : diffusion(world, options);
     std::printf(
         "%s, %s, %u ranks, halo %u, %s, rank %u on %s: %.1f us a step, %llu bytes sent in %llu exchanges, %.1f us in "

@@ -283,6 +283,13 @@ void Commands::wait() const {
 
 namespace detail {
 
+void Stream::upload_filled(const Memory& to, std::uint64_t bytes, const Fill& fill) {
+    std::vector<std::byte> values(bytes);
+    fill(values);
+    const CopyRegion region = {0, 0, bytes};
+    upload(to, {&region, 1}, values);
+}
+
 Memory Stream::allocate(const MemoryDescription& description) { return Memory(device()->allocate(description)); }
 
 Commands begin_recording(const Device& device) {

@@ -11,6 +11,7 @@
 #include <glift/recording.h>
 
 #include <atomic>
+#include <functional>
 #include <string>
 
 namespace glift::detail {
@@ -102,6 +103,9 @@ public:
     virtual void copy_from_image(const Memory& image, const Memory& buffer, std::span<const ImageRegion> regions) = 0;
     virtual void copy_images(const Memory& from, const Memory& to, std::span<const ImageCopyRegion> regions) = 0;
     virtual void upload(const Memory& to, std::span<const CopyRegion> regions, std::span<const std::byte> bytes) = 0;
+    /// Uploads to the beginning of a memory bytes that `fill` writes, into staging memory where the device has some.
+    using Fill = std::function<void(std::span<std::byte>)>;
+    virtual void upload_filled(const Memory& to, std::uint64_t bytes, const Fill& fill);
     virtual void upload_image(const Memory& image, std::span<const ImageRegion> regions,
                               std::span<const std::byte> bytes) = 0;
     virtual std::shared_ptr<DownloadObject> download(const Memory& from, std::span<const CopyRegion> regions,

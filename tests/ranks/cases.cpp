@@ -227,6 +227,10 @@ int run_cases(glift::ranks::World& world, const std::string& which) {
             if (!compare(world, what, many, alone, before)) result = 1;
         }
     }
+    for (const std::string& message : world.device().validation_messages()) {
+        std::printf("FAIL: rank %u: %s\n", world.rank(), message.c_str());
+        result = 1;
+    }
     return result;
 }
 

@@ -87,10 +87,7 @@ Messenger::Started Messenger::start(const std::vector<Piece>& pieces) {
 }
 
 std::uint64_t Messenger::finish(const Started& started) {
-    if (arrived_.size() < bytes_of(started.received)) arrived_.resize(bytes_of(started.received));
-    const std::span<std::byte> arrived(arrived_.data(), bytes_of(started.received));
     std::vector<ranks::Send> sends;
-    std::vector<ranks::Receive> receives;
     std::uint64_t sent = 0;
     if (started.download) {
         const std::span<const std::byte> bytes = started.download->get();
@@ -101,16 +98,22 @@ std::uint64_t Messenger::finish(const Started& started) {
                 sent += count;
             });
     }
-    each_rank(
-        started.received, [](const Piece& piece) { return piece.from; },
-        [&](unsigned from, std::uint64_t first, std::uint64_t count) {
-            receives.push_back({from, arrived.subspan(first, count)});
-        });
-    if (!sends.empty() || !receives.empty()) transport_->exchange(sends, receives, limit_);
-    if (arrived.empty()) return sent;
-    const Memory packed = staging(receive_, arrived.size());
-    const CopyRegion region = {0, 0, arrived.size()};
-    stream().upload(packed, {&region, 1}, arrived);
+    const auto exchange = [&](std::span<std::byte> arrived) {
+        std::vector<ranks::Receive> receives;
+        each_rank(
+            started.received, [](const Piece& piece) { return piece.from; },
+            [&](unsigned from, std::uint64_t first, std::uint64_t count) {
+                receives.push_back({from, arrived.subspan(first, count)});
+            });
+        if (!sends.empty() || !receives.empty()) transport_->exchange(sends, receives, limit_);
+    };
+    const std::uint64_t expected = bytes_of(started.received);
+    if (expected == 0) {
+        exchange({});
+        return sent;
+    }
+    const Memory packed = staging(receive_, expected);
+    stream().upload_filled(packed, expected, exchange);
     std::uint64_t at = 0;
     for (const Piece& piece : started.received) {
         move(piece, packed, at, false);

@@ -42,7 +42,6 @@ private:
     std::shared_ptr<DeviceObject> local_;
     ranks::Transport::Seconds limit_;
     Memory send_, receive_;
-    std::vector<std::byte> arrived_;  ///< kept, since its pages would be made anew by each exchange
 };
 
 }  // namespace glift::detail

@@ -12,6 +12,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <new>
 #include <stdexcept>
@@ -234,6 +235,18 @@ int status_of(int state, unsigned rank) {
 }
 
 }  // namespace
+
+Device device_of(const Transport& transport) {
+    const char* wanted = std::getenv("GLIFT_DEVICE");
+    const bool has_wish = wanted && *wanted;
+    if (has_wish && std::string(wanted) != "gpu") return Device::open();
+    try {
+        return Device::open("gpu:" + std::to_string(transport.rank()));
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::no_device || has_wish) throw;
+        return Device::open();
+    }
+}
 
 int run_processes(unsigned count, const std::function<int(std::shared_ptr<Transport>)>& body) {
     const auto channels = std::make_shared<SharedChannels>(count);

@@ -42,6 +42,7 @@ public:
     void copy_from_image(const VulkanMemory& image, const VulkanMemory& buffer, std::span<const ImageRegion> regions);
     void copy_images(const VulkanMemory& from, const VulkanMemory& to, std::span<const ImageCopyRegion> regions);
     void upload(const VulkanMemory& to, std::span<const CopyRegion> regions, const std::byte* bytes);
+    void upload_filled(const VulkanMemory& to, std::uint64_t bytes, const Stream::Fill& fill);
     void upload_image(const VulkanMemory& image, std::span<const ImageRegion> regions, const std::byte* bytes);
     Slice download(const VulkanMemory& from, std::span<const CopyRegion> regions, std::uint64_t bytes);
     Slice download_image(const VulkanMemory& image, std::span<const ImageRegion> regions, std::uint64_t bytes);

@@ -209,6 +209,14 @@ void Encoder::upload(const VulkanMemory& to, std::span<const CopyRegion> regions
     context_.vk.vkCmdCopyBuffer(commands_, staging.buffer(), to.parts.buffer, count(copies), copies.data());
 }
 
+void Encoder::upload_filled(const VulkanMemory& to, std::uint64_t bytes, const Stream::Fill& fill) {
+    const Slice staging = batch_->upload.take(bytes);
+    fill({staging.data, bytes});
+    const VkBufferCopy copy = {staging.offset, 0, bytes};
+    touch(to, Access::write);
+    context_.vk.vkCmdCopyBuffer(commands_, staging.buffer(), to.parts.buffer, 1, &copy);
+}
+
 void Encoder::upload_image(const VulkanMemory& image, std::span<const ImageRegion> regions, const std::byte* bytes) {
     image.require(VK_IMAGE_USAGE_TRANSFER_DST_BIT);
     const MemoryDescription& d = image.description();

@@ -150,6 +150,17 @@ void VulkanStream::upload(const Memory& to, std::span<const CopyRegion> regions,
     hold(to);
 }
 
+void VulkanStream::upload_filled(const Memory& to, std::uint64_t bytes, const Fill& fill) {
+    if (bytes > part_bytes) return Stream::upload_filled(to, bytes, fill);
+    const std::lock_guard lock(device_.mutex());
+    open();
+    marked([&] { return Work{.name = "upload", .bytes = bytes}; },
+           [&] { encoder_.upload_filled(vulkan_memory(to), bytes, fill); });
+    hold(to);
+    recorded();
+    staged(bytes);
+}
+
 void VulkanStream::upload_image(const Memory& image, std::span<const ImageRegion> regions,
                                 std::span<const std::byte> bytes) {
     const std::lock_guard lock(device_.mutex());

@@ -21,6 +21,7 @@ public:
     void copy_from_image(const Memory& image, const Memory& buffer, std::span<const ImageRegion> regions) override;
     void copy_images(const Memory& from, const Memory& to, std::span<const ImageCopyRegion> regions) override;
     void upload(const Memory& to, std::span<const CopyRegion> regions, std::span<const std::byte> bytes) override;
+    void upload_filled(const Memory& to, std::uint64_t bytes, const Fill& fill) override;
     void upload_image(const Memory& image, std::span<const ImageRegion> regions,
                       std::span<const std::byte> bytes) override;
 
