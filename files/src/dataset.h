@@ -52,6 +52,14 @@ private:
     std::vector<std::byte> padded_;
 };
 
+/// What is to be added to the addresses that HDF5 gives (DataMap) for the place in the file; learned from the first
+/// chunk that says it.
+struct AddressShift {
+    std::optional<std::uint64_t> known;
+    /// `chunk`: what HDF5 reads where it says `address`.
+    void learn(std::uint64_t address, std::span<const std::byte> chunk, Pieces& pieces);
+};
+
 class StoredDataset {
 public:
     StoredDataset(hid_t file, const std::string& path, const Field& field, const std::vector<std::uint64_t>& shape,
@@ -60,7 +68,7 @@ public:
     /// As it was tiled when it was written.
     const Tiling& tiling() const { return tiling_; }
     /// Verifies and reads the packed numbers of a chunk's elements.
-    void read(const Batch& batch, std::span<std::byte> packed, Pieces& pieces);
+    void read(const Batch& batch, std::span<std::byte> packed, Pieces& pieces, AddressShift& shift);
 
 private:
     Field field_;

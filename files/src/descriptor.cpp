@@ -50,4 +50,11 @@ void Descriptor::sync() const {
     if (::fsync(number_) != 0) throw_system("fsync", path_);
 }
 
+void Descriptor::begin_sync(std::uint64_t offset, std::uint64_t bytes) const {
+    // Only a hint: file systems that cannot do it write later, in sync().
+    ::sync_file_range(number_, static_cast<off64_t>(offset), static_cast<off64_t>(bytes), SYNC_FILE_RANGE_WRITE);
+}
+
+void Descriptor::expect_sequential() const { ::posix_fadvise(number_, 0, 0, POSIX_FADV_SEQUENTIAL); }
+
 }  // namespace glift::files

@@ -96,7 +96,10 @@ bool Pieces::is_whole(std::uint64_t piece) {
 }
 
 void Pieces::verify_piece(std::uint64_t piece) {
-    if (is_whole(piece)) return;
+    if (!is_whole(piece)) throw_damaged(piece);
+}
+
+void Pieces::throw_damaged(std::uint64_t piece) const {
     const DataRange range = range_of(piece, end_);
     throw_bad(source_.name, "bytes " + std::to_string(range.begin) + " to " + std::to_string(range.end - 1) +
                                 " are not those that were written: their hash differs");
@@ -109,11 +112,35 @@ void Pieces::verify_metadata() {
 
 void Pieces::verify(std::uint64_t offset, std::uint64_t bytes) {
     if (bytes == 0) return;
-    if (offset < user_block_bytes || offset >= end_ || bytes > end_ - offset)
-        throw_bad(source_.name, "it refers to bytes beyond its end");
+    require_inside(offset, bytes);
     for (std::uint64_t i = (offset - user_block_bytes) / piece_bytes;
          i <= (offset + bytes - 1 - user_block_bytes) / piece_bytes; ++i)
         verify_piece(i);
+}
+
+void Pieces::require_inside(std::uint64_t offset, std::uint64_t bytes) const {
+    if (offset < user_block_bytes || offset >= end_ || bytes > end_ - offset)
+        throw_bad(source_.name, "it refers to bytes beyond its end");
+}
+
+void Pieces::read(std::uint64_t offset, std::span<std::byte> to) {
+    if (to.empty()) return;
+    require_inside(offset, to.size());
+    while (!to.empty()) {
+        const std::uint64_t piece = (offset - user_block_bytes) / piece_bytes;
+        const DataRange range = range_of(piece, end_);
+        const std::span<std::byte> part = to.first(std::min<std::uint64_t>(to.size(), range.end - offset));
+        const bool is_all = offset == range.begin && part.size() == range.end - range.begin;
+        // A whole piece is read to where it is wanted, and verified there.
+        if (!is_all) verify_piece(piece);
+        if (source_.read(offset, part) != part.size()) throw_damaged(piece);
+        if (is_all && !is_verified_[piece]) {
+            if (hash_of(part) != hashes_[piece]) throw_damaged(piece);
+            is_verified_[piece] = true;
+        }
+        offset += part.size();
+        to = to.subspan(part.size());
+    }
 }
 
 void Pieces::verify_all() {

@@ -44,6 +44,8 @@ public:
     void verify_metadata();
     /// Verifies the pieces in which these bytes lie. Each is read once.
     void verify(std::uint64_t offset, std::uint64_t bytes);
+    /// Reads bytes, and verifies all pieces in which they lie.
+    void read(std::uint64_t offset, std::span<std::byte> to);
     void verify_all();
     /// The numbers of the pieces that are not what was written.
     std::vector<std::uint64_t> damaged();
@@ -52,6 +54,8 @@ public:
 private:
     void verify_piece(std::uint64_t piece);
     bool is_whole(std::uint64_t piece);
+    void require_inside(std::uint64_t offset, std::uint64_t bytes) const;
+    [[noreturn]] void throw_damaged(std::uint64_t piece) const;
 
     ByteSource source_;
     std::uint64_t end_ = 0;

@@ -110,10 +110,14 @@ void StructureReader::read_field(FieldReader& reader, const Batch& batch, std::u
     if (!reader.dataset) return;
     const std::size_t bytes = packed_bytes(*reader.field);
     if (bytes == element_bytes && reader.field->scalar != Scalar::boolean)
-        return reader.dataset->read(batch, elements, pieces_);
+        return reader.dataset->read(batch, elements, pieces_, shift_);
     packed_.resize(batch.count * bytes);
-    reader.dataset->read(batch, packed_, pieces_);
+    reader.dataset->read(batch, packed_, pieces_, shift_);
     scatter(*reader.field, element_bytes, packed_, elements);
+}
+
+bool StructureReader::is_covered(const ElementType& type, std::span<const FieldReader> readers) {
+    return type.fields.size() == 1 && readers[0].dataset && packed_bytes(type.fields[0]) == type.bytes;
 }
 
 void StructureReader::read_buffers(const FiledMemory& filed, const StoredMemory& memory) {
@@ -127,7 +131,8 @@ void StructureReader::read_buffers(const FiledMemory& filed, const StoredMemory&
         const Batch batch = tiling.batch(number);
         std::size_t at = 0;
         for (const Plane& plane : memory.planes) {
-            elements.assign(batch.count * plane.type.bytes, std::byte{0});
+            elements.resize(batch.count * plane.type.bytes);
+            if (!is_covered(plane.type, std::span(readers).subspan(at))) std::ranges::fill(elements, std::byte{0});
             for (std::size_t i = 0; i < plane.type.fields.size(); ++i)
                 read_field(readers[at++], batch, plane.type.bytes, elements);
             commands_.upload(*plane.memory, batch.first * plane.type.bytes, elements);
@@ -147,7 +152,7 @@ void StructureReader::read_image(const FiledMemory& filed, const Memory& image) 
         for (std::uint64_t number = 0; number < tiling.count(); ++number) {
             const Batch batch = tiling.batch(number);
             texels.resize(batch.count * texel_bytes(made.format));
-            dataset.read(batch, texels, pieces_);
+            dataset.read(batch, texels, pieces_, shift_);
             const ImageRegion region = region_of(batch, mip);
             commands_.upload_image(image, std::span(&region, 1), texels);
             progress_(texels.size());

@@ -29,6 +29,7 @@ ByteSource source_of(const Descriptor& file) {
 
 VerifiedFile::VerifiedFile(std::string path)
     : path_(std::move(path)), descriptor_(path_, O_RDONLY), pieces_(source_of(descriptor_)) {
+    descriptor_.expect_sequential();
     pieces_.verify_metadata();
     const Hdf5Lock lock;
     hdf5_ = open_hdf5(path_);
