@@ -55,6 +55,8 @@ void Descriptor::begin_sync(std::uint64_t offset, std::uint64_t bytes) const {
     ::sync_file_range(number_, static_cast<off64_t>(offset), static_cast<off64_t>(bytes), SYNC_FILE_RANGE_WRITE);
 }
 
-void Descriptor::expect_sequential() const { ::posix_fadvise(number_, 0, 0, POSIX_FADV_SEQUENTIAL); }
+void Descriptor::expect(std::uint64_t offset, std::uint64_t bytes) const {
+    ::posix_fadvise(number_, static_cast<off_t>(offset), static_cast<off_t>(bytes), POSIX_FADV_WILLNEED);
+}
 
 }  // namespace glift::files

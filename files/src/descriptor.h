@@ -30,8 +30,8 @@ public:
     void sync() const;
     /// Tells the system to begin to write these bytes to the disk; does not wait for it.
     void begin_sync(std::uint64_t offset, std::uint64_t bytes) const;
-    /// Tells the system that the file is read from its begin to its end.
-    void expect_sequential() const;
+    /// Tells the system that these bytes will be read; does not wait for them.
+    void expect(std::uint64_t offset, std::uint64_t bytes) const;
 
 private:
     std::string path_;

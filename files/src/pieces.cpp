@@ -123,9 +123,19 @@ void Pieces::require_inside(std::uint64_t offset, std::uint64_t bytes) const {
         throw_bad(source_.name, "it refers to bytes beyond its end");
 }
 
+/// Keeps the source reading ahead of the offset: elements lie in the order in which they are read.
+void Pieces::announce(std::uint64_t offset) {
+    constexpr std::uint64_t ahead = 32 * piece_bytes;
+    if (!source_.expect || offset + ahead / 2 < expected_ || offset >= end_) return;
+    const std::uint64_t begin = std::max(offset, expected_), last = std::min(offset + ahead, end_);
+    if (begin < last) source_.expect(begin, last - begin);
+    expected_ = last;
+}
+
 void Pieces::read(std::uint64_t offset, std::span<std::byte> to) {
     if (to.empty()) return;
     require_inside(offset, to.size());
+    announce(offset);
     while (!to.empty()) {
         const std::uint64_t piece = (offset - user_block_bytes) / piece_bytes;
         const DataRange range = range_of(piece, end_);

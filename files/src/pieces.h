@@ -31,6 +31,7 @@ struct ByteSource {
     std::uint64_t size = 0;
     /// Reads from an offset; returns how many bytes there were.
     std::function<std::size_t(std::uint64_t offset, std::span<std::byte> to)> read;
+    std::function<void(std::uint64_t offset, std::uint64_t bytes)> expect{};  ///< may be empty: these will be read soon
 };
 
 /// The pieces of a file. All functions throw bad_file where the file is not what was written.
@@ -54,6 +55,7 @@ public:
 private:
     void verify_piece(std::uint64_t piece);
     bool is_whole(std::uint64_t piece);
+    void announce(std::uint64_t offset);
     void require_inside(std::uint64_t offset, std::uint64_t bytes) const;
     [[noreturn]] void throw_damaged(std::uint64_t piece) const;
 
@@ -62,6 +64,7 @@ private:
     std::vector<Hash> hashes_;
     std::vector<bool> has_metadata_, is_verified_;
     std::vector<std::byte> buffer_;
+    std::uint64_t expected_ = 0;  ///< bytes before this were announced to the source
 };
 
 /// What of a file being written holds elements alone.

@@ -6,6 +6,7 @@
 #include "structure_writer.h"
 
 #include <algorithm>
+#include <future>
 
 namespace glift::files {
 
@@ -126,18 +127,37 @@ void StructureReader::read_buffers(const FiledMemory& filed, const StoredMemory&
         for (const Field& field : plane.type.fields) readers.push_back(open_field(filed, field));
     const Tiling tiling = tiling_of(filed, readers, file_name_);
     if (tiling.elements() != filed.extent[0]) throw_bad(file_name_, "the schema gives " + filed.path + " two sizes");
-    std::vector<std::byte> elements;
-    for (std::uint64_t number = 0; number < tiling.count(); ++number) {
+    // While the device is given a batch, another thread reads and verifies the next one. HDF5 is used by one at a time:
+    // this thread holds its lock, and leaves it alone meanwhile.
+    std::vector<std::vector<std::byte>> current(memory.planes.size()), next(memory.planes.size());
+    const auto begin = [&](std::uint64_t number) {
+        return std::async(std::launch::async,
+                          [&, batch = tiling.batch(number)] { read_batch(memory, readers, batch, next); });
+    };
+    const std::uint64_t count = tiling.count();
+    std::future<void> reading;
+    if (count > 0) reading = begin(0);
+    for (std::uint64_t number = 0; number < count; ++number) {
+        reading.get();
+        current.swap(next);
+        if (number + 1 < count) reading = begin(number + 1);
         const Batch batch = tiling.batch(number);
-        std::size_t at = 0;
-        for (const Plane& plane : memory.planes) {
-            elements.resize(batch.count * plane.type.bytes);
-            if (!is_covered(plane.type, std::span(readers).subspan(at))) std::ranges::fill(elements, std::byte{0});
-            for (std::size_t i = 0; i < plane.type.fields.size(); ++i)
-                read_field(readers[at++], batch, plane.type.bytes, elements);
-            commands_.upload(*plane.memory, batch.first * plane.type.bytes, elements);
-            progress_(elements.size());
+        for (std::size_t i = 0; i < memory.planes.size(); ++i) {
+            const Plane& plane = memory.planes[i];
+            commands_.upload(*plane.memory, batch.first * plane.type.bytes, current[i]);
+            progress_(current[i].size());
         }
+    }
+}
+
+void StructureReader::read_batch(const StoredMemory& memory, std::vector<FieldReader>& readers, const Batch& batch,
+                                 std::vector<std::vector<std::byte>>& planes) {
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < memory.planes.size(); ++i) {
+        const ElementType& type = memory.planes[i].type;
+        planes[i].resize(batch.count * type.bytes);
+        if (!is_covered(type, std::span(readers).subspan(at))) std::ranges::fill(planes[i], std::byte{0});
+        for (std::size_t k = 0; k < type.fields.size(); ++k) read_field(readers[at++], batch, type.bytes, planes[i]);
     }
 }
 

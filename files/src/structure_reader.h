@@ -36,6 +36,9 @@ private:
     /// Gives the plane a memory of the size that the file says, if it has another one.
     void resize(const FiledMemory& filed, const Plane& plane);
     void read_buffers(const FiledMemory& filed, const StoredMemory& memory);
+    /// Reads a batch of elements of each plane.
+    void read_batch(const StoredMemory& memory, std::vector<FieldReader>& readers, const Batch& batch,
+                    std::vector<std::vector<std::byte>>& planes);
     void read_image(const FiledMemory& filed, const Memory& image);
     FieldReader open_field(const FiledMemory& filed, const Field& field);
     /// Reads the field of a batch of elements into these elements.
