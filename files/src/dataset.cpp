@@ -67,6 +67,7 @@ void DataMap::add(std::uint64_t address, std::span<const std::byte> bytes) {
         shift_ = is_shifted ? user_block_bytes : 0;
     }
     ranges_.push_back({address + *shift_, address + *shift_ + bytes.size()});
+    add_hashes(address + *shift_, bytes, hashes_);
     file_.begin_sync(address + *shift_, bytes.size());
 }
 

@@ -26,6 +26,7 @@ public:
     /// Notes that these bytes were written where HDF5 says `address`.
     void add(std::uint64_t address, std::span<const std::byte> bytes);
     const std::vector<DataRange>& ranges() const { return ranges_; }
+    const KnownHashes& hashes() const { return hashes_; }
 
 private:
     bool lies_at(std::uint64_t offset, std::span<const std::byte> bytes) const;
@@ -33,6 +34,7 @@ private:
     const Descriptor& file_;
     std::optional<std::uint64_t> shift_;
     std::vector<DataRange> ranges_;
+    KnownHashes hashes_;
 };
 
 class NewDataset {

@@ -164,7 +164,17 @@ std::vector<std::uint64_t> Pieces::damaged() {
     return found;
 }
 
-Seal seal_of(const ByteSource& source, std::uint64_t end, std::vector<DataRange> data) {
+void add_hashes(std::uint64_t offset, std::span<const std::byte> bytes, KnownHashes& to) {
+    const std::uint64_t end = offset + bytes.size();
+    std::uint64_t piece = (offset - user_block_bytes + piece_bytes - 1) / piece_bytes;
+    for (;; ++piece) {
+        const std::uint64_t begin = user_block_bytes + piece * piece_bytes;
+        if (begin + piece_bytes > end) return;
+        to[piece] = hash_of(bytes.subspan(begin - offset, piece_bytes));
+    }
+}
+
+Seal seal_of(const ByteSource& source, std::uint64_t end, std::vector<DataRange> data, const KnownHashes& known) {
     std::ranges::sort(data, {}, &DataRange::begin);
     const std::uint64_t pieces = pieces_in(end);
     Seal seal;
@@ -172,9 +182,13 @@ Seal seal_of(const ByteSource& source, std::uint64_t end, std::vector<DataRange>
     std::vector<std::byte> buffer;
     for (std::uint64_t i = 0; i < pieces; ++i) {
         const DataRange range = range_of(i, end);
-        buffer.resize(range.end - range.begin);
-        if (source.read(range.begin, buffer) != buffer.size()) throw_system("read", source.name);
-        put(seal.list, i * sizeof(Hash), hash_of(buffer));
+        if (const auto hash = known.find(i); hash != known.end()) {
+            put(seal.list, i * sizeof(Hash), hash->second);
+        } else {
+            buffer.resize(range.end - range.begin);
+            if (source.read(range.begin, buffer) != buffer.size()) throw_system("read", source.name);
+            put(seal.list, i * sizeof(Hash), hash_of(buffer));
+        }
         if (has_metadata(range, data)) seal.list[pieces * sizeof(Hash) + i / 8] |= std::byte{1} << (i % 8);
     }
     seal.user_block = {};

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -72,11 +73,17 @@ struct DataRange {
     std::uint64_t begin, end;
 };
 
-/// The list for a file whose HDF5 part ends at `end`: the bytes that follow it, and the user block.
+/// The hashes of pieces by their number.
+using KnownHashes = std::map<std::uint64_t, Hash>;
+/// Adds the hashes of the pieces that lie in bytes written at `offset`, from the first to the last.
+void add_hashes(std::uint64_t offset, std::span<const std::byte> bytes, KnownHashes& to);
+
+/// The list for a file whose HDF5 part ends at `end`: the bytes that follow it, and the user block. Pieces whose hash
+/// is not known are read.
 struct Seal {
     std::vector<std::byte> list;
     std::array<std::byte, user_block_bytes> user_block;
 };
-Seal seal_of(const ByteSource& source, std::uint64_t end, std::vector<DataRange> data);
+Seal seal_of(const ByteSource& source, std::uint64_t end, std::vector<DataRange> data, const KnownHashes& known);
 
 }  // namespace glift::files
