@@ -95,10 +95,11 @@ void read(VerifiedFile& file, const Content& content, const std::function<void(s
     StoredDataset dataset(file.hdf5(), "/" + content.path, content.field, content.shape, content.is_shown, file.path());
     const Tiling& tiling = dataset.tiling();
     std::vector<std::byte> packed;
+    AddressShift shift;
     for (std::uint64_t number = 0; number < tiling.count(); ++number) {
         const Batch batch = tiling.batch(number);
         packed.resize(batch.count * packed_bytes(content.field));
-        dataset.read(batch, packed, file.pieces());
+        dataset.read(batch, packed, file.pieces(), shift);
         part(packed);
     }
 }

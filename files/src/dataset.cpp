@@ -67,6 +67,8 @@ void DataMap::add(std::uint64_t address, std::span<const std::byte> bytes) {
         shift_ = is_shifted ? user_block_bytes : 0;
     }
     ranges_.push_back({address + *shift_, address + *shift_ + bytes.size()});
+    add_hashes(address + *shift_, bytes, hashes_);
+    file_.begin_sync(address + *shift_, bytes.size());
 }
 
 NewDataset::NewDataset(hid_t file, const std::string& path, const Field& field, const Tiling& tiling,
@@ -122,22 +124,33 @@ StoredDataset::StoredDataset(hid_t file, const std::string& path, const Field& f
     chunk_bytes_ = tiling_.chunk_elements() * packed_bytes(field);
 }
 
-void StoredDataset::read(const Batch& batch, std::span<std::byte> packed, Pieces& pieces) {
+void AddressShift::learn(std::uint64_t address, std::span<const std::byte> chunk, Pieces& pieces) {
+    const auto lies_at = [&](std::uint64_t offset) {
+        std::vector<std::byte> there(chunk.size());
+        if (offset < user_block_bytes || offset + there.size() > pieces.end()) return false;
+        pieces.read(offset, there);
+        return std::ranges::equal(there, chunk);
+    };
+    const bool is_plain = lies_at(address), is_shifted = lies_at(address + user_block_bytes);
+    if (is_plain != is_shifted) known = is_shifted ? user_block_bytes : 0;
+}
+
+void StoredDataset::read(const Batch& batch, std::span<std::byte> packed, Pieces& pieces, AddressShift& shift) {
     const std::vector<hsize_t> offset = chunk_offset(batch, is_shown_, field_);
     const auto address = address_of(dataset_, offset);
     if (!address) {
         std::ranges::fill(packed, std::byte{0});
         return;
     }
+    if (shift.known) return pieces.read(*address + *shift.known, packed);
     // Whether the address counts the user block or not, the chunk lies in these bytes.
     const std::uint64_t begin = std::max(*address, user_block_bytes);
     pieces.verify(begin, std::min(*address + chunk_bytes_ + user_block_bytes, pieces.end()) - begin);
-    const bool is_whole = packed.size() == chunk_bytes_;
-    if (!is_whole) padded_.resize(chunk_bytes_);
+    padded_.resize(chunk_bytes_);
     std::uint32_t filters = 0;
-    check(H5Dread_chunk(dataset_, H5P_DEFAULT, offset.data(), &filters, is_whole ? packed.data() : padded_.data()),
-          "H5Dread_chunk");
-    if (!is_whole) std::memcpy(packed.data(), padded_.data(), packed.size());
+    check(H5Dread_chunk(dataset_, H5P_DEFAULT, offset.data(), &filters, padded_.data()), "H5Dread_chunk");
+    shift.learn(*address, padded_, pieces);
+    std::memcpy(packed.data(), padded_.data(), packed.size());
 }
 
 }  // namespace glift::files

@@ -26,6 +26,7 @@ public:
     /// Notes that these bytes were written where HDF5 says `address`.
     void add(std::uint64_t address, std::span<const std::byte> bytes);
     const std::vector<DataRange>& ranges() const { return ranges_; }
+    const KnownHashes& hashes() const { return hashes_; }
 
 private:
     bool lies_at(std::uint64_t offset, std::span<const std::byte> bytes) const;
@@ -33,6 +34,7 @@ private:
     const Descriptor& file_;
     std::optional<std::uint64_t> shift_;
     std::vector<DataRange> ranges_;
+    KnownHashes hashes_;
 };
 
 class NewDataset {
@@ -52,6 +54,14 @@ private:
     std::vector<std::byte> padded_;
 };
 
+/// What is to be added to the addresses that HDF5 gives (DataMap) for the place in the file; learned from the first
+/// chunk that says it.
+struct AddressShift {
+    std::optional<std::uint64_t> known;
+    /// `chunk`: what HDF5 reads where it says `address`.
+    void learn(std::uint64_t address, std::span<const std::byte> chunk, Pieces& pieces);
+};
+
 class StoredDataset {
 public:
     StoredDataset(hid_t file, const std::string& path, const Field& field, const std::vector<std::uint64_t>& shape,
@@ -60,7 +70,7 @@ public:
     /// As it was tiled when it was written.
     const Tiling& tiling() const { return tiling_; }
     /// Verifies and reads the packed numbers of a chunk's elements.
-    void read(const Batch& batch, std::span<std::byte> packed, Pieces& pieces);
+    void read(const Batch& batch, std::span<std::byte> packed, Pieces& pieces, AddressShift& shift);
 
 private:
     Field field_;

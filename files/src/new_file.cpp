@@ -119,7 +119,7 @@ void NewFile::commit() {
     const std::uint64_t end = file.size();
     const files::ByteSource source{
         state_->path, end, [&](std::uint64_t offset, std::span<std::byte> to) { return file.read(offset, to); }};
-    const files::Seal seal = files::seal_of(source, end, state_->data.ranges());
+    const files::Seal seal = files::seal_of(source, end, state_->data.ranges(), state_->data.hashes());
     file.write(end, seal.list);
     file.write(0, seal.user_block);
     file.sync();

@@ -96,7 +96,10 @@ bool Pieces::is_whole(std::uint64_t piece) {
 }
 
 void Pieces::verify_piece(std::uint64_t piece) {
-    if (is_whole(piece)) return;
+    if (!is_whole(piece)) throw_damaged(piece);
+}
+
+void Pieces::throw_damaged(std::uint64_t piece) const {
     const DataRange range = range_of(piece, end_);
     throw_bad(source_.name, "bytes " + std::to_string(range.begin) + " to " + std::to_string(range.end - 1) +
                                 " are not those that were written: their hash differs");
@@ -109,11 +112,45 @@ void Pieces::verify_metadata() {
 
 void Pieces::verify(std::uint64_t offset, std::uint64_t bytes) {
     if (bytes == 0) return;
-    if (offset < user_block_bytes || offset >= end_ || bytes > end_ - offset)
-        throw_bad(source_.name, "it refers to bytes beyond its end");
+    require_inside(offset, bytes);
     for (std::uint64_t i = (offset - user_block_bytes) / piece_bytes;
          i <= (offset + bytes - 1 - user_block_bytes) / piece_bytes; ++i)
         verify_piece(i);
+}
+
+void Pieces::require_inside(std::uint64_t offset, std::uint64_t bytes) const {
+    if (offset < user_block_bytes || offset >= end_ || bytes > end_ - offset)
+        throw_bad(source_.name, "it refers to bytes beyond its end");
+}
+
+/// Keeps the source reading ahead of the offset: elements lie in the order in which they are read.
+void Pieces::announce(std::uint64_t offset) {
+    constexpr std::uint64_t ahead = 32 * piece_bytes;
+    if (!source_.expect || offset + ahead / 2 < expected_ || offset >= end_) return;
+    const std::uint64_t begin = std::max(offset, expected_), last = std::min(offset + ahead, end_);
+    if (begin < last) source_.expect(begin, last - begin);
+    expected_ = last;
+}
+
+void Pieces::read(std::uint64_t offset, std::span<std::byte> to) {
+    if (to.empty()) return;
+    require_inside(offset, to.size());
+    announce(offset);
+    while (!to.empty()) {
+        const std::uint64_t piece = (offset - user_block_bytes) / piece_bytes;
+        const DataRange range = range_of(piece, end_);
+        const std::span<std::byte> part = to.first(std::min<std::uint64_t>(to.size(), range.end - offset));
+        const bool is_all = offset == range.begin && part.size() == range.end - range.begin;
+        // A whole piece is read to where it is wanted, and verified there.
+        if (!is_all) verify_piece(piece);
+        if (source_.read(offset, part) != part.size()) throw_damaged(piece);
+        if (is_all && !is_verified_[piece]) {
+            if (hash_of(part) != hashes_[piece]) throw_damaged(piece);
+            is_verified_[piece] = true;
+        }
+        offset += part.size();
+        to = to.subspan(part.size());
+    }
 }
 
 void Pieces::verify_all() {
@@ -127,7 +164,17 @@ std::vector<std::uint64_t> Pieces::damaged() {
     return found;
 }
 
-Seal seal_of(const ByteSource& source, std::uint64_t end, std::vector<DataRange> data) {
+void add_hashes(std::uint64_t offset, std::span<const std::byte> bytes, KnownHashes& to) {
+    const std::uint64_t end = offset + bytes.size();
+    std::uint64_t piece = (offset - user_block_bytes + piece_bytes - 1) / piece_bytes;
+    for (;; ++piece) {
+        const std::uint64_t begin = user_block_bytes + piece * piece_bytes;
+        if (begin + piece_bytes > end) return;
+        to[piece] = hash_of(bytes.subspan(begin - offset, piece_bytes));
+    }
+}
+
+Seal seal_of(const ByteSource& source, std::uint64_t end, std::vector<DataRange> data, const KnownHashes& known) {
     std::ranges::sort(data, {}, &DataRange::begin);
     const std::uint64_t pieces = pieces_in(end);
     Seal seal;
@@ -135,9 +182,13 @@ Seal seal_of(const ByteSource& source, std::uint64_t end, std::vector<DataRange>
     std::vector<std::byte> buffer;
     for (std::uint64_t i = 0; i < pieces; ++i) {
         const DataRange range = range_of(i, end);
-        buffer.resize(range.end - range.begin);
-        if (source.read(range.begin, buffer) != buffer.size()) throw_system("read", source.name);
-        put(seal.list, i * sizeof(Hash), hash_of(buffer));
+        if (const auto hash = known.find(i); hash != known.end()) {
+            put(seal.list, i * sizeof(Hash), hash->second);
+        } else {
+            buffer.resize(range.end - range.begin);
+            if (source.read(range.begin, buffer) != buffer.size()) throw_system("read", source.name);
+            put(seal.list, i * sizeof(Hash), hash_of(buffer));
+        }
         if (has_metadata(range, data)) seal.list[pieces * sizeof(Hash) + i / 8] |= std::byte{1} << (i % 8);
     }
     seal.user_block = {};

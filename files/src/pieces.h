@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,6 +32,7 @@ struct ByteSource {
     std::uint64_t size = 0;
     /// Reads from an offset; returns how many bytes there were.
     std::function<std::size_t(std::uint64_t offset, std::span<std::byte> to)> read;
+    std::function<void(std::uint64_t offset, std::uint64_t bytes)> expect{};  ///< may be empty: these will be read soon
 };
 
 /// The pieces of a file. All functions throw bad_file where the file is not what was written.
@@ -44,6 +46,8 @@ public:
     void verify_metadata();
     /// Verifies the pieces in which these bytes lie. Each is read once.
     void verify(std::uint64_t offset, std::uint64_t bytes);
+    /// Reads bytes, and verifies all pieces in which they lie.
+    void read(std::uint64_t offset, std::span<std::byte> to);
     void verify_all();
     /// The numbers of the pieces that are not what was written.
     std::vector<std::uint64_t> damaged();
@@ -52,12 +56,16 @@ public:
 private:
     void verify_piece(std::uint64_t piece);
     bool is_whole(std::uint64_t piece);
+    void announce(std::uint64_t offset);
+    void require_inside(std::uint64_t offset, std::uint64_t bytes) const;
+    [[noreturn]] void throw_damaged(std::uint64_t piece) const;
 
     ByteSource source_;
     std::uint64_t end_ = 0;
     std::vector<Hash> hashes_;
     std::vector<bool> has_metadata_, is_verified_;
     std::vector<std::byte> buffer_;
+    std::uint64_t expected_ = 0;  ///< bytes before this were announced to the source
 };
 
 /// What of a file being written holds elements alone.
@@ -65,11 +73,17 @@ struct DataRange {
     std::uint64_t begin, end;
 };
 
-/// The list for a file whose HDF5 part ends at `end`: the bytes that follow it, and the user block.
+/// The hashes of pieces by their number.
+using KnownHashes = std::map<std::uint64_t, Hash>;
+/// Adds the hashes of the pieces that lie in bytes written at `offset`, from the first to the last.
+void add_hashes(std::uint64_t offset, std::span<const std::byte> bytes, KnownHashes& to);
+
+/// The list for a file whose HDF5 part ends at `end`: the bytes that follow it, and the user block. Pieces whose hash
+/// is not known are read.
 struct Seal {
     std::vector<std::byte> list;
     std::array<std::byte, user_block_bytes> user_block;
 };
-Seal seal_of(const ByteSource& source, std::uint64_t end, std::vector<DataRange> data);
+Seal seal_of(const ByteSource& source, std::uint64_t end, std::vector<DataRange> data, const KnownHashes& known);
 
 }  // namespace glift::files

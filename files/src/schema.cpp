@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
+#include <stdexcept>
 
 namespace glift::files {
 
@@ -20,6 +22,27 @@ Scalar scalar_named(const std::string& name) {
     for (std::size_t i = 0; i < std::size(scalar_names); ++i)
         if (name == scalar_names[i]) return static_cast<Scalar>(i);
     throw std::invalid_argument("there is no type " + name);
+}
+
+/// A number that must be whole, not negative, and fit: nlohmann_json would convert any.
+template <class T> T number_of(const Json& json) {
+    const std::uint64_t number = json.is_number_unsigned() ? json.get<std::uint64_t>() : UINT64_MAX;
+    if (!json.is_number_unsigned() || number > std::numeric_limits<T>::max())
+        throw std::invalid_argument(json.dump() + " is no number that fits");
+    return static_cast<T>(number);
+}
+
+template <class T> std::vector<T> numbers_of(const Json& json, std::size_t most) {
+    if (!json.is_array() || json.size() > most) throw std::invalid_argument("a list of numbers is too long, or none");
+    std::vector<T> numbers;
+    for (const Json& number : json) numbers.push_back(number_of<T>(number));
+    return numbers;
+}
+
+template <class T> std::array<T, 3> three_of(const Json& json) {
+    const std::vector<T> numbers = numbers_of<T>(json, 3);
+    if (numbers.size() != 3) throw std::invalid_argument("an extent does not have three numbers");
+    return {numbers[0], numbers[1], numbers[2]};
 }
 
 std::string hex_of(const std::vector<std::byte>& bytes) {
@@ -43,8 +66,18 @@ Json json_of(const Field& field) {
     return {{"name", field.name}, {"type", name_of(field.scalar)}, {"shape", field.shape}};
 }
 
+/// The most numbers in a field, and the most parts within parts: more than any element or structure has.
+constexpr std::uint64_t most_numbers = 1 << 24;
+constexpr int most_depth = 100;
+
 Field field_of(const Json& json) {
-    return {json.at("name"), scalar_named(json.at("type")), 0, json.at("shape").get<std::vector<std::uint32_t>>(), {}};
+    Field field{json.at("name"), scalar_named(json.at("type")), 0, numbers_of<std::uint32_t>(json.at("shape"), 16), {}};
+    std::uint64_t numbers = 1;
+    for (const std::uint32_t along : field.shape) {
+        numbers *= along;
+        if (numbers > most_numbers) throw std::invalid_argument("a field has too many numbers");
+    }
+    return field;
 }
 
 Json json_of(const FiledValue& value) {
@@ -94,16 +127,16 @@ FiledMemory memory_of(const Json& json) {
     memory.name = json.at("name");
     memory.path = json.at("path");
     memory.is_image = json.at("image");
-    memory.extent = json.at("extent").get<std::array<std::uint64_t, 3>>();
+    memory.extent = three_of<std::uint64_t>(json.at("extent"));
     if (memory.is_image) {
         memory.kind = json.at("kind");
         memory.format = json.at("format");
-        memory.texels = json.at("texels").get<std::array<std::uint32_t, 3>>();
-        memory.mips = json.at("mips");
+        memory.texels = three_of<std::uint32_t>(json.at("texels"));
+        memory.mips = number_of<std::uint32_t>(json.at("mips"));
     } else {
         memory.is_by_address = json.at("by_address");
-        memory.shape = json.at("shape").get<std::vector<std::uint64_t>>();
-        if (memory.shape.empty() || memory.shape.size() > 4) throw std::invalid_argument("a memory has no shape");
+        memory.shape = numbers_of<std::uint64_t>(json.at("shape"), 4);
+        if (memory.shape.empty()) throw std::invalid_argument("a memory has no shape");
         for (const Json& field : json.at("fields")) memory.fields.push_back(field_of(field));
     }
     return memory;
@@ -118,11 +151,13 @@ Json json_of(const FiledPart& part) {
     return json;
 }
 
-FiledPart part_of_json(const Json& json) {
-    FiledPart part{json.at("name"), json.at("type"), json.at("role"), json.at("key"), {}, {}, {}};
+FiledPart part_of_json(const Json& json, int depth = 0) {
+    if (depth > most_depth) throw std::invalid_argument("parts lie too deep in each other");
+    FiledPart part{
+        json.at("name"), json.at("type"), json.at("role"), number_of<std::uint64_t>(json.at("key")), {}, {}, {}};
     for (const Json& value : json.at("values")) part.values.push_back(value_of(value));
     for (const Json& memory : json.at("memories")) part.memories.push_back(memory_of(memory));
-    for (const Json& inner : json.at("parts")) part.parts.push_back(part_of_json(inner));
+    for (const Json& inner : json.at("parts")) part.parts.push_back(part_of_json(inner, depth + 1));
     return part;
 }
 

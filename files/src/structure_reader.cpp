@@ -6,6 +6,7 @@
 #include "structure_writer.h"
 
 #include <algorithm>
+#include <future>
 
 namespace glift::files {
 
@@ -110,10 +111,14 @@ void StructureReader::read_field(FieldReader& reader, const Batch& batch, std::u
     if (!reader.dataset) return;
     const std::size_t bytes = packed_bytes(*reader.field);
     if (bytes == element_bytes && reader.field->scalar != Scalar::boolean)
-        return reader.dataset->read(batch, elements, pieces_);
+        return reader.dataset->read(batch, elements, pieces_, shift_);
     packed_.resize(batch.count * bytes);
-    reader.dataset->read(batch, packed_, pieces_);
+    reader.dataset->read(batch, packed_, pieces_, shift_);
     scatter(*reader.field, element_bytes, packed_, elements);
+}
+
+bool StructureReader::is_covered(const ElementType& type, std::span<const FieldReader> readers) {
+    return type.fields.size() == 1 && readers[0].dataset && packed_bytes(type.fields[0]) == type.bytes;
 }
 
 void StructureReader::read_buffers(const FiledMemory& filed, const StoredMemory& memory) {
@@ -122,17 +127,37 @@ void StructureReader::read_buffers(const FiledMemory& filed, const StoredMemory&
         for (const Field& field : plane.type.fields) readers.push_back(open_field(filed, field));
     const Tiling tiling = tiling_of(filed, readers, file_name_);
     if (tiling.elements() != filed.extent[0]) throw_bad(file_name_, "the schema gives " + filed.path + " two sizes");
-    std::vector<std::byte> elements;
-    for (std::uint64_t number = 0; number < tiling.count(); ++number) {
+    // While the device is given a batch, another thread reads and verifies the next one. HDF5 is used by one at a time:
+    // this thread holds its lock, and leaves it alone meanwhile.
+    std::vector<std::vector<std::byte>> current(memory.planes.size()), next(memory.planes.size());
+    const auto begin = [&](std::uint64_t number) {
+        return std::async(std::launch::async,
+                          [&, batch = tiling.batch(number)] { read_batch(memory, readers, batch, next); });
+    };
+    const std::uint64_t count = tiling.count();
+    std::future<void> reading;
+    if (count > 0) reading = begin(0);
+    for (std::uint64_t number = 0; number < count; ++number) {
+        reading.get();
+        current.swap(next);
+        if (number + 1 < count) reading = begin(number + 1);
         const Batch batch = tiling.batch(number);
-        std::size_t at = 0;
-        for (const Plane& plane : memory.planes) {
-            elements.assign(batch.count * plane.type.bytes, std::byte{0});
-            for (std::size_t i = 0; i < plane.type.fields.size(); ++i)
-                read_field(readers[at++], batch, plane.type.bytes, elements);
-            commands_.upload(*plane.memory, batch.first * plane.type.bytes, elements);
-            progress_(elements.size());
+        for (std::size_t i = 0; i < memory.planes.size(); ++i) {
+            const Plane& plane = memory.planes[i];
+            commands_.upload(*plane.memory, batch.first * plane.type.bytes, current[i]);
+            progress_(current[i].size());
         }
+    }
+}
+
+void StructureReader::read_batch(const StoredMemory& memory, std::vector<FieldReader>& readers, const Batch& batch,
+                                 std::vector<std::vector<std::byte>>& planes) {
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < memory.planes.size(); ++i) {
+        const ElementType& type = memory.planes[i].type;
+        planes[i].resize(batch.count * type.bytes);
+        if (!is_covered(type, std::span(readers).subspan(at))) std::ranges::fill(planes[i], std::byte{0});
+        for (std::size_t k = 0; k < type.fields.size(); ++k) read_field(readers[at++], batch, type.bytes, planes[i]);
     }
 }
 
@@ -147,7 +172,7 @@ void StructureReader::read_image(const FiledMemory& filed, const Memory& image) 
         for (std::uint64_t number = 0; number < tiling.count(); ++number) {
             const Batch batch = tiling.batch(number);
             texels.resize(batch.count * texel_bytes(made.format));
-            dataset.read(batch, texels, pieces_);
+            dataset.read(batch, texels, pieces_, shift_);
             const ImageRegion region = region_of(batch, mip);
             commands_.upload_image(image, std::span(&region, 1), texels);
             progress_(texels.size());

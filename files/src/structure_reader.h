@@ -30,10 +30,15 @@ private:
         std::optional<StoredDataset> dataset;
     };
 
+    /// Whether one field, which the file has, is all of an element.
+    static bool is_covered(const ElementType& type, std::span<const FieldReader> readers);
     void read_memory(const FiledMemory& filed, const StoredMemory& memory);
     /// Gives the plane a memory of the size that the file says, if it has another one.
     void resize(const FiledMemory& filed, const Plane& plane);
     void read_buffers(const FiledMemory& filed, const StoredMemory& memory);
+    /// Reads a batch of elements of each plane.
+    void read_batch(const StoredMemory& memory, std::vector<FieldReader>& readers, const Batch& batch,
+                    std::vector<std::vector<std::byte>>& planes);
     void read_image(const FiledMemory& filed, const Memory& image);
     FieldReader open_field(const FiledMemory& filed, const Field& field);
     /// Reads the field of a batch of elements into these elements.
@@ -46,6 +51,7 @@ private:
     const Commands& commands_;
     std::function<void(std::uint64_t)> progress_;
     std::map<const void*, std::pair<Memory, Memory>> replaced_;  ///< by the old one: the old and the new one
+    AddressShift shift_;
     std::map<const void*, bool> is_read_;
     std::vector<std::byte> packed_;
 };

@@ -24,7 +24,8 @@ herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* names) {
 
 ByteSource source_of(const Descriptor& file) {
     return {file.path(), file.size(),
-            [&file](std::uint64_t offset, std::span<std::byte> to) { return file.read(offset, to); }};
+            [&file](std::uint64_t offset, std::span<std::byte> to) { return file.read(offset, to); },
+            [&file](std::uint64_t offset, std::uint64_t bytes) { file.expect(offset, bytes); }};
 }
 
 VerifiedFile::VerifiedFile(std::string path)
