@@ -41,12 +41,12 @@ private:
 /// A function of generated code, in static memory, which the program or a library that it loads replaces.
 class ReloadableFunction {
 public:
-    /// `signature` is the function's declaration, for messages. Two versions have equal digests, and kernels of equal
+    /// `declaration` is for messages. Two versions have equal digests, and kernels of equal
     /// digests, if they do the same.
-    template <class F> ReloadableFunction(const char* name, const char* signature, std::uint64_t digest, F* own,
-                                          const Kernel* kernel = nullptr)
-        : name(name), signature(signature), type(typeid(F).name()), digest(digest), kernel(kernel),
-          own(reinterpret_cast<void*>(own)) {
+    template <class F> ReloadableFunction(const char* full_name, const char* declaration, std::uint64_t code_digest,
+                                          F* code, const Kernel* called = nullptr)
+        : name(full_name), signature(declaration), type(typeid(F).name()), digest(code_digest), kernel(called),
+          own(reinterpret_cast<void*>(code)) {
         add();
     }
     ~ReloadableFunction() { remove(); }
@@ -74,7 +74,10 @@ private:
 /// A type or structure of generated code. Two declarations that agree have equal digests.
 class ReloadableType {
 public:
-    ReloadableType(const char* name, std::uint64_t digest) : name(name), digest(digest) { add(); }
+    ReloadableType(const char* full_name, std::uint64_t declaration_digest)
+        : name(full_name), digest(declaration_digest) {
+        add();
+    }
     ~ReloadableType() { remove(); }
     ReloadableType(const ReloadableType&) = delete;
     ReloadableType& operator=(const ReloadableType&) = delete;
