@@ -59,6 +59,16 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/gliftConfigVersion.cmake 
 install(FILES ${PROJECT_BINARY_DIR}/gliftConfig.cmake ${PROJECT_BINARY_DIR}/gliftConfigVersion.cmake
               ${PROJECT_SOURCE_DIR}/cmake/GliftCompile.cmake ${PROJECT_SOURCE_DIR}/cmake/GliftDepfile.cmake
         DESTINATION ${config_dir} COMPONENT development)
+# glift::mpi has a file of its own, which gliftConfig.cmake reads where MPI is found.
+if(TARGET glift_mpi)
+    set_target_properties(glift_mpi PROPERTIES EXPORT_NAME mpi)
+    install(TARGETS glift_mpi EXPORT gliftMpiTargets
+            ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+    install(EXPORT gliftMpiTargets NAMESPACE glift:: DESTINATION ${config_dir} COMPONENT development)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/mpi/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+            COMPONENT development)
+    export(EXPORT gliftMpiTargets NAMESPACE glift:: FILE ${PROJECT_BINARY_DIR}/gliftMpiTargets.cmake)
+endif()
 # find_package(glift) finds the build tree, too: tests/cmake uses it so.
 export(EXPORT gliftTargets NAMESPACE glift:: FILE ${PROJECT_BINARY_DIR}/gliftTargets.cmake)
 foreach(file GliftCompile.cmake GliftDepfile.cmake)

@@ -141,6 +141,8 @@ struct HostTargets {
 struct HostSize : std::array<std::uint32_t, 4> {
     HostSize() = default;
     constexpr HostSize(const std::array<std::uint32_t, 4>& size) : std::array<std::uint32_t, 4>(size) {}
+    constexpr HostSize(std::uint32_t x, std::uint32_t y, std::uint32_t z, std::uint32_t w)
+        : std::array<std::uint32_t, 4>{x, y, z, w} {}
 
     std::uint32_t rank = 1, first = 0;
 

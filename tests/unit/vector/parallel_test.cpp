@@ -3,6 +3,7 @@
 // Also the middle of a row along x, where windows stay in the domain or clamps change nothing, and atomics of floats.
 #include <glift/host/atomics.h>
 #include <glift/host/parallel.h>
+#include <glift/host/runs.h>
 #include <glift/host/sums.h>
 #include <glift/host/updates.h>
 
@@ -46,6 +47,38 @@ template <unsigned axis> void cover_by_tiles(const std::array<std::uint32_t, 4>&
         }
     });
     for (std::uint8_t count : seen) ASSERT_EQ(count, 1);
+}
+
+/// Whether `visit(size, body)` visits each element from `first` on along the last axis once, and no other.
+template <class Visit> void cover_a_part(const HostSize& size, Visit visit) {
+    std::vector<std::uint8_t> seen(std::size_t{size[0]} * size[1] * size[2] * size[3]);
+    visit(size, [&](const host::Rows& rows) {
+        for (const host::Row row : rows) {
+            const std::size_t first = ((std::size_t{row.w} * size[2] + row.z) * size[1] + row.y) * size[0];
+            for (uint x = row.begin; x < row.end; ++x) ++seen[first + x];
+        }
+    });
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const std::size_t at[] = {i % size[0], i / size[0] % size[1], i / size[0] / size[1] % size[2],
+                                  i / size[0] / size[1] / size[2]};
+        ASSERT_EQ(seen[i], at[size.rank - 1] >= size.first) << "rank " << size.rank << ", first " << size.first;
+    }
+}
+
+TEST(Parts, AreVisitedOnceAndNothingElse) {
+    const std::array<std::uint32_t, 4> sizes[] = {{40000, 1, 1, 1}, {70, 40, 1, 1}, {33, 9, 40, 1}, {5, 7, 33, 4}};
+    for (std::uint32_t rank = 1; rank <= 4; ++rank) {
+        for (const std::uint32_t first : {0u, 1u, 3u, sizes[rank - 1][rank - 1]}) {
+            HostSize size = sizes[rank - 1];
+            size.rank = rank;
+            size.first = first;
+            cover_a_part(size, [](const HostSize& s, const auto& body) { host::for_rows(s, body); });
+            cover_a_part(size, [](const HostSize& s, const auto& body) { host::for_runs(s, body); });
+            if (rank == 1) continue;
+            cover_a_part(size, [](const HostSize& s, const auto& body) { host::for_tiles<1>(s, body); });
+            cover_a_part(size, [](const HostSize& s, const auto& body) { host::for_tiles<2>(s, body); });
+        }
+    }
 }
 
 TEST(Tiles, CoverEveryElementOnce) {
