@@ -139,17 +139,27 @@ bool has_indices(const ir::Program& program, const ir::Structure& structure) {
     return lies_by_index(program, *whole.structure) && memory_of(whole).has_value();
 }
 
+/// The structure of which a component is one, of a component, …, as an expression of the component's class.
+struct WholeText {
+    ir::StructureId structure;
+    std::string text;
+};
+
+static WholeText whole_text(const Unit& unit, ir::StructureId component) {
+    WholeText whole{component, ""};
+    while (unit.program.structures[whole.structure].field) {
+        whole.text += unit.globals.class_names[whole.structure].members[0] + "().";
+        whole.structure = unit.program.structures[whole.structure].members[0].structure;
+    }
+    return whole;
+}
+
 std::string index_memory_of(const Unit& unit, ir::StructureId index) {
     const ir::Structure& structure = unit.program.structures[index];
-    const ComponentPath whole = component_path(unit.program, structure);
     if (!structure.field) return structure.memories.size() == 1 ? rows_of(unit, index) : "";
-    std::string text;
-    ir::StructureId at = index;
-    while (unit.program.structures[at].field) {
-        text += unit.globals.class_names[at].members[0] + "().";
-        at = unit.program.structures[at].members[0].structure;
-    }
-    return text + unit.globals.class_names[at].memories[*memory_of(whole)] + "()";
+    const WholeText whole = whole_text(unit, index);
+    const std::size_t memory = *memory_of(component_path(unit.program, structure));
+    return whole.text + unit.globals.class_names[whole.structure].memories[memory] + "()";
 }
 
 std::string rows_of(const Unit& unit, ir::StructureId index) {
@@ -196,8 +206,9 @@ void print_index(Unit& unit, Writer& out, ir::StructureId index) {
     const NameSet& hiding = names.all;
     std::string at = "address";
     if (structure.field) {
-        const bool rows = has_rows(unit.program, unit.program.structures[structure.members[0].structure]);
-        out.line("return " + names.members[0] + "()." + (rows ? "place" : "index_of") + "(address);");
+        const WholeText whole = whole_text(unit, index);
+        const bool rows = has_rows(unit.program, unit.program.structures[whole.structure]);
+        out.line("return " + whole.text + (rows ? "place" : "index_of") + "(address);");
         out.close();
         out.gap();
         return;
