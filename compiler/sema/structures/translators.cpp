@@ -70,8 +70,6 @@ ir::FunctionId make_method(Context& c, ast::DeclId id, const Env& env, const ir:
 void add_fields(Context& c, const Env& env, const ast::Translator& written, ir::Translator& translator) {
     std::set<Name> seen;
     for (const ast::Field& field : written.fields) {
-        for (const ast::Attribute& attribute : field.attributes)
-            c.error(Diag::unknown_attribute, attribute.span, {c.text(attribute.name.name)});
         if (!seen.insert(field.name.name).second) continue;  // a duplicate, reported by collect_modules
         ir::TypeId type = type_of(c, env, field.type);
         if (c.types().kind(type) == ir::TypeKind::structure) {
