@@ -9,6 +9,7 @@
 #include "vulkan/spirv/hidden_zeros.h"
 #include "vulkan/spirv/requirements.h"
 #include "vulkan/spirv/separate_texels.h"
+#include "vulkan/spirv/spirv_module.h"
 #include "vulkan/spirv/spirv_words.h"
 
 namespace glift::detail {
@@ -33,6 +34,9 @@ VkShaderModule make_module(Context& context, const Pipeline& pipeline, const Spi
     if (context.float_controls.keeps_sums) code = with_kept_sums(code);
     if (context.hides_loop_ends) code = with_hidden_limits(code);
     if (context.separates_texels) code = with_separate_texels(code);
+    // NVIDIA's driver (580.159) takes the code of an equal module that it compiled for a pipeline without
+    // VK_PIPELINE_CREATE_DISPATCH_BASE_BIT, and then begins at group 0. The word says which tool made the module.
+    if (pipeline.starts_anywhere) ++code[spirv_generator_word];
     const VkShaderModuleCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                            .codeSize = code.size() * sizeof(std::uint32_t),
                                            .pCode = code.data()};

@@ -108,7 +108,7 @@ enum StorageClass : std::uint32_t {
 
 }  // namespace spirv
 
-constexpr std::size_t spirv_header_words = 5, spirv_bound_word = 3;
+constexpr std::size_t spirv_header_words = 5, spirv_generator_word = 2, spirv_bound_word = 3;
 
 using SpirvWords = std::span<const std::uint32_t>;
 
