@@ -48,6 +48,12 @@ public:
         see.value("extent", extent_);
         see.memory("data", data());
     }
+    using Arguments = glift::Types<glift::uint>;
+    static constexpr std::uint64_t state_key = 15592328566153615568u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.buffer("data", data_, data_extent_, glift::uint{});
+    }
 
 private:
     glift::uint extent_{};
@@ -98,6 +104,12 @@ public:
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
+    }
+    using Arguments = glift::Types<glift::uint2>;
+    static constexpr std::uint64_t state_key = 10746358178786628004u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.buffer("data", data_, data_extent_, float{});
     }
 
 private:
@@ -161,6 +173,15 @@ public:
         see.given("active", active());
         see.given("state", state());
         see.memory("frames", frames());
+    }
+    static constexpr std::uint64_t state_key = 11432481760898842336u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.argument("capacity", capacity_);
+        visit.given("table", table_);
+        visit.given("active", active_);
+        visit.given("state", state_);
+        visit.base("frames", frames_);
     }
 
 private:

@@ -49,6 +49,12 @@ public:
         see.value("extent", extent_);
         see.memory("data", data());
     }
+    using Arguments = glift::Types<glift::uint>;
+    static constexpr std::uint64_t state_key = 15592328566153615568u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.buffer("data", data_, data_extent_, glift::uint{});
+    }
 
 private:
     glift::uint extent_{};
@@ -92,6 +98,14 @@ public:
         see.member("items", items());
         see.member("top", top());
         see.member("seen", seen());
+    }
+    using Arguments = glift::Types<glift::uint>;
+    static constexpr std::uint64_t state_key = 17014040237318753225u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("capacity", capacity_);
+        visit.member("items", items_.get());
+        visit.member("top", top_.get());
+        visit.member("seen", seen_.get());
     }
 
     glift::uint limit() const;

@@ -47,6 +47,13 @@ public:
         see.value("levels", levels_);
         see.memory("data", data());
     }
+    using Arguments = glift::Types<glift::uint2, glift::uint>;
+    static constexpr std::uint64_t state_key = 9029626676026448781u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.argument("levels", levels_);
+        visit.image("data", data_, data_extent_);
+    }
 
 private:
     glift::uint2 extent_{};
@@ -96,6 +103,11 @@ public:
         see.value("level", level_);
         see.memory("data", data());
         see.given("of", of());
+    }
+    static constexpr std::uint64_t state_key = 9954807252285922879u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("level", level_);
+        visit.given("of", of_);
     }
 
 private:
@@ -148,6 +160,13 @@ public:
         see.value("layers", layers_);
         see.memory("data", data());
     }
+    using Arguments = glift::Types<glift::uint2, glift::uint>;
+    static constexpr std::uint64_t state_key = 12215317453492606684u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.argument("layers", layers_);
+        visit.image("data", data_, data_extent_);
+    }
 
 private:
     glift::uint2 extent_{};
@@ -196,6 +215,11 @@ public:
         see.value("layer", layer_);
         see.memory("data", data());
         see.given("of", of());
+    }
+    static constexpr std::uint64_t state_key = 12564200580033999203u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("layer", layer_);
+        visit.given("of", of_);
     }
 
 private:

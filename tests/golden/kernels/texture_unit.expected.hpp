@@ -41,6 +41,13 @@ public:
         see.value("layers", layers_);
         see.memory("depths", depths());
     }
+    using Arguments = glift::Types<glift::uint2, glift::uint>;
+    static constexpr std::uint64_t state_key = 11199992349460898399u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.argument("layers", layers_);
+        visit.image("depths", depths_, depths_extent_);
+    }
 
 private:
     glift::uint2 extent_{};
@@ -76,6 +83,12 @@ public:
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
+    }
+    using Arguments = glift::Types<glift::uint2>;
+    static constexpr std::uint64_t state_key = 8860374805930689700u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.image("data", data_, data_extent_);
     }
 
 private:
@@ -119,6 +132,12 @@ public:
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
+    }
+    using Arguments = glift::Types<glift::uint2>;
+    static constexpr std::uint64_t state_key = 10622061580757279181u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.image("data", data_, data_extent_);
     }
 
 private:
@@ -171,6 +190,12 @@ public:
         see.value("extent", extent_);
         see.memory("data", data());
     }
+    using Arguments = glift::Types<glift::uint>;
+    static constexpr std::uint64_t state_key = 15592328566153615568u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.buffer("data", data_, data_extent_, glift::float3{});
+    }
 
 private:
     glift::uint extent_{};
@@ -221,6 +246,12 @@ public:
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
+    }
+    using Arguments = glift::Types<glift::uint>;
+    static constexpr std::uint64_t state_key = 15592328566153615568u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.buffer("data", data_, data_extent_, float{});
     }
 
 private:

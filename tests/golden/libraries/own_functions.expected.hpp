@@ -46,6 +46,12 @@ public:
         see.value("extent", extent_);
         see.memory("data", data());
     }
+    using Arguments = glift::Types<glift::uint>;
+    static constexpr std::uint64_t state_key = 15592328566153615568u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.buffer("data", data_, data_extent_, glift::uint{});
+    }
 
 private:
     glift::uint extent_{};
@@ -86,6 +92,12 @@ public:
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
+    }
+    using Arguments = glift::Types<glift::uint2>;
+    static constexpr std::uint64_t state_key = 10746358178786628004u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.buffer("data", data_, data_extent_, float{});
     }
 
 private:
@@ -130,6 +142,13 @@ public:
         see.value("side", side_);
         see.member("asked", asked());
         see.memory("heights", heights());
+    }
+    using Arguments = glift::Types<glift::uint>;
+    static constexpr std::uint64_t state_key = 6150493028458685732u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("side", side_);
+        visit.member("asked", asked_);
+        visit.base("heights", heights_);
     }
 
 private:

@@ -48,6 +48,12 @@ public:
         see.value("extent", extent_);
         see.memory("data", data());
     }
+    using Arguments = glift::Types<glift::uint>;
+    static constexpr std::uint64_t state_key = 15592328566153615568u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.buffer("data", data_, data_extent_, float{});
+    }
 
 private:
     glift::uint extent_{};
@@ -82,6 +88,12 @@ public:
     template <class See> void describe(See&& see) const {
         see.value("n", n_);
         see.member("places", places());
+    }
+    using Arguments = glift::Types<glift::uint>;
+    static constexpr std::uint64_t state_key = 18136914648335474533u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("n", n_);
+        visit.member("places", places_.get());
     }
 
     void mark(const glift::Commands& commands) const;

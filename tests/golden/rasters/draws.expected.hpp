@@ -48,6 +48,12 @@ public:
         see.value("extent", extent_);
         see.memory("data", data());
     }
+    using Arguments = glift::Types<glift::uint>;
+    static constexpr std::uint64_t state_key = 15592328566153615568u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.buffer("data", data_, data_extent_, glift::float3{});
+    }
 
 private:
     glift::uint extent_{};
@@ -99,6 +105,12 @@ public:
         see.value("extent", extent_);
         see.memory("data", data());
     }
+    using Arguments = glift::Types<glift::uint>;
+    static constexpr std::uint64_t state_key = 15592328566153615568u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.buffer("data", data_, data_extent_, glift::uint{});
+    }
 
 private:
     glift::uint extent_{};
@@ -148,6 +160,12 @@ public:
         see.value("extent", extent_);
         see.memory("data", data());
     }
+    using Arguments = glift::Types<glift::uint2>;
+    static constexpr std::uint64_t state_key = 14087485589150968480u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.image("data", data_, data_extent_);
+    }
 
 private:
     glift::uint2 extent_{};
@@ -192,6 +210,12 @@ public:
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
+    }
+    using Arguments = glift::Types<glift::uint2>;
+    static constexpr std::uint64_t state_key = 7500678889632760473u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.image("data", data_, data_extent_);
     }
 
 private:
@@ -243,6 +267,12 @@ public:
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
+    }
+    using Arguments = glift::Types<glift::uint2>;
+    static constexpr std::uint64_t state_key = 10746358178786628004u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.buffer("data", data_, data_extent_, glift::uint{});
     }
 
 private:

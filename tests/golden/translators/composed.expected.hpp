@@ -44,6 +44,12 @@ public:
         see.value("extent", extent_);
         see.memory("data", data());
     }
+    using Arguments = glift::Types<glift::uint2>;
+    static constexpr std::uint64_t state_key = 1730627862864790391u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.buffer("data", data_, data_extent_, float{});
+    }
 
 private:
     glift::uint2 extent_{};

@@ -42,6 +42,12 @@ public:
         see.value("extent", extent_);
         see.memory("data", data());
     }
+    using Arguments = glift::Types<glift::uint3>;
+    static constexpr std::uint64_t state_key = 12810457827268542214u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.image("data", data_, data_extent_);
+    }
 
 private:
     glift::uint3 extent_{};

@@ -53,6 +53,12 @@ public:
         see.value("n", n_);
         see.memory("data", data());
     }
+    using Arguments = glift::Types<glift::uint>;
+    static constexpr std::uint64_t state_key = 15894058583617198654u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("n", n_);
+        visit.buffer("data", data_, data_extent_, glift::uint{});
+    }
 
 private:
     glift::uint n_{};
@@ -100,6 +106,14 @@ public:
         see.value("capacity", capacity_);
         see.memory("data", data());
         see.member("frames", frames());
+    }
+    using Arguments = glift::Types<glift::uint, glift::uint>;
+    static constexpr std::uint64_t state_key = 7254612061875354506u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("pages", pages_);
+        visit.argument("capacity", capacity_);
+        visit.buffer("data", data_, data_extent_, float{});
+        visit.member("frames", frames_);
     }
 
 private:

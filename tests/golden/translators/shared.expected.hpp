@@ -50,6 +50,12 @@ public:
         see.value("extent", extent_);
         see.memory("data", data());
     }
+    using Arguments = glift::Types<glift::uint>;
+    static constexpr std::uint64_t state_key = 15592328566153615568u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.buffer("data", data_, data_extent_, glift::uint{});
+    }
 
 private:
     glift::uint extent_{};
@@ -100,6 +106,12 @@ public:
     template <class See> void describe(See&& see) const {
         see.value("extent", extent_);
         see.memory("data", data());
+    }
+    using Arguments = glift::Types<glift::uint2>;
+    static constexpr std::uint64_t state_key = 10746358178786628004u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.buffer("data", data_, data_extent_, float{});
     }
 
 private:
@@ -156,6 +168,13 @@ public:
         see.given("table", table());
         see.memory("frames", frames());
     }
+    static constexpr std::uint64_t state_key = 2625966122426724299u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.argument("capacity", capacity_);
+        visit.given("table", table_);
+        visit.base("frames", frames_);
+    }
 
 private:
     glift::uint extent_{};
@@ -199,6 +218,10 @@ public:
     template <class See> void describe(See&& see) const {
         see.memory("field", field());
     }
+    static constexpr std::uint64_t state_key = 11758983413272085780u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.given("field", field_);
+    }
 
 private:
     Paged field_;
@@ -229,6 +252,13 @@ public:
         see.value("n", n_);
         see.value("capacity", capacity());
         see.member("frames", frames());
+    }
+    using Arguments = glift::Types<glift::uint>;
+    static constexpr std::uint64_t state_key = 9443987671522752921u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("n", n_);
+        visit.host("capacity", capacity_.get());
+        visit.member("frames", frames_.get());
     }
 
     void grow(const glift::Commands& commands);
