@@ -21,12 +21,17 @@ if(NOT GLIFT_GLIFTC OR GLIFT_BUILD_BENCH)
     find_package(CLI11 CONFIG REQUIRED)
     find_package(nlohmann_json CONFIG REQUIRED)
 endif()
-# The library of files is built where all that it needs is found: HDF5 1.10.7 or newer (the serial one), CLI11 and
-# nlohmann-json.
+# The library of files is built where all that it needs is found: HDF5 1.10.7 or newer (the serial one), xxHash, CLI11
+# and nlohmann-json.
 if(GLIFT_BUILD_FILES)
     find_package(HDF5 1.10.7 COMPONENTS C QUIET)
     find_package(CLI11 CONFIG QUIET)
     find_package(nlohmann_json CONFIG QUIET)
+    find_library(GLIFT_XXHASH xxhash)
+    find_path(GLIFT_XXHASH_INCLUDE xxhash.h)
+    if(HDF5_FOUND AND CLI11_FOUND AND nlohmann_json_FOUND AND GLIFT_XXHASH AND GLIFT_XXHASH_INCLUDE)
+        set(GLIFT_HAS_FILES TRUE)
+    endif()
 endif()
 if(GLIFT_BUILD_TESTS)
     find_package(GTest REQUIRED)
