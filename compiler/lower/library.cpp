@@ -1,6 +1,7 @@
 #include "lower/library.h"
 
 #include "ir/chain.h"
+#include "ir/walk.h"
 
 #include "lower/lower.h"
 
@@ -137,6 +138,18 @@ bool uses_what_reads_use(const Library& library, const LibraryFunction& function
     });
 }
 
+/// Whether the function filters or compares texels, which only sampled images can.
+bool samples_images(const Program& program, const Pass& pass) {
+    bool found = false;
+    const auto visit = [&](ExprId id) {
+        const Op op = program.exprs[id].op;
+        found = found || op == Op::image_sample || op == Op::image_gather || op == Op::image_compare;
+    };
+    for_each_expression(program, pass.plain().body, visit);
+    for (FunctionId id : pass.functions) for_each_expression(program, program.functions[id].body, visit);
+    return found;
+}
+
 /// A function that the structure declares itself.
 void add_own(Maker& k, FunctionId id) {
     const Function function = k.program.functions[id];
@@ -178,8 +191,10 @@ Library library_of(Program& program, StructureId structure, const Alias& alias, 
     for (FunctionId function : std::vector(s.functions)) {
         if (is_made(name_of(function))) continue;
         add_own(k, function);
-        if (!is_access(name_of(function)) && !uses_what_reads_use(library, library.functions.back()))
-            library.functions.pop_back();
+        const LibraryFunction& added = library.functions.back();
+        const bool is_meant = is_access(name_of(function)) || uses_what_reads_use(library, added);
+        // Images that the library writes are storage images.
+        if (!is_meant || (is_written && samples_images(program, added.pass))) library.functions.pop_back();
     }
     if (is_written) add_write(k);
     // Without a `write` function, images are sampled images: these can be filtered, and devices need not have storage
