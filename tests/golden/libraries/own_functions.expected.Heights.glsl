@@ -1,8 +1,8 @@
-// Heights, own_functions.glift:5.
+// Heights, own_functions.glift:7.
 // Define HEIGHTS_BINDING before including. The structure's state (the members declared below) is at that binding, memory k at HEIGHTS_BINDING + 1 + k.
 // Optional: HEIGHTS_SET (the descriptor set, else 0), HEIGHTS_STATE (see below), HEIGHTS_READONLY (nothing is written).
 #ifndef GLIFT_HEIGHTS
-#define GLIFT_HEIGHTS 1359959297
+#define GLIFT_HEIGHTS 240353074
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef HEIGHTS_SET
@@ -119,13 +119,13 @@ uint Heights_row_of(vec2 x) {
 }
 
 // highest_in
-// own_functions.glift:13
+// own_functions.glift:15
 float Heights_Heights_highest_in(uint row) {
-    // own_functions.glift:14
+    // own_functions.glift:16
     float highest = 0.0;
-    // own_functions.glift:15
+    // own_functions.glift:17
     for (uint x = 0u; x < Heights_side; ++x) {
-        // own_functions.glift:16
+        // own_functions.glift:18
         uvec2 Heights_heights_address = uvec2(x, row);
         bool Heights_heights_value_inside = all(lessThan(Heights_heights_address, Heights_heights_extent));
         uint Heights_heights_value_at = Heights_heights_address.y * Heights_heights_extent.x
@@ -134,7 +134,7 @@ float Heights_Heights_highest_in(uint row) {
             ? Heights_heights_value_at : 0u];
         highest = max(highest, Heights_heights_value_inside ? Heights_heights_value : 0.0);
     }
-    // own_functions.glift:18
+    // own_functions.glift:20
     return highest;
 }
 
@@ -150,6 +150,6 @@ void Heights_write(uvec2 address, float value) {
     }
 }
 #endif
-#elif GLIFT_HEIGHTS != 1359959297
+#elif GLIFT_HEIGHTS != 240353074
 #error the functions of another structure called Heights are included already
 #endif

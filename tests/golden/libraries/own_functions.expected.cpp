@@ -52,4 +52,39 @@ void Heights::fill(float value) {
     fill(value, *this);
 }
 
+Picture::Picture(const glift::Commands& commands, uint2 extent)
+    : Structure(commands.device()),
+      extent_(extent),
+      texels_(::std_image::Image_rgba8(commands, extent_)) {}
+
+Picture::Picture(const glift::Commands& commands, uint2 extent, ::std_image::Image_rgba8 texels)
+    : Structure(commands.device()),
+      extent_(extent),
+      texels_(glift::detail::part(std::move(texels), texels.extent() == extent_, "Picture.texels")) {}
+
+uint2 Picture::domain() const {
+    return texels_.domain();
+}
+
+bool Picture::same_state(const Picture& other) const {
+    return extent_ == other.extent_ && texels_.same_state(other.texels_);
+}
+
+void Picture::copy_out(const glift::Commands& commands, const glift::Range<Picture>& range,
+    const glift::Memory& box) const {
+    ::std_transfer::read_box_55cdabb6(commands, range, ::std_transfer::Box_2_float4(commands, range.size(), box));
+}
+
+void Picture::copy_in(const glift::Commands& commands, const glift::Range<Picture>& range,
+    const glift::Memory& box) const {
+    ::std_transfer::write_box_ec9cdc91(commands, ::std_transfer::Box_2_float4(commands, range.size(), box), range);
+}
+
+void Picture::fill(float4 value, const glift::Range<Picture>& range) {
+    ::std_transfer::fill_box_2367fabe(device(), range, value);
+}
+void Picture::fill(float4 value) {
+    fill(value, *this);
+}
+
 }  // namespace own_functions

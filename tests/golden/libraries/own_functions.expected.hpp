@@ -113,7 +113,7 @@ namespace own_functions {
 
 #ifndef GLIFT_own_functions_HAS_Heights
 #define GLIFT_own_functions_HAS_Heights
-/// Heights, own_functions.glift:5.
+/// Heights, own_functions.glift:7.
 class Heights : public glift::Structure<Heights, glift::uint2, float> {
 public:
     static constexpr const char* type_name = "Heights";
@@ -155,6 +155,99 @@ private:
     glift::uint side_{};
     ::std_array::Array_1_uint asked_;
     ::std_array::Array_2_float heights_;
+};
+#endif
+
+}  // namespace own_functions
+
+namespace std_image {
+
+#ifndef GLIFT_std_image_HAS_Image_rgba8
+#define GLIFT_std_image_HAS_Image_rgba8
+/// Image<rgba8>. A 2-D image of texel format or type F. `sample` filters it linearly, if texels are floats; its
+/// coordinates are in texels, the centre of texel (0, 0) at (0.5, 0.5); beyond the edge the nearest texel counts.
+/// Reads outside give zero, writes there go nowhere.
+class Image_rgba8 : public glift::Structure<Image_rgba8, glift::uint2, glift::float4> {
+public:
+    static constexpr const char* type_name = "Image<rgba8>";
+
+    Image_rgba8() = default;
+    Image_rgba8(const glift::Commands& commands, glift::uint2 extent);
+    /// Makes the structure with the given memory.
+    Image_rgba8(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
+
+    glift::uint2 domain() const;
+    glift::uint2 extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    glift::uint2 data_extent() const { return data_extent_; }
+    bool same_state(const Image_rgba8& other) const;
+
+    void fill(glift::float4 value);
+    void fill(glift::float4 value, const glift::Range<Image_rgba8>& range);
+    void copy_out(const glift::Commands& commands, const glift::Range<Image_rgba8>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Image_rgba8>& range,
+        const glift::Memory& box) const;
+
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
+    using Arguments = glift::Types<glift::uint2>;
+    static constexpr std::uint64_t state_key = 14087485589150968480u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.image("data", data_, data_extent_);
+    }
+
+private:
+    glift::uint2 extent_{};
+    glift::uint2 data_extent_{};
+    glift::Memory data_;
+};
+#endif
+
+}  // namespace std_image
+
+namespace own_functions {
+
+#ifndef GLIFT_own_functions_HAS_Picture
+#define GLIFT_own_functions_HAS_Picture
+/// An image that the library writes cannot be filtered: its own `sample` is left out.
+class Picture : public glift::Structure<Picture, glift::uint2, glift::float4> {
+public:
+    static constexpr const char* type_name = "Picture";
+
+    Picture() = default;
+    Picture(const glift::Commands& commands, glift::uint2 extent);
+    /// Makes the structure with the given nested structures.
+    Picture(const glift::Commands& commands, glift::uint2 extent, ::std_image::Image_rgba8 texels);
+
+    glift::uint2 domain() const;
+    glift::uint2 extent() const { return extent_; }
+    const ::std_image::Image_rgba8& texels() const { return texels_; }
+    ::std_image::Image_rgba8& texels() { return texels_; }
+    bool same_state(const Picture& other) const;
+
+    void fill(glift::float4 value);
+    void fill(glift::float4 value, const glift::Range<Picture>& range);
+    void copy_out(const glift::Commands& commands, const glift::Range<Picture>& range, const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Picture>& range, const glift::Memory& box) const;
+
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("texels", texels());
+    }
+    using Arguments = glift::Types<glift::uint2>;
+    static constexpr std::uint64_t state_key = 13996489731618069798u;
+    template <class Visit> void visit_state(Visit&& visit) {
+        visit.argument("extent", extent_);
+        visit.base("texels", texels_);
+    }
+
+private:
+    glift::uint2 extent_{};
+    ::std_image::Image_rgba8 texels_;
 };
 #endif
 
