@@ -51,7 +51,8 @@ std::string call_text(const Part& part) {
 }
 
 constexpr const char* keep_declaration =
-    "keep the old declaration under another name, load a structure of it, and copy its elements with copy_from";
+    "keep the old declaration under another name, load a structure of it, and move its elements by a pipeline: "
+    "docs/how-to/files.md, After the declaration changed";
 
 const FiledPart* find_part(const FiledPart& filed, const std::string& name) {
     const auto found = std::ranges::find(filed.parts, name, &FiledPart::name);

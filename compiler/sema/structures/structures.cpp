@@ -719,10 +719,9 @@ ir::TypeId make_structure(Context& c, ast::DeclId id, const Env& env) {
     if (declared.has_via && c.program.structures[index].via.empty()) return c.types().error;
     const auto is_right = [&] { return c.diagnostics.own_error_count() == errors; };
     if (is_right() && kind == ir::StructureKind::computed) finish_computed(body, index, declared);
-    if (is_right() && kind == ir::StructureKind::stored) {
+    if (is_right() && kind == ir::StructureKind::stored)
         finish_structure(body, index, declared.domain, declared.otherwise);
-        if (is_right()) add_blocks(c, env, index, declared.blocks);
-    }
+    if (is_right() && kind != ir::StructureKind::no_elements) add_blocks(c, env, index, declared.blocks);
     return is_right() ? c.types().of_structure(index) : c.types().error;
 }
 

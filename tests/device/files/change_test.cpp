@@ -170,7 +170,7 @@ TEST_F(Change, PageSize) {
     const std::string text = refusal(after::OtherPage(host(), uint2(16, 16), 9u));
     EXPECT_THAT(text, HasSubstr("the file has Sparse<2, Cell, uint2(4, 2)>(extent {16, 16}, capacity 9"));
     EXPECT_THAT(text, HasSubstr("the program Sparse<2, Same, uint2(2, 4)>(extent {16, 16}, capacity 9"));
-    EXPECT_THAT(text, HasSubstr("copy_from"));
+    EXPECT_THAT(text, HasSubstr("by a pipeline"));
 }
 
 TEST_F(Change, TableKind) {
