@@ -40,6 +40,9 @@ USES = {
     "a: at<S>": "kernel k{n}(a: at<Line>, to: out each<Line>) {{ to = float(a); }}",
     "at": "",  # in the hint that quotes "a: at<S>"
     "barrier()": "kernel k{n}(a: at<Line>, to: out each<Line>) group(64) {{ barrier(); to = 1.0; }}",
+    'print("speed {}", v);': 'kernel k{n}(v: in each<Line>) {{ print("speed {{}}", v); }}',
+    "print(v);": "kernel k{n}(v: in each<Line>) {{ print(v); }}",
+    "assert(condition);": "kernel k{n}(v: in each<Line>) {{ assert(v > 0.0); }}",
     "count(s)": "kernel k{n}(n: uint, to: out each<Line>) {{ to = float(n); }}\npipeline p{n}(s: inout Line) {{ k{n}(count(s), s); }}",
     "let x = …;": "fn f{n}() -> int {{ let x = 1; return x; }}",
     "var x = …;": "fn f{n}() -> int {{ var x = 1; x += 1; return x; }}",
