@@ -1,10 +1,10 @@
 #include "driver/shaders.h"
 
+#include "base/lines.h"
 #include "base/parallel.h"
 #include "emit/glsl/emit.h"
 #include "emit/spirv/emit.h"
 
-#include <algorithm>
 #include <mutex>
 #include <stdexcept>
 #include <unordered_map>
@@ -54,7 +54,7 @@ public:
         std::string key;
         for (int option : {static_cast<int>(optimise), static_cast<int>(stage), static_cast<int>(contraction)})
             key += std::to_string(option) + " ";
-        key += without_lines(glsl);
+        key += without_lines(glsl, {"#line "});
         {
             const std::lock_guard lock(mutex_);
             if (const auto found = shaders_.find(key); found != shaders_.end()) return {found->second, {}};
@@ -68,17 +68,6 @@ public:
 
 private:
     static constexpr std::size_t most = 1 << 14;
-
-    static std::string without_lines(const std::string& glsl) {
-        std::string rest;
-        for (std::size_t begin = 0; begin < glsl.size();) {
-            const std::size_t end = std::min(glsl.find('\n', begin), glsl.size() - 1) + 1;
-            const std::size_t first = std::min(glsl.find_first_not_of(' ', begin), end);
-            if (glsl.compare(first, 6, "#line ") != 0) rest.append(glsl, begin, end - begin);
-            begin = end;
-        }
-        return rest;
-    }
 
     bool is_on_ = false;
     std::mutex mutex_;

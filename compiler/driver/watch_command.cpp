@@ -3,6 +3,7 @@
 //   code/         generated C++ and object files
 //   TIME.so       the objects; a name is never used twice, since the dynamic linker knows libraries by their names
 //   reload        names the newest object: "glift-reload VERSION OBJECT BYTES end"
+#include "base/lines.h"
 #include "base/version.h"
 #include "driver/command_line.h"
 #include "driver/commands.h"
@@ -94,16 +95,7 @@ std::set<std::string> wait_for_change(Files& files) {
 }
 
 /// C++ without comments: they name lines, which an edit further up changes.
-std::string without_comments(const std::string& text) {
-    std::string rest;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
-        const std::size_t first = std::min(text.find_first_not_of(' ', begin), end);
-        if (text.compare(first, 2, "//") != 0) rest.append(text, begin, end - begin);
-        begin = end;
-    }
-    return rest;
-}
+std::string without_comments(const std::string& text) { return without_lines(text, {"//"}); }
 
 /// Whether a source has no code: of several sources for kernels (--shards) some may have none.
 bool is_blank(const Output& source) {

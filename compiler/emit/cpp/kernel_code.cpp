@@ -1,4 +1,5 @@
 // Kernels as data: functions for the host device, SPIR-V, and what describes them.
+#include "base/lines.h"
 #include "emit/cpp/kernel_parts.h"
 #include "emit/cpp/sharing.h"
 #include "emit/cpp/spirv_file.h"
@@ -195,14 +196,7 @@ std::string digest_text(const Unit& unit, ir::KernelId kernel, const std::string
 /// What is printed about a kernel, without what edits of other kernels change: comments, its line, and the names of
 /// constants with SPIR-V.
 std::string lasting_text(const std::string& printed, const FormWords& words) {
-    std::string lasting;
-    for (std::size_t begin = 0; begin < printed.size();) {
-        const std::size_t end = std::min(printed.find('\n', begin), printed.size() - 1) + 1;
-        const std::string line = printed.substr(begin, end - begin);
-        const std::size_t first = std::min(line.find_first_not_of(' '), line.size());
-        if (line.compare(first, 2, "//") != 0 && line.compare(first, 5, ".line") != 0) lasting += line;
-        begin = end;
-    }
+    std::string lasting = without_lines(printed, {"//", ".line"});
     for (const Words* form : {&words.direct, &words.general}) {
         for (const std::string* name : {&form->spirv, &form->fragment}) {
             if (const std::size_t at = name->empty() ? lasting.npos : lasting.find(*name); at != lasting.npos)
