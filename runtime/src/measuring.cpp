@@ -82,6 +82,7 @@ StorageNeeds MeasuringDevice::storage_needs(const MemoryDescription& description
     return real_->storage_needs(description);
 }
 
+VisibleMemory MeasuringDevice::allocate_visible(const MemoryDescription&) { throw_needs_to_run("allocate_visible"); }
 std::shared_ptr<Stream> MeasuringDevice::begin_recording() { throw_needs_to_run("Device::record"); }
 std::shared_ptr<RecordingObject> MeasuringDevice::end_recording(Stream&) { throw_needs_to_run("Device::record"); }
 

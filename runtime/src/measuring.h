@@ -23,6 +23,7 @@ public:
     std::shared_ptr<MemoryObject> allocate(const MemoryDescription& description) override;
     StorageNeeds storage_needs(const MemoryDescription& description) override;
     Stream& stream() override { return *stream_; }
+    VisibleMemory allocate_visible(const MemoryDescription& description) override;
     std::shared_ptr<Stream> begin_recording() override;
     std::shared_ptr<RecordingObject> end_recording(Stream& stream) override;
     Statistics statistics() override { return real_->statistics(); }

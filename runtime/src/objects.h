@@ -80,6 +80,28 @@ public:
     virtual std::uint64_t workspace_bytes() const = 0;
 };
 
+/// The end of some commands of a device.
+class PointObject {
+public:
+    virtual ~PointObject() = default;
+    /// Returns when the device is done with the commands; the host then sees what they wrote. Any thread may call it.
+    virtual void wait() = 0;
+};
+
+/// Holds back the commands of a device that are given after it was made.
+class GateObject {
+public:
+    virtual ~GateObject() = default;  ///< opens the gate
+    /// The commands may begin; they see what the host has written. Any thread may call it.
+    virtual void open() = 0;
+};
+
+/// A buffer that the device and the host see.
+struct VisibleMemory {
+    Memory memory;
+    std::span<std::byte> bytes;
+};
+
 /// Arguments are checked before they get here (check.h), except for those of `dispatch` and `can_be_direct`, which the
 /// streams that run or record check themselves.
 class Stream {
@@ -145,6 +167,15 @@ public:
     /// What a memory of this description would need; allocates nothing.
     virtual StorageNeeds storage_needs(const MemoryDescription& description) = 0;
     virtual Stream& stream() = 0;
+    /// A buffer that the host sees as well; its contents start undefined.
+    virtual VisibleMemory allocate_visible(const MemoryDescription& description) = 0;
+    /// Submits the commands that were given to stream() so far, and returns their end. Null: they have run.
+    virtual std::shared_ptr<PointObject> point() { return nullptr; }
+    /// Whether commands can be held back. If not, the caller waits before it gives them.
+    virtual bool has_gates() const { return false; }
+    /// Holds back the commands that are given to stream() from now on. Gates have to be opened in the order in which
+    /// they were made.
+    virtual std::shared_ptr<GateObject> gate() { return nullptr; }
     virtual std::shared_ptr<Stream> begin_recording() = 0;
     virtual std::shared_ptr<RecordingObject> end_recording(Stream& stream) = 0;
     virtual Statistics statistics() = 0;

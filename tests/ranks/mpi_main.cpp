@@ -1,5 +1,5 @@
-// mpirun -n RANKS ranks_mpi TEST [CASE]: the tests of cases.h in processes of an MPI job. GLIFT_DEVICE chooses the
-// device.
+// mpirun -n RANKS ranks_mpi [--one-thread] TEST [CASE]: the tests of cases.h in processes of an MPI job. GLIFT_DEVICE
+// chooses the device. --one-thread: MPI is called by the main thread alone.
 #include "cases.h"
 
 #include <glift/mpi/world.h>
@@ -25,9 +25,13 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    MPI_Init(&argc, &argv);
+    const bool is_single = argc > 1 && std::string(argv[1]) == "--one-thread";
+    int level = MPI_THREAD_SINGLE;
+    MPI_Init_thread(&argc, &argv, is_single ? MPI_THREAD_SINGLE : MPI_THREAD_MULTIPLE, &level);
+    if (is_single) --argc, ++argv;
     if (argc < 2) {
-        std::fputs("usage: mpirun -n RANKS ranks_mpi bits|bytes|balance|refusals|save|load|hang|die [CASE|FILE]\n",
+        std::fputs("usage: mpirun -n RANKS ranks_mpi [--one-thread] bits|bytes|balance|refusals|save|load|hang|die "
+                   "[CASE|FILE]\n",
                    stderr);
         MPI_Abort(MPI_COMM_WORLD, 2);
     }

@@ -35,6 +35,11 @@ public:
 
     unsigned rank() const override { return static_cast<unsigned>(rank_); }
     unsigned size() const override { return static_cast<unsigned>(size_); }
+    bool allows_threads() const override {
+        int level = MPI_THREAD_SINGLE;
+        MPI_Query_thread(&level);
+        return level == MPI_THREAD_MULTIPLE;
+    }
     std::string name_of(unsigned rank) const override {
         return std::string("on ") + (names_.data() + std::size_t{rank} * MPI_MAX_PROCESSOR_NAME);
     }

@@ -38,6 +38,10 @@ public:
         auto storage = std::make_shared<HostStorage>(description.bytes, description, counters_);
         return std::make_shared<HostMemoryObject>(shared_from_this(), description, std::move(storage), 0, counters_);
     }
+    VisibleMemory allocate_visible(const MemoryDescription& description) override {
+        const Memory memory(allocate(description));
+        return {memory, {host_memory(memory).data(), description.bytes}};
+    }
     StorageNeeds storage_needs(const MemoryDescription& description) override { return {.bytes = description.bytes}; }
 
     Stream& stream() override { return stream_; }

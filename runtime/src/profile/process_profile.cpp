@@ -42,7 +42,9 @@ void write_file(const std::string& name, const std::string& text) {
     if (!is_written || !is_closed) log("GLIFT_PROFILE: cannot write " + name + ": look at the folder and its rights");
 }
 
-void report_at_exit() {
+}  // namespace
+
+void report_profile() {
     ProcessProfile& profile = process_profile();
     std::vector<std::shared_ptr<DeviceObject>> open;
     {
@@ -59,14 +61,13 @@ void report_at_exit() {
         keep_profile(*device);
     }
     const std::lock_guard lock(profile.mutex);
+    if (profile.target.empty()) return;
     if (profile.target != "summary") return write_file(profile.target, trace_of(profile.done));
     for (const ProfileData& data : profile.done) {
         const std::string text = summary_of(data);
         std::fwrite(text.data(), 1, text.size(), stderr);
     }
 }
-
-}  // namespace
 
 void profile_if_asked(const std::shared_ptr<DeviceObject>& device) {
     const char* const text = std::getenv("GLIFT_PROFILE");
@@ -75,7 +76,7 @@ void profile_if_asked(const std::shared_ptr<DeviceObject>& device) {
     const std::string target = target_of(text);
     device->start_profile();
     const std::lock_guard lock(profile.mutex);
-    if (profile.target.empty()) std::ignore = std::atexit(report_at_exit);
+    if (profile.target.empty()) std::ignore = std::atexit(report_profile);
     profile.target = target;
     profile.live.emplace_back(device.get(), device);
 }

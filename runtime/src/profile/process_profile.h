@@ -10,6 +10,9 @@ namespace glift::detail {
 /// missing_feature as Profile does.
 void profile_if_asked(const std::shared_ptr<DeviceObject>& device);
 
+/// Prints or writes the report now: for processes that end without the handlers of exit.
+void report_profile();
+
 /// Keeps what was collected of a device that GLIFT_PROFILE profiles and that is being destroyed.
 void keep_profile(const DeviceObject& device);
 

@@ -1,11 +1,13 @@
 // Which elements of a memory are up to date on this rank.
 #pragma once
 
+#include "../objects.h"
 #include "cuts.h"
 #include "slab_layout.h"
 
 #include <glift/pass.h>
 
+#include <algorithm>
 #include <memory>
 #include <unordered_map>
 #include <vector>
@@ -19,25 +21,37 @@ struct Paging {
     DeviceValue count;                             ///< how many there are
     Memory table;                                  ///< for each page its frame + 1, or 0
     std::uint32_t pages_of_plane = 0, layers = 0;  ///< layers of elements of a page, along the last axis
+    std::uint32_t capacity = 0;                    ///< frames
 
-    /// Where each plane begins in the list, and the end; stale after a pass that writes the list, the count or the
-    /// table.
-    std::vector<std::uint32_t> first_of_plane;
-    bool is_stale = true;
+    /// Where each plane begins in the list, and the end, for the device; and the same for the host, which sees what the
+    /// last pass wrote whose point it waited for.
+    Memory planes;
+    VisibleMemory seen;
+    bool is_stale = true;  ///< after a pass that writes the list, the count or the table
 
-    /// Lists of the pages of some planes, in place of `list`, for the planes that they were made for.
+    /// Lists of the pages of some planes, in place of `list`, for the planes that they were made for. The k-th word of
+    /// `counts` says how many pages the k-th list has.
     struct Sublist {
         Planes lower, upper;
         Memory memory;
-        std::uint32_t pages = 0;
     };
+    static constexpr std::size_t most_sublists = 64;
     std::vector<Sublist> sublists;
     std::vector<Memory> spare;  ///< of sublists that are needed no more
-    Memory planes;              ///< first_of_plane, on the device
+    Memory counts;
 
     void forget_sublists() {
         for (Sublist& list : sublists) spare.push_back(std::move(list.memory));
         sublists.clear();
+    }
+    std::uint32_t most_pages(Planes of) const {
+        return static_cast<std::uint32_t>(
+            std::min(std::uint64_t{pages_of_plane} * of.count(), std::uint64_t{capacity}));
+    }
+    /// The indices in the list of the pages of some planes, as the host sees them.
+    Planes pages(Planes of) const {
+        const auto* first = reinterpret_cast<const std::uint32_t*>(seen.bytes.data());
+        return {first[of.first], first[of.end]};
     }
 };
 

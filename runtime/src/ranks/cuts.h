@@ -34,10 +34,4 @@ private:
     std::vector<std::uint32_t> cuts_;
 };
 
-/// Planes that one rank sends to another one.
-struct Transfer {
-    unsigned from, to;
-    std::uint32_t plane;
-};
-
 }  // namespace glift::detail

@@ -18,20 +18,18 @@ Piece piece_of(const Memory& memory, const Coverage& coverage, unsigned from, un
                 nullptr,
                 planes.first * coverage.layout.plane_bytes,
                 planes.count() * coverage.layout.plane_bytes};
-    const std::uint32_t first = paging->first_of_plane[planes.first];
     return {from,
             to,
             memory,
             paging,
             first_layer * coverage.layer_bytes,
             layers * coverage.layer_bytes,
-            first,
-            paging->first_of_plane[planes.end] - first,
-            coverage.frame_bytes};
+            planes,
+            static_cast<std::uint32_t>(coverage.frame_bytes)};
 }
 
 void add(std::vector<Piece>& pieces, Piece piece) {
-    if (piece.bytes() != 0) pieces.push_back(std::move(piece));
+    if (piece.most_bytes() != 0) pieces.push_back(std::move(piece));
 }
 
 void add_dense_ghosts(std::vector<Piece>& pieces, const Memory& memory, const Coverage& coverage, unsigned to,
@@ -121,8 +119,8 @@ std::uint64_t most_bytes_of_plane(const Coverage& coverage) {
     const Paging* paging = coverage.space->paging.get();
     if (!paging) return coverage.layout.plane_bytes;
     std::uint32_t most = 0;
-    for (std::size_t plane = 0; plane + 1 < paging->first_of_plane.size(); ++plane)
-        most = std::max(most, paging->first_of_plane[plane + 1] - paging->first_of_plane[plane]);
+    for (std::uint32_t plane = 0; plane < coverage.space->cuts.planes(); ++plane)
+        most = std::max(most, paging->pages({plane, plane + 1}).count());
     return most * coverage.frame_bytes;
 }
 

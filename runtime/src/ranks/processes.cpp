@@ -1,5 +1,7 @@
 #include <glift/ranks/processes.h>
 
+#include "../profile/process_profile.h"
+
 #include <glift/error.h>
 #include <glift/ranks/lost_ranks.h>
 
@@ -108,6 +110,7 @@ public:
 
     unsigned rank() const override { return rank_; }
     unsigned size() const override { return channels_->ranks(); }
+    bool allows_threads() const override { return true; }
     std::string name_of(unsigned rank) const override {
         return "process " + std::to_string(channels_->process(rank).id.load());
     }
@@ -194,17 +197,28 @@ private:
     unsigned rank_;
 };
 
+/// Gives each rank a trace of its own: trace.json becomes trace.0.json.
+void name_trace(unsigned rank) {
+    const char* const target = std::getenv("GLIFT_PROFILE");
+    const std::string_view name = target ? target : "", ending = ".json";
+    if (!name.ends_with(ending)) return;
+    const std::string stem(name.substr(0, name.size() - ending.size()));
+    setenv("GLIFT_PROFILE", (stem + "." + std::to_string(rank) + ".json").c_str(), 1);
+}
+
 /// Runs the body in this process, which is a rank, and ends the process.
 [[noreturn]] void run_rank(const std::shared_ptr<SharedChannels>& channels, unsigned rank,
                            const std::function<int(std::shared_ptr<Transport>)>& body) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     channels->process(rank).id = getpid();
+    name_trace(rank);
     int status = 1;
     try {
         status = body(std::make_shared<ProcessTransport>(channels, rank));
     } catch (const std::exception& error) {
         std::fprintf(stderr, "rank %u: %s\n", rank, error.what());
     }
+    detail::report_profile();
     std::fflush(stdout);
     std::fflush(stderr);
     _exit(status);

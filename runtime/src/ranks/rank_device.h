@@ -21,6 +21,9 @@ public:
         return local_->storage_needs(description);
     }
     Stream& stream() override { return stream_; }
+    VisibleMemory allocate_visible(const MemoryDescription& description) override {
+        return local_->allocate_visible(description);
+    }
     std::shared_ptr<Stream> begin_recording() override;
     std::shared_ptr<RecordingObject> end_recording(Stream& stream) override;
     glift::Statistics statistics() override { return local_->statistics(); }

@@ -5,7 +5,6 @@
 #include <glift/iteration.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstring>
 
 namespace glift::detail {
@@ -15,8 +14,6 @@ namespace {
 bool reads(const Binding& binding) { return binding.access != Access::write; }
 bool writes(const Binding& binding) { return binding.access != Access::read; }
 bool is_local(const Binding& binding) { return binding.reach == Reach::element || binding.reach == Reach::window; }
-
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 std::uint32_t up_to(std::uint32_t value, std::uint32_t multiple) {
     return (value + multiple - 1) / multiple * multiple;
@@ -31,56 +28,54 @@ bool must_gather(const Binding& binding, const Coverage& coverage, const PassPla
 
 }  // namespace
 
-/// Reads where each plane of pages begins in the list, after it has changed.
+/// Finds where each plane of pages begins in the list, after it has changed. The host sees it later.
 void RankStream::refresh(Paging& paging, const Cuts& cuts) {
     if (!paging.is_stale) return;
     const std::uint32_t count = cuts.planes() + 1;
-    if (!paging.planes)
-        paging.planes =
-            local().allocate({.name = "planes of pages", .bytes = 4 * std::uint64_t{count}, .zeroed = false});
     const FindPlanes parameters = {count,
                                    paging.pages_of_plane,
                                    static_cast<std::uint32_t>(paging.count.offset / 4),
                                    static_cast<std::uint32_t>(paging.list.description().bytes / 4),
                                    {}};
-    const Memory memories[] = {paging.list, paging.count.memory, paging.planes};
+    const Memory memories[] = {paging.list, paging.count.memory, paging.planes, paging.seen.memory};
     local().dispatch(find_planes_kernel, {.form = FormName::general,
                                           .memories = memories,
                                           .parameters = glift::bytes_of(parameters),
                                           .size = {count, 1, 1, 1}});
-    const std::vector<std::byte> bytes = bytes_of(paging.planes);
-    paging.first_of_plane.resize(count);
-    std::memcpy(paging.first_of_plane.data(), bytes.data(), 4 * std::size_t{count});
     paging.forget_sublists();
     paging.is_stale = false;
 }
 
+/// Waits until the host sees where each plane of pages begins.
+void RankStream::see_planes(Paging& paging, const Cuts& cuts) {
+    refresh(paging, cuts);
+    messenger_.finish();
+    if (const auto point = local_->point()) point->wait();
+}
+
 /// The pages of two parts of the planes, as a list of their own.
-const Paging::Sublist& RankStream::sublist(Paging& paging, Planes lower, Planes upper) {
-    for (const Paging::Sublist& list : paging.sublists)
-        if (list.lower == lower && list.upper == upper) return list;
-    const auto part = [&](Planes planes) {
-        if (planes.count() == 0) return Planes{};
-        return Planes{paging.first_of_plane[planes.first], paging.first_of_plane[planes.end]};
-    };
-    const Planes first = part(lower), second = part(upper);
-    Paging::Sublist list{lower, upper, Memory(), first.count() + second.count()};
-    if (!paging.spare.empty()) {
-        list.memory = paging.spare.back();
-        paging.spare.pop_back();
+std::uint32_t RankStream::sublist(Paging& paging, Planes lower, Planes upper) {
+    for (std::uint32_t k = 0; k < paging.sublists.size(); ++k)
+        if (paging.sublists[k].lower == lower && paging.sublists[k].upper == upper) return k;
+    if (paging.sublists.size() == Paging::most_sublists) paging.forget_sublists();
+    Paging::Sublist list{lower, upper, Memory()};
+    const std::uint64_t bytes = paging.list.description().bytes;
+    if (paging.spare.empty()) {
+        list.memory = local().allocate({.name = "pages of a rank", .bytes = bytes, .zeroed = false});
     } else {
-        const MemoryDescription& whole = paging.list.description();
-        list.memory = local().allocate({.name = "pages of a rank", .bytes = whole.bytes, .zeroed = false});
+        list.memory = std::move(paging.spare.back());
+        paging.spare.pop_back();
     }
-    if (list.pages != 0) {
-        const TakePages parameters = {list.pages, first.first, first.count(), second.first, {}};
-        const Memory memories[] = {paging.list, list.memory};
-        local().dispatch(take_pages_kernel, {.form = FormName::general,
-                                             .memories = memories,
-                                             .parameters = glift::bytes_of(parameters),
-                                             .size = {list.pages, 1, 1, 1}});
-    }
-    return paging.sublists.emplace_back(std::move(list));
+    const auto number = static_cast<std::uint32_t>(paging.sublists.size());
+    const std::uint32_t most = std::max(1u, paging.most_pages({0, lower.count() + upper.count()}));
+    const TakePages parameters = {std::min(most, 1u << 18), lower.first, lower.end, upper.first, upper.end, number, {}};
+    const Memory memories[] = {paging.list, paging.planes, list.memory, paging.counts};
+    local().dispatch(take_pages_kernel, {.form = FormName::general,
+                                         .memories = memories,
+                                         .parameters = glift::bytes_of(parameters),
+                                         .size = {parameters.size, 1, 1, 1}});
+    paging.sublists.push_back(std::move(list));
+    return number;
 }
 
 void RankStream::run_distributed(const Kernel& kernel, const Call& call, const PassPlan& plan) {
@@ -158,8 +153,8 @@ std::uint32_t RankStream::run_parts(const Kernel& kernel, const Call& call, cons
         run_planes(kernel, call, plan, all);
         return extension;
     }
-    const double begin = now();
-    const Messenger::Started started = messenger_.start(missing);
+    const Messenger::Started started = messenger_.start(missing, exchanges_);
+    ++statistics_.exchanges;
     const std::uint32_t width = (plan.radius + layers - 1) / layers;
     Planes inner = {own.first + width, own.end - std::min(own.end, width)};
     if (!plan.space->paging && inner.count() != 0) {
@@ -169,19 +164,14 @@ std::uint32_t RankStream::run_parts(const Kernel& kernel, const Call& call, cons
         inner.end = std::max(inner.end, plan.origin);
         inner.end = plan.origin + (inner.end - plan.origin) / plan.covered * plan.covered;
     }
-    const bool overlaps = options_.overlaps && inner.count() != 0 && plan.scattered.empty();
-    if (overlaps) {
+    if (options_.overlaps && inner.count() != 0 && plan.scattered.empty()) {
         run_planes(kernel, call, plan, inner);
-        local().flush();
+        messenger_.receive(started);
+        run_planes(kernel, call, plan, {all.first, inner.first}, {inner.end, all.end});
+    } else {
+        messenger_.receive(started);
+        run_planes(kernel, call, plan, all);
     }
-    const double waits = now();
-    statistics_.exchanged_bytes += messenger_.finish(started);
-    ++statistics_.exchanges;
-    statistics_.exchange_seconds += now() - (overlaps ? waits : begin);
-    if (overlaps) run_planes(kernel, call, plan, {all.first, inner.first}, {inner.end, all.end});
-    else run_planes(kernel, call, plan, all);
-    local().flush();
-    passes_since_flush_ = 0;
     return extension;
 }
 
@@ -199,19 +189,19 @@ void RankStream::run_planes(const Kernel& kernel, const Call& call, const PassPl
 
 /// Runs the pass over the pages of some planes: with a list of them in place of the list of all pages.
 void RankStream::run_pages(const Kernel& kernel, const Call& call, const Space& space, Planes lower, Planes upper) {
-    const Paging::Sublist list = sublist(*space.paging, lower, upper);
-    if (list.pages == 0) return;
+    if (lower.count() + upper.count() == 0) return;
+    Paging& paging = *space.paging;
+    const std::uint32_t number = sublist(paging, lower, upper);
     std::vector<Memory> memories(call.memories.begin(), call.memories.end());
-    std::ranges::replace(memories, space.paging->list, list.memory);
-    std::vector<std::byte> parameters(call.parameters.begin(), call.parameters.end());
+    std::ranges::replace(memories, paging.list, paging.sublists[number].memory);
     const std::uint32_t at = form_of(kernel, call.form).size_offset + 4;
-    std::memcpy(parameters.data() + at, &list.pages, 4);
     std::vector<Patch> patches(call.patches.begin(), call.patches.end());
     std::erase_if(patches, [&](const Patch& patch) { return patch.offset == at; });
+    patches.push_back(
+        {{paging.counts, 4 * std::uint64_t{number}}, at, paging.most_pages({0, lower.count() + upper.count()})});
     Call part = call;
     part.memories = memories;
-    part.parameters = parameters;
-    part.size[1] = list.pages;
+    part.size[1] = patches.back().limit;
     part.patches = patches;
     part.fixed = {};
     local().dispatch(kernel, part);

@@ -10,7 +10,7 @@ namespace glift::detail {
 
 namespace {
 
-constexpr unsigned most_passes_unsubmitted = 8;
+constexpr unsigned most_passes_unsubmitted = 64;
 constexpr std::uint64_t most_gathered_at_once = std::uint64_t{32} << 20;
 
 bool reads(const Binding& binding) { return binding.access != Access::write; }
@@ -34,13 +34,29 @@ RankStream::RankStream(DeviceObject& device, std::shared_ptr<ranks::Transport> t
     : device_(device), local_(local), options_(options),
       messenger_(std::move(transport), std::move(local), options.limit.count()) {}
 
+void RankStream::wait() {
+    messenger_.finish();
+    local().wait();
+}
+
+ranks::Statistics RankStream::statistics() {
+    messenger_.finish();
+    ranks::Statistics result = statistics_;
+    result.exchanged_bytes = exchanges_.bytes;
+    result.exchange_seconds = exchanges_.seconds;
+    result.gathered_bytes = gathers_.bytes;
+    result.migrated_bytes = migrations_.bytes;
+    return result;
+}
+
 void RankStream::dispatch(const Kernel& kernel, const Call& call) {
     if (messenger_.size() == 1) return run_whole(kernel, call);
+    messenger_.check();
     const bool is_host = local_->properties().kind == DeviceKind::host;
     if (const auto plan = plan_of(kernel, call, coverages_, layouts_, paged_spaces_, is_host))
         run_distributed(kernel, call, *plan);
     else run_whole(kernel, call);
-    // The host waits for the device at each exchange, and so is never far ahead of it.
+    // The device begins while the host gives more passes, most of which are short.
     if (++passes_since_flush_ < most_passes_unsubmitted) return;
     local().flush();
     passes_since_flush_ = 0;
@@ -71,17 +87,22 @@ void RankStream::gather(const Memory& memory) {
     Coverage* coverage = memory ? coverages_.find(memory) : nullptr;
     if (!coverage || !coverage->is_partial()) return;
     const Cuts& cuts = coverage->space->cuts;
-    if (coverage->space->paging) refresh(*coverage->space->paging, cuts);
+    if (coverage->space->paging) see_planes(*coverage->space->paging, cuts);
     std::uint32_t most_planes = 0;
     for (unsigned rank = 0; rank < cuts.ranks(); ++rank) most_planes = std::max(most_planes, cuts.of(rank).count());
     const std::uint64_t plane = std::max<std::uint64_t>(1, most_bytes_of_plane(*coverage));
     const auto step = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(most_gathered_at_once / plane, 1, 1u << 20));
     for (std::uint32_t at = 0; at < most_planes; at += step) {
-        const std::vector<Piece> pieces = gather_pieces(memory, *coverage, {at, at + step});
-        statistics_.gathered_bytes += messenger_.finish(messenger_.start(pieces));
+        transfer(gather_pieces(memory, *coverage, {at, at + step}), gathers_);
     }
     ++statistics_.gathers;
     coverage->ghost = Coverage::everywhere;
+}
+
+/// Sends and receives pieces. Waits, so that these do not have to be in the hosts' memory at once.
+void RankStream::transfer(const std::vector<Piece>& pieces, Traffic& traffic) {
+    messenger_.receive(messenger_.start(pieces, traffic));
+    messenger_.finish();
 }
 
 void RankStream::clear(const Memory& memory) {
@@ -134,11 +155,13 @@ void RankStream::upload_image(const Memory& image, std::span<const ImageRegion> 
 std::shared_ptr<DownloadObject> RankStream::download(const Memory& from, std::span<const CopyRegion> regions,
                                                      std::uint64_t bytes) {
     gather(from);
+    messenger_.finish();
     return local().download(from, regions, bytes);
 }
 
 std::shared_ptr<DownloadObject> RankStream::download_image(const Memory& image, std::span<const ImageRegion> regions,
                                                            std::uint64_t bytes) {
+    messenger_.finish();
     return local().download_image(image, regions, bytes);
 }
 
@@ -189,6 +212,12 @@ void RankStream::distribute(const PagedShape& shape, const ranks::Distribution& 
     paging.table = shape.table;
     paging.pages_of_plane = pages_of_plane;
     paging.layers = shape.page[last];
+    paging.capacity = shape.capacity;
+    const std::uint64_t planes_bytes = 4 * (std::uint64_t{planes} + 1);
+    paging.planes = local().allocate({.name = "planes of pages", .bytes = planes_bytes, .zeroed = false});
+    paging.seen = local_->allocate_visible({.name = "planes of pages", .bytes = planes_bytes, .zeroed = false});
+    paging.counts = local().allocate({.name = "pages of a rank", .bytes = 4 * Paging::most_sublists, .zeroed = false});
+    messenger_.finish();  // what is under way may refer to the space that this one replaces
     for (const Memory& frames : shape.frames) {
         Coverage coverage;
         coverage.space = space;
@@ -207,28 +236,29 @@ Space& RankStream::space_of(const PagedShape& shape) {
     if (at == paged_spaces_.end())
         throw Error(ErrorCode::wrong_argument, "the structure is not distributed", shape.type_name, {},
                     "call World::distribute first");
-    refresh(*(*at)->paging, (*at)->cuts);
+    see_planes(*(*at)->paging, (*at)->cuts);
     return **at;
 }
 
 double RankStream::imbalance(const PagedShape& shape) {
     const Space& space = space_of(shape);
-    const std::vector<std::uint32_t>& first = space.paging->first_of_plane;
     std::uint32_t most = 0;
     for (unsigned rank = 0; rank < messenger_.size(); ++rank)
-        most = std::max(most, first[space.cuts.of(rank).end] - first[space.cuts.of(rank).first]);
-    return first.back() == 0 ? 1 : static_cast<double>(most) * messenger_.size() / first.back();
+        most = std::max(most, space.paging->pages(space.cuts.of(rank)).count());
+    const std::uint32_t all = space.paging->pages({0, space.cuts.planes()}).count();
+    return all == 0 ? 1 : static_cast<double>(most) * messenger_.size() / all;
 }
 
 double RankStream::balance(const PagedShape& shape) {
     Space& space = space_of(shape);
-    const std::vector<std::uint64_t> before(space.paging->first_of_plane.begin(), space.paging->first_of_plane.end());
+    std::vector<std::uint64_t> before;
+    for (std::uint32_t plane = 0; plane <= space.cuts.planes(); ++plane)
+        before.push_back(space.paging->pages({0, plane}).end);
     const Cuts next(before, messenger_.size());
     if (before.back() == 0 || next == space.cuts) return imbalance(shape);
     for (const auto& [memory, coverage] : coverages_.of(space)) {
         if (!coverage->is_partial()) continue;
-        const std::vector<Piece> pieces = migration_pieces(memory, *coverage, next);
-        statistics_.migrated_bytes += messenger_.finish(messenger_.start(pieces));
+        transfer(migration_pieces(memory, *coverage, next), migrations_);
         coverage->ghost = 0;
     }
     space.cuts = next;
@@ -237,6 +267,7 @@ double RankStream::balance(const PagedShape& shape) {
 }
 
 std::vector<std::byte> RankStream::bytes_of(const Memory& memory) {
+    messenger_.finish();
     const std::uint64_t bytes = memory.description().bytes;
     const CopyRegion region = {0, 0, bytes};
     const auto download = local().download(memory, {&region, 1}, bytes);

@@ -36,7 +36,7 @@ public:
                                                    std::uint64_t bytes) override;
     std::shared_ptr<TimestampObject> timestamp() override { return local().timestamp(); }
     void flush() override { local().flush(); }
-    void wait() override { local().wait(); }
+    void wait() override;
 
     void distribute(const char* type_name, const RangeShape& shape, std::span<const Memory> memories,
                     const ranks::Distribution& how);
@@ -44,7 +44,7 @@ public:
     double balance(const PagedShape& shape);
     double imbalance(const PagedShape& shape);
     Messenger& messenger() { return messenger_; }
-    const ranks::Statistics& statistics() const { return statistics_; }
+    ranks::Statistics statistics();
 
 private:
     Stream& local() { return local_->stream(); }
@@ -65,7 +65,9 @@ private:
     void run_pages(const Kernel& kernel, const Call& call, const Space& space, Planes lower, Planes upper);
     std::vector<Piece> missing_ghosts(const Kernel& kernel, const Call& call, const PassPlan& plan);
     void refresh(Paging& paging, const Cuts& cuts);
-    const Paging::Sublist& sublist(Paging& paging, Planes lower, Planes upper);
+    void see_planes(Paging& paging, const Cuts& cuts);
+    void transfer(const std::vector<Piece>& pieces, Traffic& traffic);
+    std::uint32_t sublist(Paging& paging, Planes lower, Planes upper);  ///< its number
 
     // What passes write to memories that every rank has (combine.cpp).
     struct Before {
@@ -81,13 +83,14 @@ private:
     DeviceObject& device_;
     std::shared_ptr<DeviceObject> local_;
     ranks::Options options_;
-    Messenger messenger_;
     Coverages coverages_;
     SlabLayouts layouts_;
     std::vector<std::shared_ptr<Space>> paged_spaces_;
     std::map<std::uint32_t, std::shared_ptr<Space>> dense_spaces_;  ///< by planes
     ranks::Statistics statistics_;
+    Traffic exchanges_, gathers_, migrations_;
     unsigned passes_since_flush_ = 0;
+    Messenger messenger_;  ///< the last member: messages under way refer to the others
 };
 
 }  // namespace glift::detail

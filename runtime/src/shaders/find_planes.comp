@@ -12,7 +12,7 @@ layout(set = 0, binding = 0, scalar) readonly buffer Parameters {
     uint pages_of_plane;
     uint count_word;
     uint capacity;
-    Words list, count, result;
+    Words list, count, result, seen;
 };
 
 void main() {
@@ -25,5 +25,5 @@ void main() {
         if (list.word[middle] < page) low = middle + 1u;
         else high = middle;
     }
-    result.word[plane] = low;
+    result.word[plane] = seen.word[plane] = low;
 }

@@ -77,7 +77,7 @@ bool CommandBatch::reset() {
     parameters.clear();
     upload.clear();
     readback.clear();
-    operations = passes = 0;
+    operations = passes = gate = 0;
     times.reset();
     prints = false;
     return context.vk.vkResetCommandPool(context.device, pool, 0) == VK_SUCCESS && sets.reset();

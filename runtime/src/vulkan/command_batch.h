@@ -37,6 +37,7 @@ struct CommandBatch {
     DescriptorSets sets;
     std::shared_ptr<RecordedTimes> times;  ///< of a recording that was made while the device was profiled; else null
     std::uint64_t value = 0;               ///< the timeline's value once the device is done with it
+    std::uint64_t gate = 0;                ///< Timeline's, which holds it back; 0: none
     std::uint64_t operations = 0;          ///< recorded
     std::uint64_t passes = 0;              ///< calls of kernels in a recording
     bool prints = false;                   ///< some kernel has messages

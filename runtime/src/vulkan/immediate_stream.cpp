@@ -84,6 +84,13 @@ void ImmediateStream::open_batch() {
     device_.set_retire_value(open_value());
 }
 
+void ImmediateStream::hold_back(std::uint64_t gate) {
+    submit();
+    open_batch();
+    batch_->gate = gate;
+    encoder_.full_barrier();  // what the host wrote before it opened the gate
+}
+
 void ImmediateStream::recorded() {
     if (batch_->operations >= most_operations) submit();
 }
@@ -109,7 +116,7 @@ void ImmediateStream::submit() {
     Context& context = device_.context();
     context.check(context.vk.vkEndCommandBuffer(batch->commands), "vkEndCommandBuffer");
     try {
-        batch->value = device_.submit(batch->commands);
+        batch->value = device_.submit(batch->commands, batch->gate);
     } catch (...) {
         device_.give_back(std::move(batch));
         throw;

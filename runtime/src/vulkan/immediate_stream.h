@@ -27,6 +27,7 @@ public:
     /// Submits what was put into the stream, then what `submission` submits. The profiler sees the latter as one pass.
     template <class Submission> void timed(const Work& work, Submission&& submission);
     bool is_open() const { return batch_ != nullptr; }
+    void hold_back(std::uint64_t gate);     ///< what is put into the stream from now on
     void collect(std::uint64_t completed);  ///< takes back batches that the device is done with
     std::uint64_t open_value() const;       ///< the timeline's value for the open batch
 

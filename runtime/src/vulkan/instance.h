@@ -25,6 +25,7 @@ public:
     const InstanceTable& vk() const { return table_; }
     PFN_vkGetInstanceProcAddr entry() const { return entry_; }
     std::vector<VkPhysicalDevice> physical_devices() const;
+    bool is_validated() const { return messenger_ != VK_NULL_HANDLE; }
     std::vector<std::string> take_messages();
     void note(std::string message);
 

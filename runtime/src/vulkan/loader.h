@@ -142,6 +142,7 @@ private:
     X(vkResetQueryPool) \
     X(vkUpdateDescriptorSetWithTemplate) \
     X(vkWaitForFences) \
+    X(vkSignalSemaphore) \
     X(vkWaitSemaphores)
 
 #define GLIFT_DEVICE_EXTENSION_FUNCTIONS(X) X(vkCmdPushDescriptorSetWithTemplateKHR)

@@ -1,7 +1,11 @@
-// The queue and its timeline semaphore: each submission has a number, in increasing order.
+// The queue and its timeline semaphore: each submission has a number, in increasing order. Gates hold submissions back
+// until the host opens them.
 #pragma once
 
 #include "context.h"
+
+#include <chrono>
+#include <mutex>
 
 namespace glift::detail {
 
@@ -11,18 +15,30 @@ public:
     ~Timeline();
     Timeline(const Timeline&) = delete;
 
-    /// The device's lock is held. Returns the submission's number.
-    std::uint64_t submit(VkCommandBuffer commands);
+    /// The device's lock is held. The commands begin when this gate is open; 0: at once. Returns the submission's
+    /// number.
+    std::uint64_t submit(VkCommandBuffer commands, std::uint64_t gate = 0);
     std::uint64_t submitted() const { return submitted_.load(std::memory_order_acquire); }
+    /// The number of a new gate, from 1 on. The device's lock is held.
+    std::uint64_t new_gate() { return ++gates_; }
 
-    /// Both may be called from any thread.
+    /// These may be called from any thread.
     std::uint64_t completed();
     void wait(std::uint64_t value);
+    /// As wait, for a thread beside the program's: where two threads are in vkWaitSemaphores, NVIDIA's driver lets one
+    /// of them sleep for up to 10 ms after its value was reached. This one asks again and again.
+    void poll(std::uint64_t value);
+    void open_gate(std::uint64_t gate);  ///< and those before it; throws nothing, since waits find a lost device
 
 private:
+    bool completes_within(std::chrono::microseconds time, std::uint64_t value);
+
     Context& context_;
-    VkSemaphore semaphore_ = VK_NULL_HANDLE;
+    VkSemaphore semaphore_ = VK_NULL_HANDLE, gate_semaphore_ = VK_NULL_HANDLE;
     std::atomic<std::uint64_t> submitted_{0};
+    std::uint64_t gates_ = 0;  ///< made
+    std::mutex mutex_;         ///< of `open_gates_`
+    std::uint64_t open_gates_ = 0;
 };
 
 }  // namespace glift::detail

@@ -5,6 +5,7 @@
 #include "../text.h"
 #include "begin_messages.h"
 #include "fill_words.h"
+#include "points.h"
 #include "prepare_indirect.h"
 #include "vulkan/memory/sparse_binding.h"
 
@@ -100,6 +101,30 @@ MemoryId VulkanDevice::new_id() {
 std::shared_ptr<MemoryObject> VulkanDevice::allocate(const MemoryDescription& description) {
     const std::lock_guard lock(mutex_);
     return new_memory(description);
+}
+
+VisibleMemory VulkanDevice::allocate_visible(const MemoryDescription& description) {
+    const std::lock_guard lock(mutex_);
+    const auto memory = new_object(description);
+    const VkMemoryRequirements needs = VulkanMemory::needs_of(*this, description);
+    if (memory->is_in_pieces()) throw_too_large(description);
+    Allocation own;
+    if (!allocator_->allocate(needs, MemoryUse::readback, true, own)) throw_out_of_memory(needs.size, description);
+    memory->place(own);
+    return {Memory(memory), {own.mapped, description.bytes}};
+}
+
+std::shared_ptr<PointObject> VulkanDevice::point() {
+    const std::lock_guard lock(mutex_);
+    stream_->submit();
+    return std::make_shared<VulkanPoint>(shared_from_this(), *timeline_, timeline_->submitted());
+}
+
+std::shared_ptr<GateObject> VulkanDevice::gate() {
+    const std::lock_guard lock(mutex_);
+    const std::uint64_t number = timeline_->new_gate();
+    stream_->hold_back(number);
+    return std::make_shared<VulkanGate>(shared_from_this(), *timeline_, number);
 }
 
 std::shared_ptr<VulkanMemory> VulkanDevice::new_memory(const MemoryDescription& description) {
@@ -220,10 +245,10 @@ Statistics VulkanDevice::statistics() {
     return result;
 }
 
-std::uint64_t VulkanDevice::submit(VkCommandBuffer commands) {
+std::uint64_t VulkanDevice::submit(VkCommandBuffer commands, std::uint64_t gate) {
     context_->require_not_lost();
     if (!is_exit_prepared_ && pipelines_->created()) prepare_exit();
-    const std::uint64_t value = timeline_->submit(commands);
+    const std::uint64_t value = timeline_->submit(commands, gate);
     retire_value_ = value;
     ++counters_.submissions;
     return value;

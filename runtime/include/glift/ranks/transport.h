@@ -37,6 +37,9 @@ public:
     /// they were sent. Throws lost_rank, with the names of the ranks that did not answer, where nothing arrives or
     /// leaves for `limit`.
     virtual void exchange(std::span<const Send> sends, std::span<const Receive> receives, Seconds limit) = 0;
+    /// Whether another thread than the one that made the transport may call exchange, one thread at a time. If so,
+    /// messages travel while the program gives the next commands.
+    virtual bool allows_threads() const = 0;
 };
 
 }  // namespace glift::ranks
