@@ -96,6 +96,26 @@ public:
     virtual void open() = 0;
 };
 
+/// Memory of the host that a link copies from and to.
+class AttachedObject {
+public:
+    virtual ~AttachedObject() = default;
+};
+
+/// Copies between a device's memory and the host's beside the commands of the device's stream, which has to be done
+/// with what is copied. One thread at a time may copy.
+class LinkObject {
+public:
+    virtual ~LinkObject() = default;
+    /// A buffer that the link can copy, and the device's commands can use; its contents start undefined.
+    virtual Memory allocate(const MemoryDescription& description) = 0;
+    /// Bytes from the beginning of a page of the host's memory on, to the end of a page; they outlive the result.
+    virtual std::shared_ptr<AttachedObject> attach(std::span<std::byte> bytes) = 0;
+    /// These return when the bytes have been copied.
+    virtual void fetch(const Memory& from, AttachedObject& to, std::span<const CopyRegion> regions) = 0;
+    virtual void put(AttachedObject& from, const Memory& to, std::span<const CopyRegion> regions) = 0;
+};
+
 /// A buffer that the device and the host see.
 struct VisibleMemory {
     Memory memory;
@@ -169,6 +189,8 @@ public:
     virtual Stream& stream() = 0;
     /// A buffer that the host sees as well; its contents start undefined.
     virtual VisibleMemory allocate_visible(const MemoryDescription& description) = 0;
+    /// Null: the device has none.
+    virtual LinkObject* link() { return nullptr; }
     /// Submits the commands that were given to stream() so far, and returns their end. Null: they have run.
     virtual std::shared_ptr<PointObject> point() { return nullptr; }
     /// Whether commands can be held back. If not, the caller waits before it gives them.

@@ -2,6 +2,7 @@
 
 #include "../machine_memory.h"
 #include "../profile/process_profile.h"
+#include "host_link.h"
 #include "host_memory.h"
 #include "host_stream.h"
 
@@ -42,6 +43,7 @@ public:
         const Memory memory(allocate(description));
         return {memory, {host_memory(memory).data(), description.bytes}};
     }
+    LinkObject* link() override { return &link_; }
     StorageNeeds storage_needs(const MemoryDescription& description) override { return {.bytes = description.bytes}; }
 
     Stream& stream() override { return stream_; }
@@ -66,6 +68,7 @@ private:
     DeviceProperties properties_;
     HostCounters counters_;
     HostStream stream_{*this, counters_};
+    HostLink link_{*this};
 };
 
 }  // namespace

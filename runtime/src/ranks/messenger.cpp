@@ -6,47 +6,84 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
+#include <set>
 
 namespace glift::detail {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using Message = Messenger::Message;
 
-constexpr std::uint64_t alignment = 16;
+constexpr std::uint64_t alignment = 16, page = 4096;
 constexpr std::uint64_t most_invocations = std::uint64_t{1} << 18;
 
 std::uint32_t words(std::uint64_t bytes) { return static_cast<std::uint32_t>(bytes / 4); }
 
-/// The bytes that messages take at most; says where each begins.
-std::uint64_t lay_out(std::vector<Messenger::Message>& messages) {
-    std::uint64_t at = 0;
-    for (Messenger::Message& message : messages) {
-        message.at = at;
-        at += (message.piece.most_bytes() + alignment - 1) / alignment * alignment;
+std::uint64_t up_to(std::uint64_t bytes, std::uint64_t multiple) {
+    return (bytes + multiple - 1) / multiple * multiple;
+}
+
+std::uint64_t grown(std::uint64_t bytes) { return up_to(bytes + bytes / 4 + 1, page); }
+
+/// The pieces as messages; says in `ends` how many bytes each rank sends at most.
+std::vector<Message> messages_of(const std::vector<Piece>& pieces, std::vector<std::uint64_t>& ends) {
+    std::vector<Message> messages;
+    std::vector<std::uint64_t> received(ends.size());
+    for (const Piece& piece : pieces) {
+        const std::uint64_t bytes = up_to(piece.most_bytes(), alignment);
+        messages.push_back({piece, ends[piece.from], received[piece.to]});
+        ends[piece.from] += bytes;
+        received[piece.to] += bytes;
     }
-    return at;
+    return messages;
 }
 
 }  // namespace
 
 Messenger::Messenger(std::shared_ptr<ranks::Transport> transport, std::shared_ptr<DeviceObject> local, double limit)
-    : transport_(std::move(transport)), local_(std::move(local)), limit_(limit),
-      holds_back_(transport_->allows_threads() && local_->has_gates()) {}
+    : transport_(std::move(transport)), local_(std::move(local)), link_(local_->link()), limit_(limit),
+      holds_back_(transport_->allows_threads() && local_->has_gates()), areas_(transport_->size()) {}
 
-const VisibleMemory& Messenger::room(VisibleMemory& memory, std::uint64_t bytes) {
-    if (memory.bytes.size() < bytes)
-        memory = local_->allocate_visible(
-            {.name = "messages of ranks", .bytes = (bytes + bytes / 4 + 255) / 4 * 4, .zeroed = false});
-    return memory;
+const Messenger::Staging& Messenger::staging(Staging& staging, std::uint64_t bytes) {
+    if (staging.memory && staging.memory.description().bytes >= bytes) return staging;
+    const MemoryDescription description = {.name = "messages of ranks", .bytes = grown(bytes), .zeroed = false};
+    if (link_) {
+        staging.memory = link_->allocate(description);
+    } else {
+        const VisibleMemory made = local_->allocate_visible(description);
+        staging = {made.memory, made.bytes};
+    }
+    return staging;
 }
 
-void Messenger::move(const Message& message, const Memory& packed, bool packs) {
+const Messenger::HostRoom& Messenger::room(HostRoom& room, std::uint64_t bytes) {
+    if (room.own && room.bytes.size() >= bytes) return room;
+    const std::uint64_t size = grown(bytes);
+    room.own.reset(static_cast<std::byte*>(std::aligned_alloc(page, size)), std::free);
+    if (!room.own) throw std::bad_alloc();
+    room.bytes = {room.own.get(), size};
+    room.attached = link_->attach(room.bytes);
+    return room;
+}
+
+/// The beginning of a rank's area.
+const Messenger::HostRoom& Messenger::area(unsigned rank, std::uint64_t bytes) {
+    HostRoom& room = areas_[rank];
+    if (room.attached && room.bytes.size() >= bytes) return room;
+    const std::span<std::byte> all = transport_->area(rank);
+    room.bytes = all.first(std::min<std::uint64_t>(grown(bytes), all.size()));
+    room.attached = link_->attach(room.bytes);
+    return room;
+}
+
+void Messenger::move_pieces(const Message& message, const Memory& staging, bool packs) {
     const Piece& piece = message.piece;
+    const std::uint64_t at = packs ? message.sent_at : message.received_at;
     if (!piece.paging) {
-        const CopyWords parameters = {
-            words(piece.run), 0, packs ? piece.offset : message.at, packs ? message.at : piece.offset, {}};
-        const Memory memories[] = {packs ? piece.memory : packed, packs ? packed : piece.memory};
+        const CopyWords parameters = {words(piece.run), 0, packs ? piece.offset : at, packs ? at : piece.offset, {}};
+        const Memory memories[] = {packs ? piece.memory : staging, packs ? staging : piece.memory};
         stream().dispatch(copy_words_kernel, {.form = FormName::general,
                                               .memories = memories,
                                               .parameters = glift::bytes_of(parameters),
@@ -59,10 +96,10 @@ void Messenger::move(const Message& message, const Memory& packed, bool packs) {
                                   words(piece.run),
                                   words(piece.offset),
                                   piece.frame_bytes,
-                                  words(message.at),
+                                  words(at),
                                   0,
                                   {}};
-    const Memory memories[] = {piece.paging->list, piece.paging->table, piece.paging->planes, piece.memory, packed};
+    const Memory memories[] = {piece.paging->list, piece.paging->table, piece.paging->planes, piece.memory, staging};
     stream().dispatch(packs ? pack_pages_kernel : unpack_pages_kernel, {.form = FormName::general,
                                                                         .memories = memories,
                                                                         .parameters = glift::bytes_of(parameters),
@@ -72,36 +109,106 @@ void Messenger::move(const Message& message, const Memory& packed, bool packs) {
 Messenger::Started Messenger::start(const std::vector<Piece>& pieces, Traffic& traffic) {
     Started started;
     started.traffic = &traffic;
-    for (const Piece& piece : pieces) {
-        if (piece.from == rank()) started.sent.push_back({piece, 0});
-        if (piece.to == rank()) started.received.push_back({piece, 0});
+    std::vector<std::uint64_t> ends(size());
+    std::uint64_t in = 0;
+    std::set<unsigned> others, senders;
+    for (const Message& message : messages_of(pieces, ends)) {
+        if (message.piece.from == rank()) {
+            started.sent.push_back(message);
+            others.insert(message.piece.to);
+        }
+        if (message.piece.to == rank()) {
+            started.received.push_back(message);
+            others.insert(message.piece.from);
+            senders.insert(message.piece.from);
+            in = message.received_at + up_to(message.piece.most_bytes(), alignment);
+        }
     }
     if (started.is_empty()) return started;
-    const std::uint64_t out = lay_out(started.sent), in = lay_out(started.received);
-    started.outgoing = room(outgoing_, out);
-    started.incoming = room(incoming_, in);
-    for (const Message& message : started.sent) move(message, started.outgoing.memory, true);
-    started.packed = local_->point();
-    if (transport_->allows_threads() && !holds_back_) thread_.add([this, started] { deliver(started); });
+    const std::uint64_t out = ends[rank()];
+    started.others.assign(others.begin(), others.end());
+    const Staging packed = staging(packed_, out), arrived = staging(arrived_, in);
+    started.packed = packed.memory;
+    started.arrived = arrived.memory;
+    if (link_ && std::ranges::max(ends) <= transport_->area(rank()).size()) {
+        senders.insert(rank());
+        for (const unsigned sender : senders) started.areas.emplace_back(sender, area(sender, ends[sender]));
+    } else if (link_) {
+        started.to = room(to_, out);
+        started.from = room(from_, in);
+        started.outgoing = started.to.bytes;
+        started.incoming = started.from.bytes;
+    } else {
+        started.outgoing = packed.bytes;
+        started.incoming = arrived.bytes;
+    }
+    for (const Message& message : started.sent) move_pieces(message, started.packed, true);
+    started.packing = local_->point();
+    if (transport_->allows_threads() && !holds_back_) thread_.add([this, started] { deliver(started, nullptr); });
     return started;
 }
 
-/// Sends and receives, when the device has packed what this rank sends.
-void Messenger::deliver(const Started& started) {
-    if (started.packed) started.packed->wait();
+/// Sends and receives, when the device has packed what this rank sends; then opens the gate.
+void Messenger::deliver(const Started& started, GateObject* gate) {
+    if (started.packing) started.packing->wait();
     const auto begin = Clock::now();
+    for (const Message& message : started.sent) started.traffic->bytes += message.piece.bytes();
+    if (started.areas.empty()) deliver_by_messages(started, gate);
+    else deliver_by_areas(started, gate);
+    started.traffic->seconds += std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+void Messenger::deliver_by_areas(const Started& started, GateObject* gate) {
+    std::vector<CopyRegion> out;
+    for (const Message& message : started.sent)
+        if (const std::uint64_t bytes = message.piece.bytes()) out.push_back({message.sent_at, message.sent_at, bytes});
+    for (const auto& [sender, room] : started.areas)
+        if (sender == rank()) link_->fetch(started.packed, *room.attached, out);
+    shake_hands(started);
+    for (const auto& [sender, room] : started.areas) {
+        std::vector<CopyRegion> in;
+        for (const Message& message : started.received)
+            if (message.piece.from == sender && message.piece.bytes() != 0)
+                in.push_back({message.sent_at, message.received_at, message.piece.bytes()});
+        link_->put(*room.attached, started.arrived, in);
+    }
+    if (gate) gate->open();
+    shake_hands(started);  // no rank writes to its area before the others have read it
+}
+
+/// Returns when the ranks with which this one has messages in common have come as far.
+void Messenger::shake_hands(const Started& started) {
+    std::byte given[1] = {};
+    std::vector<std::byte> taken(started.others.size());
     std::vector<ranks::Send> sends;
     std::vector<ranks::Receive> receives;
-    for (const auto& [piece, at] : started.sent) {
-        const std::uint64_t bytes = piece.bytes();
-        if (bytes != 0) sends.push_back({piece.to, started.outgoing.bytes.subspan(at, bytes)});
-        started.traffic->bytes += bytes;
+    for (std::size_t k = 0; k < started.others.size(); ++k) {
+        sends.push_back({started.others[k], given});
+        receives.push_back({started.others[k], std::span(taken).subspan(k, 1)});
     }
-    for (const auto& [piece, at] : started.received)
-        if (const std::uint64_t bytes = piece.bytes())
-            receives.push_back({piece.from, started.incoming.bytes.subspan(at, bytes)});
+    transport_->exchange(sends, receives, limit_);
+}
+
+void Messenger::deliver_by_messages(const Started& started, GateObject* gate) {
+    std::vector<ranks::Send> sends;
+    std::vector<ranks::Receive> receives;
+    std::vector<CopyRegion> out, in;
+    for (const Message& message : started.sent) {
+        const std::uint64_t at = message.sent_at, bytes = message.piece.bytes();
+        if (bytes == 0) continue;
+        sends.push_back({message.piece.to, started.outgoing.subspan(at, bytes)});
+        out.push_back({at, at, bytes});
+    }
+    for (const Message& message : started.received) {
+        const std::uint64_t at = message.received_at, bytes = message.piece.bytes();
+        if (bytes == 0) continue;
+        receives.push_back({message.piece.from, started.incoming.subspan(at, bytes)});
+        in.push_back({at, at, bytes});
+    }
+    if (link_) link_->fetch(started.packed, *started.to.attached, out);
     if (!sends.empty() || !receives.empty()) transport_->exchange(sends, receives, limit_);
-    started.traffic->seconds += std::chrono::duration<double>(Clock::now() - begin).count();
+    if (link_) link_->put(*started.from.attached, started.arrived, in);
+    if (gate) gate->open();
 }
 
 void Messenger::receive(const Started& started) {
@@ -109,13 +216,10 @@ void Messenger::receive(const Started& started) {
     stream().flush();
     if (holds_back_)
         // Even a rank that receives nothing is held back: later commands pack the next messages over these.
-        thread_.add([this, started, gate = local_->gate()] {
-            deliver(started);
-            gate->open();
-        });
+        thread_.add([this, started, gate = local_->gate()] { deliver(started, gate.get()); });
     else if (transport_->allows_threads()) thread_.finish();
-    else deliver(started);
-    for (const Message& message : started.received) move(message, started.incoming.memory, false);
+    else deliver(started, nullptr);
+    for (const Message& message : started.received) move_pieces(message, started.arrived, false);
 }
 
 std::vector<std::vector<std::byte>> Messenger::all_gather(std::span<const std::byte> mine) {

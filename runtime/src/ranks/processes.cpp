@@ -65,13 +65,23 @@ struct Process {
     std::atomic<int> waits_for{-1};  ///< the rank of which it has waited for a while; -1: none
 };
 
-/// Memory that the processes share: a channel for each ordered pair of ranks, and their process ids.
+/// Of a rank, whose elements the others read there. Pages that nobody touches take no memory.
+constexpr std::size_t area_bytes = std::size_t{1} << 30;
+
+void* map_shared(std::size_t bytes) {
+    return mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+}
+
+/// Memory that the processes share: a channel for each ordered pair of ranks, an area for each rank, and their process
+/// ids.
 class SharedChannels {
 public:
     explicit SharedChannels(unsigned ranks) : ranks_(ranks), bytes_(sizeof(Channel) * ranks * ranks + 4096) {
         if (sizeof(Process) * ranks > 4096) throw std::runtime_error("run_processes: too many processes");
-        void* memory = mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+        void* memory = map_shared(bytes_);
         if (memory == MAP_FAILED) throw std::bad_alloc();
+        void* areas = map_shared(area_bytes * ranks);
+        if (areas != MAP_FAILED) areas_ = static_cast<std::byte*>(areas);
         processes_ = static_cast<Process*>(memory);
         channels_ = reinterpret_cast<Channel*>(static_cast<std::byte*>(memory) + 4096);
         for (unsigned i = 0; i < ranks; ++i) new (processes_ + i) Process();
@@ -81,17 +91,25 @@ public:
         }
     }
     SharedChannels(const SharedChannels&) = delete;
-    ~SharedChannels() { munmap(processes_, bytes_); }
+    ~SharedChannels() {
+        munmap(processes_, bytes_);
+        if (areas_) munmap(areas_, area_bytes * ranks_);
+    }
 
     unsigned ranks() const { return ranks_; }
     Channel& between(unsigned from, unsigned to) { return channels_[from * ranks_ + to]; }
     Process& process(unsigned rank) { return processes_[rank]; }
+    std::span<std::byte> area(unsigned rank) const {
+        if (!areas_) return {};
+        return {areas_ + area_bytes * rank, area_bytes};
+    }
 
 private:
     unsigned ranks_;
     std::size_t bytes_;
     Process* processes_;
     Channel* channels_;
+    std::byte* areas_ = nullptr;  ///< null where there is no room for them
 };
 
 /// A message of which `done` bytes have gone, after its length, of which `length_done` bytes have.
@@ -111,6 +129,7 @@ public:
     unsigned rank() const override { return rank_; }
     unsigned size() const override { return channels_->ranks(); }
     bool allows_threads() const override { return true; }
+    std::span<std::byte> area(unsigned rank) const override { return channels_->area(rank); }
     std::string name_of(unsigned rank) const override {
         return "process " + std::to_string(channels_->process(rank).id.load());
     }

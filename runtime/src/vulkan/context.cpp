@@ -5,6 +5,7 @@
 #include <glift/error.h>
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 namespace glift::detail {
@@ -21,6 +22,14 @@ std::uint32_t choose_queue_family(const Instance& instance, VkPhysicalDevice phy
     }
     throw Error(ErrorCode::missing_feature, "the device has no queue that can compute", "Device::open", {},
                 "choose another device with GLIFT_DEVICE=lavapipe or GLIFT_DEVICE=host");
+}
+
+/// The family of queues that only copy.
+std::optional<std::uint32_t> find_transfer_family(const Instance& instance, VkPhysicalDevice physical) {
+    const auto families = queue_families(instance, physical);
+    for (std::uint32_t k = 0; k < families.size(); ++k)
+        if ((families[k].queueFlags & ~VkQueueFlags(VK_QUEUE_SPARSE_BINDING_BIT)) == VK_QUEUE_TRANSFER_BIT) return k;
+    return std::nullopt;
 }
 
 [[noreturn]] void refuse_adoption(std::string why, std::string remedy) {
@@ -98,19 +107,23 @@ void Context::set_extensions(std::span<const char* const> own, std::span<const s
 
 void Context::make_device(const FeatureChain& features) {
     const float priority = 1;
-    const VkDeviceQueueCreateInfo queue_info = {.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
-                                                .queueFamilyIndex = queue_family,
-                                                .queueCount = 1,
-                                                .pQueuePriorities = &priority};
+    VkDeviceQueueCreateInfo queues[2] = {{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
+                                          .queueFamilyIndex = queue_family,
+                                          .queueCount = 1,
+                                          .pQueuePriorities = &priority}};
+    const std::optional<std::uint32_t> transfer = find_transfer_family(*instance, physical);
+    queues[1] = queues[0];
+    queues[1].queueFamilyIndex = transfer_family = transfer.value_or(0);
     const VkDeviceCreateInfo info = {.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
                                      .pNext = &features.core,
-                                     .queueCreateInfoCount = 1,
-                                     .pQueueCreateInfos = &queue_info,
+                                     .queueCreateInfoCount = transfer ? 2u : 1u,
+                                     .pQueueCreateInfos = queues,
                                      .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
                                      .ppEnabledExtensionNames = extensions.data()};
     check(instance->vk().vkCreateDevice(physical, &info, nullptr, &device), "vkCreateDevice");
     vk = load_device_table(instance->vk(), device);
     vk.vkGetDeviceQueue(device, queue_family, 0, &queue);
+    if (transfer) vk.vkGetDeviceQueue(device, transfer_family, 0, &transfer_queue);
 }
 
 void Context::read_limits(const FeatureChain& features) {
@@ -133,6 +146,13 @@ void Context::read_limits(const FeatureChain& features) {
     float_controls = FloatControls::of(v12);
     hides_loop_ends = v12.driverID == VK_DRIVER_ID_NVIDIA_PROPRIETARY;
     separates_texels = v12.driverID == VK_DRIVER_ID_NVIDIA_PROPRIETARY;
+    if (vk.vkGetMemoryHostPointerPropertiesEXT) {
+        VkPhysicalDeviceExternalMemoryHostPropertiesEXT host = {
+            .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_EXTERNAL_MEMORY_HOST_PROPERTIES_EXT};
+        VkPhysicalDeviceProperties2 all = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &host};
+        instance->vk().vkGetPhysicalDeviceProperties2(physical, &all);
+        host_import_alignment = host.minImportedHostPointerAlignment;
+    }
     if (!properties.push_descriptors) return;
     VkPhysicalDevicePushDescriptorPropertiesKHR push = {
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PUSH_DESCRIPTOR_PROPERTIES_KHR};

@@ -145,7 +145,9 @@ private:
     X(vkSignalSemaphore) \
     X(vkWaitSemaphores)
 
-#define GLIFT_DEVICE_EXTENSION_FUNCTIONS(X) X(vkCmdPushDescriptorSetWithTemplateKHR)
+#define GLIFT_DEVICE_EXTENSION_FUNCTIONS(X) \
+    X(vkCmdPushDescriptorSetWithTemplateKHR) \
+    X(vkGetMemoryHostPointerPropertiesEXT)
 // clang-format on
 
 struct InstanceTable {

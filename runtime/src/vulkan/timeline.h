@@ -1,4 +1,4 @@
-// The queue and its timeline semaphore: each submission has a number, in increasing order. Gates hold submissions back
+// A queue and its timeline semaphore: each submission has a number, in increasing order. Gates hold submissions back
 // until the host opens them.
 #pragma once
 
@@ -11,12 +11,12 @@ namespace glift::detail {
 
 class Timeline {
 public:
-    explicit Timeline(Context& context);
+    Timeline(Context& context, VkQueue queue);
     ~Timeline();
     Timeline(const Timeline&) = delete;
 
-    /// The device's lock is held. The commands begin when this gate is open; 0: at once. Returns the submission's
-    /// number.
+    /// One thread at a time: for the device's queue its lock is held. The commands begin when this gate is open; 0: at
+    /// once. Returns the submission's number.
     std::uint64_t submit(VkCommandBuffer commands, std::uint64_t gate = 0);
     std::uint64_t submitted() const { return submitted_.load(std::memory_order_acquire); }
     /// The number of a new gate, from 1 on. The device's lock is held.
@@ -25,8 +25,7 @@ public:
     /// These may be called from any thread.
     std::uint64_t completed();
     void wait(std::uint64_t value);
-    /// As wait, for a thread beside the program's: where two threads are in vkWaitSemaphores, NVIDIA's driver lets one
-    /// of them sleep for up to 10 ms after its value was reached. This one asks again and again.
+    /// As wait, sooner, and with more of the processor's time: asks again and again.
     void poll(std::uint64_t value);
     void open_gate(std::uint64_t gate);  ///< and those before it; throws nothing, since waits find a lost device
 
@@ -34,6 +33,7 @@ private:
     bool completes_within(std::chrono::microseconds time, std::uint64_t value);
 
     Context& context_;
+    VkQueue queue_;
     VkSemaphore semaphore_ = VK_NULL_HANDLE, gate_semaphore_ = VK_NULL_HANDLE;
     std::atomic<std::uint64_t> submitted_{0};
     std::uint64_t gates_ = 0;  ///< made

@@ -28,10 +28,10 @@ std::shared_ptr<DeviceObject> open_vulkan_device(std::string_view which, const C
 }
 
 VulkanDevice::VulkanDevice(std::unique_ptr<Context> context)
-    : context_(std::move(context)), timeline_(std::make_unique<Timeline>(*context_)), exit_wait_(*timeline_),
-      allocator_(std::make_unique<Allocator>(*context_)), chunks_(std::make_unique<ChunkPool>(*context_, *allocator_)),
-      pipelines_(std::make_unique<Pipelines>(*context_)), queries_(std::make_unique<Queries>(*context_)),
-      pass_times_(std::make_unique<PassTimes>(*queries_, profiler())),
+    : context_(std::move(context)), timeline_(std::make_unique<Timeline>(*context_, context_->queue)),
+      exit_wait_(*timeline_), allocator_(std::make_unique<Allocator>(*context_)),
+      chunks_(std::make_unique<ChunkPool>(*context_, *allocator_)), pipelines_(std::make_unique<Pipelines>(*context_)),
+      queries_(std::make_unique<Queries>(*context_)), pass_times_(std::make_unique<PassTimes>(*queries_, profiler())),
       prepare_(*context_, "glift prepare indirect", ::prepare_indirect, sizeof(VkDeviceAddress)),
       fill_(*context_, "glift fill", ::fill_words, sizeof(FillArguments)),
       begin_messages_(*context_, "glift messages", ::begin_messages, sizeof(MessagesArguments)),
@@ -59,6 +59,7 @@ VulkanDevice::~VulkanDevice() {
     idle_batches_.clear();
     status_.reset();
     pass_times_.reset();
+    link_.reset();
     message_chunk_.reset();
     queries_.reset();
     pipelines_.reset();
@@ -101,6 +102,22 @@ MemoryId VulkanDevice::new_id() {
 std::shared_ptr<MemoryObject> VulkanDevice::allocate(const MemoryDescription& description) {
     const std::lock_guard lock(mutex_);
     return new_memory(description);
+}
+
+LinkObject* VulkanDevice::link() {
+    const std::lock_guard lock(mutex_);
+    if (!link_ && context_->can_link()) link_ = std::make_unique<VulkanLink>(*this);
+    return link_.get();
+}
+
+std::shared_ptr<VulkanMemory> VulkanDevice::new_linked_memory(const MemoryDescription& description) {
+    auto memory = unmade_object(description);
+    memory->make(UsedBy::all_queues);
+    if (memory->is_in_pieces()) throw_too_large(description);
+    Allocation own;
+    allocate_parts(VulkanMemory::needs_of(*this, description), true, description, own);
+    memory->place(own);
+    return memory;
 }
 
 VisibleMemory VulkanDevice::allocate_visible(const MemoryDescription& description) {

@@ -5,6 +5,7 @@
 #include "exit_wait.h"
 #include "immediate_stream.h"
 #include "internal_pass.h"
+#include "link.h"
 #include "pass_times.h"
 #include "queries.h"
 #include "timeline.h"
@@ -31,6 +32,7 @@ public:
     StorageNeeds storage_needs(const MemoryDescription& description) override;
     Stream& stream() override { return *stream_; }
     VisibleMemory allocate_visible(const MemoryDescription& description) override;
+    LinkObject* link() override;
     std::shared_ptr<PointObject> point() override;
     /// Not with the validation layer of Debian 12 (1.3.239): where one thread opens a gate while another one asks how
     /// far the device is, it waits for ten seconds and reports a defect of its own
@@ -55,6 +57,7 @@ public:
     /// The caller holds the lock in these.
     std::shared_ptr<VulkanMemory> new_object(const MemoryDescription& description);  ///< without storage
     std::shared_ptr<VulkanMemory> new_memory(const MemoryDescription& description);
+    std::shared_ptr<VulkanMemory> new_linked_memory(const MemoryDescription& description);
     /// A memory over an image of the user's.
     std::shared_ptr<VulkanMemory> adopted_image(const MemoryDescription& description, VkImage image,
                                                 VkImageUsageFlags usage, VkImageCreateFlags flags);
@@ -135,6 +138,7 @@ private:
     std::unique_ptr<Pipelines> pipelines_;
     std::unique_ptr<Queries> queries_;
     std::unique_ptr<PassTimes> pass_times_;
+    std::unique_ptr<VulkanLink> link_;  ///< made when it is first asked for
     std::shared_ptr<Chunk> status_;
     std::shared_ptr<Chunk> message_chunk_;  ///< null: no kernel has printed
     PrintingKernels printing_;

@@ -40,6 +40,9 @@ public:
     /// Whether another thread than the one that made the transport may call exchange, one thread at a time. If so,
     /// messages travel while the program gives the next commands.
     virtual bool allows_threads() const = 0;
+    /// Memory of a rank that this one sees, too, from the beginning of a page on; as long for every rank. If there is
+    /// some, elements travel through it, and `exchange` only says that they are there. Empty: there is none.
+    virtual std::span<std::byte> area(unsigned rank) const;
 };
 
 }  // namespace glift::ranks

@@ -239,11 +239,17 @@ VkMemoryRequirements VulkanMemory::needs_of(VulkanDevice& owner, const MemoryDes
     return needs.memoryRequirements;
 }
 
-void VulkanMemory::make() {
+void VulkanMemory::make(UsedBy users) {
     Context& context = owner().context();
     const MemoryDescription& d = description();
     if (d.kind == MemoryKind::buffer) {
-        const VkBufferCreateInfo info = buffer_info(owner(), d);
+        VkBufferCreateInfo info = buffer_info(owner(), d);
+        const std::uint32_t families[] = {context.queue_family, context.transfer_family};
+        if (users == UsedBy::all_queues) {
+            info.sharingMode = VK_SHARING_MODE_CONCURRENT;
+            info.queueFamilyIndexCount = 2;
+            info.pQueueFamilyIndices = families;
+        }
         range = info.size;
         context.check(context.vk.vkCreateBuffer(context.device, &info, nullptr, &parts.buffer), "vkCreateBuffer");
         context.set_name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<std::uint64_t>(parts.buffer), d.name);

@@ -43,6 +43,9 @@ struct MemoryParts {
     std::vector<Allocation> pieces;  ///< of a buffer larger than one allocation, in place of `allocation`
 };
 
+/// Whose commands use a buffer.
+enum class UsedBy : std::uint8_t { own_queue, all_queues };
+
 class VulkanMemory final : public MemoryObject {
 public:
     VulkanMemory(std::shared_ptr<DeviceObject> device, const MemoryDescription& description);
@@ -57,7 +60,7 @@ public:
     static VkMemoryRequirements needs_of(VulkanDevice& owner, const MemoryDescription& description);
 
     /// Creates the buffer or the image, without storage; throws as needs_of.
-    void make();
+    void make(UsedBy users = UsedBy::own_queue);
     /// Instead of `make`: takes the user's image, which has storage.
     void adopt(VkImage image, VkImageUsageFlags usage, VkImageCreateFlags flags);
     /// Throws missing_feature where this is a user's image, or a part of one, that was made without this usage.
