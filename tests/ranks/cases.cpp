@@ -78,6 +78,16 @@ Bits edges_case(const glift::Device& device, const Spread& spread) {
     return bits;
 }
 
+Bits leave_case(const glift::Device& device, const Spread& spread) {
+    fields::Plain x(device, {70, 96});
+    spread(x);
+    fields::prepare(device, x);
+    fields::leave(device, x, 9);
+    Bits bits;
+    add(bits, x.read());
+    return bits;
+}
+
 Bits updates_case(const glift::Device& device, const Spread& spread) {
     const glift::uint2 extent{70, 96};
     fields::Plain x(device, extent);
@@ -181,9 +191,9 @@ Bits smoke_case(const glift::Device& device, const Spread& spread) {
 
 const std::vector<Case>& cases() {
     static const std::vector<Case> all = {
-        {"heat", heat_case},         {"edges", edges_case},           {"updates", updates_case},
-        {"anywhere", anywhere_case}, {"algorithms", algorithms_case}, {"pairs", pairs_case},
-        {"shell", shell_case},       {"front", front_case},           {"smoke", smoke_case},
+        {"heat", heat_case},         {"edges", edges_case},           {"leave", leave_case}, {"updates", updates_case},
+        {"anywhere", anywhere_case}, {"algorithms", algorithms_case}, {"pairs", pairs_case}, {"shell", shell_case},
+        {"front", front_case},       {"smoke", smoke_case},
     };
     return all;
 }
@@ -220,7 +230,7 @@ int run_cases(glift::ranks::World& world, const std::string& which) {
     for (const Case& one : cases()) {
         if (!one.name.starts_with(which)) continue;
         const Bits alone = one.run(world.local_device(), Spread(nullptr));
-        for (const std::uint32_t halo : {0u, 2u, 3u}) {
+        for (const std::uint32_t halo : {0u, 2u, 7u}) {
             const glift::ranks::Statistics before = world.statistics();
             const Bits many = one.run(world.device(), Spread(&world, halo));
             const std::string what = one.name + (halo ? ", halo " + std::to_string(halo) : "");

@@ -166,7 +166,7 @@ void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, co
             text += ", .address_offset = " + std::to_string(forms.general.parameters[binding.address_parameter].offset);
         if (binding.shape == ir::MemoryShape::buffer)
             text += ", .element_bytes = sizeof(" + storage_text(unit.globals, binding.element) + ")";
-        text += sharing_fields(unit.program, kernel, binding) + update_fields(unit.program, forms.general, i);
+        text += sharing_fields(unit.program, kernel, binding) + update_fields(unit.program, kernel, forms.general, i);
         out.line(text + "},");
     }
     out.dedent();

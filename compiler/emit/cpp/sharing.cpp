@@ -77,6 +77,31 @@ std::string number_text(const ir::Program& program, const ir::PassBinding& bindi
     return "";
 }
 
+/// Whether the statements store a whole element of the binding on every path.
+bool assign_element(const ir::Program& program, const std::vector<ir::StmtId>& body, std::size_t slot) {
+    for (const ir::StmtId id : body) {
+        const ir::Stmt& stmt = program.stmts[id];
+        if (stmt.op == ir::StmtOp::store && stmt.slot == slot && stmt.path.empty()) return true;
+        if (stmt.op == ir::StmtOp::block && assign_element(program, stmt.body, slot)) return true;
+        if (stmt.op == ir::StmtOp::if_ && assign_element(program, stmt.body, slot) &&
+            assign_element(program, stmt.otherwise, slot))
+            return true;
+        bool may_leave = false;
+        ir::for_each_statement(program, std::vector{id}, [&](const ir::Stmt& inner) {
+            may_leave = may_leave || inner.op == ir::StmtOp::return_;
+        });
+        if (may_leave) return false;
+    }
+    return false;
+}
+
+/// Whether the pass gives a new value to each element that it visits.
+bool assigns(const ir::Program& program, const ir::Kernel& kernel, const ir::Pass& pass, std::size_t number) {
+    const ir::PassBinding& binding = pass.bindings[number];
+    if (ir::traits_of(kernel.params[binding.place.root].pattern).reach != ir::Reach::element) return false;
+    return binding.fields.empty() && assign_element(program, pass.plain().body, number);
+}
+
 }  // namespace
 
 bool may_share(const ir::Pass& pass) {
@@ -115,7 +140,8 @@ std::string sharing_fields(const ir::Program& program, const ir::Kernel& kernel,
     return text;
 }
 
-std::string update_fields(const ir::Program& program, const ir::Pass& pass, std::size_t number) {
+std::string update_fields(const ir::Program& program, const ir::Kernel& kernel, const ir::Pass& pass,
+                          std::size_t number) {
     const ir::PassBinding& binding = pass.bindings[number];
     if (binding.access == ir::Access::read || binding.is_workspace || binding.coherent) return "";
     std::optional<ir::Combine> combine;
@@ -135,7 +161,8 @@ std::string update_fields(const ir::Program& program, const ir::Pass& pass, std:
     look_at(pass.plain().body);
     for (ir::FunctionId function : pass.functions) look_at(program.functions[function].body);
     if (!is_pure || !combine) return "";
-    const std::string name = *combine == ir::Combine::replace ? "store" : combine_text(*combine);
+    std::string name = *combine == ir::Combine::replace ? "store" : combine_text(*combine);
+    if (*combine == ir::Combine::replace && assigns(program, kernel, pass, number)) name = "assign";
     return ", .update = glift::Update::" + name + number_text(program, binding);
 }
 

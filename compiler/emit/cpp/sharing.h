@@ -15,6 +15,7 @@ std::string sharing_fields(const ir::Program& program, const ir::Kernel& kernel,
 
 /// The initialisers of glift::Binding::update and number: empty if the pass also loads from the binding, or changes it
 /// in several ways.
-std::string update_fields(const ir::Program& program, const ir::Pass& pass, std::size_t binding);
+std::string update_fields(const ir::Program& program, const ir::Kernel& kernel, const ir::Pass& pass,
+                          std::size_t binding);
 
 }  // namespace gliftc::cpp

@@ -55,8 +55,9 @@ enum class Reach : std::uint8_t { memory, range, window, element };
 enum class Combine : std::uint8_t { none, min, max, add, bit_and, bit_or, bit_xor, coherent };
 
 /// What a pass does to the elements of a memory, if it is always the same and the pass loads none of them: `store`
-/// gives them a value; the others combine one with theirs. `other`: anything else.
-enum class Update : std::uint8_t { other, store, min, max, add, bit_and, bit_or, bit_xor };
+/// gives them a value, `assign` gives one to every element that it visits; the others combine one with theirs. `other`:
+/// anything else.
+enum class Update : std::uint8_t { other, store, assign, min, max, add, bit_and, bit_or, bit_xor };
 
 /// The kind of the numbers that an update combines.
 enum class Number : std::uint8_t { unsigned_integer, signed_integer, real };

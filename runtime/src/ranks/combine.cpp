@@ -43,6 +43,7 @@ std::uint32_t combined(const Binding& binding, std::uint32_t word, std::uint32_t
     case Update::bit_or: return word | after;
     case Update::bit_xor: return word ^ before ^ after;
     case Update::store:
+    case Update::assign:
     case Update::other: break;
     }
     return after != before ? after : word;

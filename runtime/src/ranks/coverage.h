@@ -34,15 +34,23 @@ struct Paging {
     struct Sublist {
         Planes lower, upper;
         Memory memory;
+        bool is_used = true;  ///< since the list changed
     };
     static constexpr std::size_t most_sublists = 64;
     std::vector<Sublist> sublists;
     std::vector<Memory> spare;  ///< of sublists that are needed no more
     Memory counts;
+    std::vector<Memory> unused;  ///< given to cut_pages where there are fewer lists than it can make
 
     void forget_sublists() {
-        for (Sublist& list : sublists) spare.push_back(std::move(list.memory));
-        sublists.clear();
+        for (Sublist& list : sublists) list.is_used = false;
+        forget_unused_sublists();
+    }
+    void forget_unused_sublists() {
+        for (Sublist& list : sublists)
+            if (!list.is_used) spare.push_back(std::move(list.memory));
+        std::erase_if(sublists, [](const Sublist& list) { return !list.is_used; });
+        for (Sublist& list : sublists) list.is_used = false;
     }
     std::uint32_t most_pages(Planes of) const {
         return static_cast<std::uint32_t>(

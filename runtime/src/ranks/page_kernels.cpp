@@ -1,9 +1,8 @@
 #include "page_kernels.h"
 
 #include "copy_words.h"
-#include "find_planes.h"
+#include "cut_pages.h"
 #include "pack_pages.h"
-#include "take_pages.h"
 #include "unpack_pages.h"
 
 #include <algorithm>
@@ -23,22 +22,21 @@ std::uint32_t* words_to_write(const HostCall& call, std::size_t memory) {
     return reinterpret_cast<std::uint32_t*>(call.memories[memory].data);
 }
 
-void find_planes_on_host(const HostCall& call) {
-    const auto& p = *static_cast<const FindPlanes*>(call.parameters);
+void cut_pages_on_host(const HostCall& call) {
+    const auto& p = *static_cast<const CutPages*>(call.parameters);
     const std::uint32_t* list = words(call, 0);
     const std::uint32_t* end = list + std::min(words(call, 1)[p.count_word], p.capacity);
-    for (std::uint32_t plane = 0; plane < p.size; ++plane)
-        words_to_write(call, 2)[plane] = words_to_write(call, 3)[plane] =
+    std::uint32_t* begins = words_to_write(call, 2);
+    for (std::uint32_t plane = 0; plane < p.planes; ++plane)
+        begins[plane] = words_to_write(call, 3)[plane] =
             static_cast<std::uint32_t>(std::lower_bound(list, end, plane * p.pages_of_plane) - list);
-}
-
-void take_pages_on_host(const HostCall& call) {
-    const auto& p = *static_cast<const TakePages*>(call.parameters);
-    const std::uint32_t *list = words(call, 0), *planes = words(call, 1);
-    std::uint32_t* taken = words_to_write(call, 2);
-    std::uint32_t* end = std::copy(list + planes[p.lower_first], list + planes[p.lower_end], taken);
-    end = std::copy(list + planes[p.upper_first], list + planes[p.upper_end], end);
-    words_to_write(call, 3)[p.count_word] = static_cast<std::uint32_t>(end - taken);
+    for (std::uint32_t k = 0; k < p.lists; ++k) {
+        const std::uint32_t* bounds = p.bounds + 4 * k;
+        std::uint32_t* taken = words_to_write(call, 5 + k);
+        std::uint32_t* next = std::copy(list + begins[bounds[0]], list + begins[bounds[1]], taken);
+        next = std::copy(list + begins[bounds[2]], list + begins[bounds[3]], next);
+        words_to_write(call, 4)[p.first_list + k] = static_cast<std::uint32_t>(next - taken);
+    }
 }
 
 template <class Copy> void each_run(const HostCall& call, Copy copy) {
@@ -72,20 +70,17 @@ constexpr std::uint32_t address_of(std::size_t first, std::size_t number) {
     return static_cast<std::uint32_t>(first + 8 * number);
 }
 
-constexpr std::uint32_t find_addresses = offsetof(FindPlanes, addresses);
-constexpr Binding find_bindings[] = {
-    {.name = "list", .address_offset = address_of(find_addresses, 0)},
-    {.name = "count", .address_offset = address_of(find_addresses, 1)},
-    {.name = "result", .access = Access::write, .address_offset = address_of(find_addresses, 2)},
-    {.name = "seen", .access = Access::write, .address_offset = address_of(find_addresses, 3)},
-};
-
-constexpr std::uint32_t take_addresses = offsetof(TakePages, addresses);
-constexpr Binding take_bindings[] = {
-    {.name = "list", .address_offset = address_of(take_addresses, 0)},
-    {.name = "planes", .address_offset = address_of(take_addresses, 1)},
-    {.name = "taken", .access = Access::write, .address_offset = address_of(take_addresses, 2)},
-    {.name = "counts", .access = Access::write, .address_offset = address_of(take_addresses, 3)},
+constexpr std::uint32_t cut_addresses = offsetof(CutPages, addresses);
+constexpr Binding cut_bindings[] = {
+    {.name = "list", .address_offset = address_of(cut_addresses, 0)},
+    {.name = "count", .address_offset = address_of(cut_addresses, 1)},
+    {.name = "result", .access = Access::write, .address_offset = address_of(cut_addresses, 2)},
+    {.name = "seen", .access = Access::write, .address_offset = address_of(cut_addresses, 3)},
+    {.name = "counts", .access = Access::write, .address_offset = address_of(cut_addresses, 4)},
+    {.name = "taken_0", .access = Access::write, .address_offset = address_of(cut_addresses, 5)},
+    {.name = "taken_1", .access = Access::write, .address_offset = address_of(cut_addresses, 6)},
+    {.name = "taken_2", .access = Access::write, .address_offset = address_of(cut_addresses, 7)},
+    {.name = "taken_3", .access = Access::write, .address_offset = address_of(cut_addresses, 8)},
 };
 
 constexpr std::uint32_t move_addresses = offsetof(MovePages, addresses);
@@ -124,12 +119,9 @@ constexpr Kernel kernel(const char* name, std::span<const Binding> bindings, std
 
 }  // namespace
 
-const Kernel find_planes_kernel =
-    kernel("find_planes", find_bindings, 33,
-           {.spirv = find_planes, .host = find_planes_on_host, .parameter_bytes = sizeof(FindPlanes)});
-const Kernel take_pages_kernel =
-    kernel("take_pages", take_bindings, most_rounds,
-           {.spirv = take_pages, .host = take_pages_on_host, .parameter_bytes = sizeof(TakePages)});
+const Kernel cut_pages_kernel =
+    kernel("cut_pages", cut_bindings, 33 + most_rounds,
+           {.spirv = cut_pages, .host = cut_pages_on_host, .parameter_bytes = sizeof(CutPages)});
 const Kernel pack_pages_kernel =
     kernel("pack_pages", pack_bindings, most_rounds,
            {.spirv = pack_pages, .host = pack_pages_on_host, .parameter_bytes = sizeof(MovePages)});

@@ -5,26 +5,23 @@
 
 namespace glift::detail {
 
-/// Bindings: list, count, result, seen. result[k], and seen[k], is the index in the ascending list at which pages from
-/// k * pages_of_plane on begin.
-struct FindPlanes {
-    std::uint32_t size, pages_of_plane, count_word, capacity;
-    std::uint64_t addresses[4];
-};
-extern const Kernel find_planes_kernel;
+/// Bindings: list, count, result, seen, counts, taken (four). result[k], and seen[k], is the index in the ascending
+/// list at which pages from k * pages_of_plane on begin. Copies, to each of `lists` lists, the pages of the planes
+/// [bounds[0], bounds[1]), then those of [bounds[2], bounds[3]), and writes their number to counts[first_list],
+/// counts[first_list + 1], ... `size` is the number of invocations: 64 for each 64 planes, and 64 * groups_of_list for
+/// each list.
+struct CutPages {
+    static constexpr std::uint32_t most_lists = 4;
 
-/// Bindings: list, planes, taken, counts. Copies the pages of the planes [lower_first, lower_end), then those of
-/// [upper_first, upper_end), from the list to `taken`, and writes their number to a word of `counts`. `planes` is the
-/// result of find_planes, `size` the number of invocations.
-struct TakePages {
-    std::uint32_t size, lower_first, lower_end, upper_first, upper_end, count_word;
-    std::uint64_t addresses[4];
+    std::uint32_t size, planes, pages_of_plane, count_word, capacity, lists, first_list, groups_of_list;
+    std::uint32_t bounds[4 * most_lists];
+    std::uint64_t addresses[5 + most_lists];
 };
-extern const Kernel take_pages_kernel;
+extern const Kernel cut_pages_kernel;
 
 /// Bindings: list, table, planes, frames, packed. Copies words [offset, offset + run) of the frames of the pages of
 /// planes [first_plane, end_plane), one page after the other, to the words of `packed` from `at` on; unpack_pages
-/// copies them back. `size` is the number of invocations.
+/// copies them back. `planes` is the result of cut_pages, `size` the number of invocations.
 struct MovePages {
     std::uint32_t size, first_plane, end_plane, run, offset, frame_bytes, at, unused;
     std::uint64_t addresses[5];

@@ -16,6 +16,7 @@ bool can_be_combined(const Binding& binding) {
     if (binding.kind != MemoryKind::buffer || binding.element_bytes % 4 != 0) return false;
     switch (binding.update) {
     case Update::store:
+    case Update::assign:
     case Update::bit_and:
     case Update::bit_or:
     case Update::bit_xor: return true;
@@ -86,6 +87,7 @@ std::optional<PassPlan> dense_plan(const Kernel& kernel, const Call& call, Cover
     for (const RangeShape& shape : shapes) {
         if (shape.rank != kernel.rank || shape.domain[last] != shapes[0].domain[last]) return std::nullopt;
         if (!shape.is_whole && shape.origin[last] != plan.origin) return std::nullopt;
+        plan.is_whole = plan.is_whole && shape.is_whole;
     }
     plan.layouts.resize(call.memories.size());
     for (std::size_t k = 0; k < call.memories.size(); ++k) {

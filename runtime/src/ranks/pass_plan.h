@@ -17,6 +17,7 @@ struct PassPlan {
     std::vector<std::optional<SlabLayout>> layouts;  ///< dense: of each binding's memory, as the call's ranges have it
     std::vector<std::size_t> scattered;  ///< bindings whose writes to any element of a replicated memory are combined
     std::uint32_t radius = 0;            ///< the largest of the windows that are read
+    bool is_whole = true;                ///< all elements of the space are visited
 };
 
 /// Nullopt: every rank has to run the whole pass. `is_host`: on the host device, which visits no more than it has to.

@@ -5,6 +5,7 @@
 #include <glift/iteration.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 namespace glift::detail {
@@ -28,21 +29,43 @@ bool must_gather(const Binding& binding, const Coverage& coverage, const PassPla
 
 }  // namespace
 
-/// Finds where each plane of pages begins in the list, after it has changed. The host sees it later.
+/// Finds where each plane of pages begins in the list, and makes the sublists from `first_list` on.
+void RankStream::cut_pages(const Paging& paging, const Cuts& cuts, std::uint32_t first_list) {
+    const auto end = static_cast<std::uint32_t>(paging.sublists.size());
+    const std::uint32_t planes = cuts.planes() + 1;
+    CutPages p = {.planes = planes,
+                  .pages_of_plane = paging.pages_of_plane,
+                  .count_word = static_cast<std::uint32_t>(paging.count.offset / 4),
+                  .capacity = static_cast<std::uint32_t>(paging.list.description().bytes / 4),
+                  .lists = std::min(end - first_list, CutPages::most_lists),
+                  .first_list = first_list};
+    std::array<Memory, 5 + CutPages::most_lists> memories = {paging.list, paging.count.memory, paging.planes,
+                                                             paging.seen.memory, paging.counts};
+    std::uint32_t most = 0;
+    for (std::uint32_t k = 0; k < CutPages::most_lists; ++k) {
+        const bool is_there = k < p.lists;
+        memories[5 + k] = is_there ? paging.sublists[first_list + k].memory : paging.unused[k];
+        if (!is_there) continue;
+        const auto& [lower, upper, memory, is_used] = paging.sublists[first_list + k];
+        const std::uint32_t bounds[] = {lower.first, lower.end, upper.first, upper.end};
+        std::ranges::copy(bounds, p.bounds + 4 * k);
+        most = std::max(most, paging.most_pages({0, lower.count() + upper.count()}));
+    }
+    constexpr std::uint32_t pages_of_group = 256, most_groups = 4096;
+    p.groups_of_list = std::clamp((most + pages_of_group - 1) / pages_of_group, 1u, most_groups);
+    p.size = up_to(planes, 64) + 64 * p.groups_of_list * p.lists;
+    local().dispatch(
+        cut_pages_kernel,
+        {.form = FormName::general, .memories = memories, .parameters = glift::bytes_of(p), .size = {p.size, 1, 1, 1}});
+    if (first_list + p.lists < end) cut_pages(paging, cuts, first_list + p.lists);
+}
+
+/// After the list of pages has changed: finds the planes, which the host sees later, and makes the sublists anew that
+/// were used since the list changed before.
 void RankStream::refresh(Paging& paging, const Cuts& cuts) {
     if (!paging.is_stale) return;
-    const std::uint32_t count = cuts.planes() + 1;
-    const FindPlanes parameters = {count,
-                                   paging.pages_of_plane,
-                                   static_cast<std::uint32_t>(paging.count.offset / 4),
-                                   static_cast<std::uint32_t>(paging.list.description().bytes / 4),
-                                   {}};
-    const Memory memories[] = {paging.list, paging.count.memory, paging.planes, paging.seen.memory};
-    local().dispatch(find_planes_kernel, {.form = FormName::general,
-                                          .memories = memories,
-                                          .parameters = glift::bytes_of(parameters),
-                                          .size = {count, 1, 1, 1}});
-    paging.forget_sublists();
+    paging.forget_unused_sublists();
+    cut_pages(paging, cuts, 0);
     paging.is_stale = false;
 }
 
@@ -54,27 +77,25 @@ void RankStream::see_planes(Paging& paging, const Cuts& cuts) {
 }
 
 /// The pages of two parts of the planes, as a list of their own.
-std::uint32_t RankStream::sublist(Paging& paging, Planes lower, Planes upper) {
-    for (std::uint32_t k = 0; k < paging.sublists.size(); ++k)
-        if (paging.sublists[k].lower == lower && paging.sublists[k].upper == upper) return k;
+std::uint32_t RankStream::sublist(Paging& paging, const Cuts& cuts, Planes lower, Planes upper) {
+    for (std::uint32_t k = 0; k < paging.sublists.size(); ++k) {
+        Paging::Sublist& list = paging.sublists[k];
+        if (list.lower != lower || list.upper != upper) continue;
+        list.is_used = true;
+        return k;
+    }
     if (paging.sublists.size() == Paging::most_sublists) paging.forget_sublists();
-    Paging::Sublist list{lower, upper, Memory()};
-    const std::uint64_t bytes = paging.list.description().bytes;
+    Memory memory;
     if (paging.spare.empty()) {
-        list.memory = local().allocate({.name = "pages of a rank", .bytes = bytes, .zeroed = false});
+        memory =
+            local().allocate({.name = "pages of a rank", .bytes = paging.list.description().bytes, .zeroed = false});
     } else {
-        list.memory = std::move(paging.spare.back());
+        memory = std::move(paging.spare.back());
         paging.spare.pop_back();
     }
     const auto number = static_cast<std::uint32_t>(paging.sublists.size());
-    const std::uint32_t most = std::max(1u, paging.most_pages({0, lower.count() + upper.count()}));
-    const TakePages parameters = {std::min(most, 1u << 18), lower.first, lower.end, upper.first, upper.end, number, {}};
-    const Memory memories[] = {paging.list, paging.planes, list.memory, paging.counts};
-    local().dispatch(take_pages_kernel, {.form = FormName::general,
-                                         .memories = memories,
-                                         .parameters = glift::bytes_of(parameters),
-                                         .size = {parameters.size, 1, 1, 1}});
-    paging.sublists.push_back(std::move(list));
+    paging.sublists.push_back({lower, upper, std::move(memory)});
+    cut_pages(paging, cuts, number);
     return number;
 }
 
@@ -101,7 +122,8 @@ void RankStream::run_distributed(const Kernel& kernel, const Call& call, const P
         }
         if (plan.layouts.size() > k && plan.layouts[k]) coverage->layout = coverage->ghost_layout = *plan.layouts[k];
         // An element that the pass leaves as it is, is as old as it was.
-        coverage->ghost = std::min(extension, coverage->ghost);
+        const bool leaves_some = !plan.is_whole || kernel.bindings[k].update != Update::assign;
+        coverage->ghost = leaves_some ? std::min(extension, coverage->ghost) : extension;
     }
 }
 
@@ -191,7 +213,7 @@ void RankStream::run_planes(const Kernel& kernel, const Call& call, const PassPl
 void RankStream::run_pages(const Kernel& kernel, const Call& call, const Space& space, Planes lower, Planes upper) {
     if (lower.count() + upper.count() == 0) return;
     Paging& paging = *space.paging;
-    const std::uint32_t number = sublist(paging, lower, upper);
+    const std::uint32_t number = sublist(paging, space.cuts, lower, upper);
     std::vector<Memory> memories(call.memories.begin(), call.memories.end());
     std::ranges::replace(memories, paging.list, paging.sublists[number].memory);
     const std::uint32_t at = form_of(kernel, call.form).size_offset + 4;

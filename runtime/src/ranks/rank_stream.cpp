@@ -1,5 +1,7 @@
 #include "rank_stream.h"
 
+#include "page_kernels.h"
+
 #include <glift/error.h>
 
 #include <algorithm>
@@ -217,6 +219,8 @@ void RankStream::distribute(const PagedShape& shape, const ranks::Distribution& 
     paging.planes = local().allocate({.name = "planes of pages", .bytes = planes_bytes, .zeroed = false});
     paging.seen = local_->allocate_visible({.name = "planes of pages", .bytes = planes_bytes, .zeroed = false});
     paging.counts = local().allocate({.name = "pages of a rank", .bytes = 4 * Paging::most_sublists, .zeroed = false});
+    for (std::uint32_t k = 0; k < CutPages::most_lists; ++k)
+        paging.unused.push_back(local().allocate({.name = "no pages", .bytes = 4, .zeroed = false}));
     messenger_.finish();  // what is under way may refer to the space that this one replaces
     for (const Memory& frames : shape.frames) {
         Coverage coverage;

@@ -67,7 +67,8 @@ private:
     void refresh(Paging& paging, const Cuts& cuts);
     void see_planes(Paging& paging, const Cuts& cuts);
     void transfer(const std::vector<Piece>& pieces, Traffic& traffic);
-    std::uint32_t sublist(Paging& paging, Planes lower, Planes upper);  ///< its number
+    void cut_pages(const Paging& paging, const Cuts& cuts, std::uint32_t first_list);
+    std::uint32_t sublist(Paging& paging, const Cuts& cuts, Planes lower, Planes upper);  ///< its number
 
     // What passes write to memories that every rank has (combine.cpp).
     struct Before {
