@@ -77,14 +77,14 @@ std::string number_text(const ir::Program& program, const ir::PassBinding& bindi
     return "";
 }
 
-/// Whether the statements store a whole element of the binding on every path.
-bool assign_element(const ir::Program& program, const std::vector<ir::StmtId>& body, std::size_t slot) {
+/// Whether the statements give the current element of the parameter `root` a new value on every path.
+bool assign_element(const ir::Program& program, const std::vector<ir::StmtId>& body, std::uint32_t root) {
     for (const ir::StmtId id : body) {
         const ir::Stmt& stmt = program.stmts[id];
-        if (stmt.op == ir::StmtOp::store && stmt.slot == slot && stmt.path.empty()) return true;
-        if (stmt.op == ir::StmtOp::block && assign_element(program, stmt.body, slot)) return true;
-        if (stmt.op == ir::StmtOp::if_ && assign_element(program, stmt.body, slot) &&
-            assign_element(program, stmt.otherwise, slot))
+        if (stmt.op == ir::StmtOp::set_element && stmt.place.root == root && stmt.path.empty()) return true;
+        if (stmt.op == ir::StmtOp::block && assign_element(program, stmt.body, root)) return true;
+        if (stmt.op == ir::StmtOp::if_ && assign_element(program, stmt.body, root) &&
+            assign_element(program, stmt.otherwise, root))
             return true;
         bool may_leave = false;
         ir::for_each_statement(program, std::vector{id}, [&](const ir::Stmt& inner) {
@@ -93,13 +93,6 @@ bool assign_element(const ir::Program& program, const std::vector<ir::StmtId>& b
         if (may_leave) return false;
     }
     return false;
-}
-
-/// Whether the pass gives a new value to each element that it visits.
-bool assigns(const ir::Program& program, const ir::Kernel& kernel, const ir::Pass& pass, std::size_t number) {
-    const ir::PassBinding& binding = pass.bindings[number];
-    if (ir::traits_of(kernel.params[binding.place.root].pattern).reach != ir::Reach::element) return false;
-    return binding.fields.empty() && assign_element(program, pass.plain().body, number);
 }
 
 }  // namespace
@@ -162,7 +155,7 @@ std::string update_fields(const ir::Program& program, const ir::Kernel& kernel, 
     for (ir::FunctionId function : pass.functions) look_at(program.functions[function].body);
     if (!is_pure || !combine) return "";
     std::string name = *combine == ir::Combine::replace ? "store" : combine_text(*combine);
-    if (*combine == ir::Combine::replace && assigns(program, kernel, pass, number)) name = "assign";
+    if (*combine == ir::Combine::replace && assign_element(program, kernel.body, binding.place.root)) name = "assign";
     return ", .update = glift::Update::" + name + number_text(program, binding);
 }
 
