@@ -12,6 +12,7 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace glift::detail {
@@ -207,6 +208,8 @@ public:
     const Profiler& profiler() const { return profiler_; }
     /// Turns the profiler on for one more user. Throws missing_feature where the device cannot tell times.
     virtual void start_profile() { profiler_.turn_on(); }
+    /// The time on the clock of the profiler's events; nothing if it cannot be read.
+    virtual std::optional<Nanoseconds> now() { return std::nullopt; }
     /// Waits for what was submitted, and gives the profiler what it does not know of yet.
     virtual void finish_profile() {}
 

@@ -6,6 +6,8 @@
 #include "host_memory.h"
 #include "host_stream.h"
 
+#include <chrono>
+
 namespace glift::detail {
 
 namespace {
@@ -52,6 +54,11 @@ public:
     }
     std::shared_ptr<RecordingObject> end_recording(Stream& stream) override {
         return static_cast<HostRecordingStream&>(stream).finish();
+    }
+
+    std::optional<Nanoseconds> now() override {
+        return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
+            .count();
     }
 
     Statistics statistics() override {

@@ -34,23 +34,23 @@ struct Paging {
     struct Sublist {
         Planes lower, upper;
         Memory memory;
-        bool is_used = true;  ///< since the list changed
+        std::uint32_t age = 0;  ///< how often the list has changed since this one was used
     };
     static constexpr std::size_t most_sublists = 64;
+    static constexpr std::uint32_t oldest = 16;
     std::vector<Sublist> sublists;
     std::vector<Memory> spare;  ///< of sublists that are needed no more
     Memory counts;
     std::vector<Memory> unused;  ///< given to cut_pages where there are fewer lists than it can make
 
     void forget_sublists() {
-        for (Sublist& list : sublists) list.is_used = false;
-        forget_unused_sublists();
+        for (Sublist& list : sublists) list.age = oldest;
+        forget_old_sublists();
     }
-    void forget_unused_sublists() {
+    void forget_old_sublists() {
         for (Sublist& list : sublists)
-            if (!list.is_used) spare.push_back(std::move(list.memory));
-        std::erase_if(sublists, [](const Sublist& list) { return !list.is_used; });
-        for (Sublist& list : sublists) list.is_used = false;
+            if (++list.age > oldest) spare.push_back(std::move(list.memory));
+        std::erase_if(sublists, [](const Sublist& list) { return list.age > oldest; });
     }
     std::uint32_t most_pages(Planes of) const {
         return static_cast<std::uint32_t>(

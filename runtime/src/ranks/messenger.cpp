@@ -152,10 +152,17 @@ Messenger::Started Messenger::start(const std::vector<Piece>& pieces, Traffic& t
 void Messenger::deliver(const Started& started, GateObject* gate) {
     if (started.packing) started.packing->wait();
     const auto begin = Clock::now();
-    for (const Message& message : started.sent) started.traffic->bytes += message.piece.bytes();
+    const bool is_profiled = local_->profiler().is_on();
+    const std::optional<Nanoseconds> first = is_profiled ? local_->now() : std::nullopt;
+    std::uint64_t bytes = 0;
+    for (const Message& message : started.sent) bytes += message.piece.bytes();
     if (started.areas.empty()) deliver_by_messages(started, gate);
     else deliver_by_areas(started, gate);
+    started.traffic->bytes += bytes;
     started.traffic->seconds += std::chrono::duration<double>(Clock::now() - begin).count();
+    if (!first) return;
+    const Tag tag = local_->profiler().tag({.name = "exchange", .bytes = bytes});
+    local_->profiler().add(tag, Profiler::run_of_thread(), *first, local_->now().value_or(*first));
 }
 
 void Messenger::deliver_by_areas(const Started& started, GateObject* gate) {

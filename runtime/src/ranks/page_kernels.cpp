@@ -120,7 +120,7 @@ constexpr Kernel kernel(const char* name, std::span<const Binding> bindings, std
 }  // namespace
 
 const Kernel cut_pages_kernel =
-    kernel("cut_pages", cut_bindings, 33 + most_rounds,
+    kernel("cut_pages", cut_bindings, 3 * most_rounds,
            {.spirv = cut_pages, .host = cut_pages_on_host, .parameter_bytes = sizeof(CutPages)});
 const Kernel pack_pages_kernel =
     kernel("pack_pages", pack_bindings, most_rounds,

@@ -8,12 +8,13 @@ namespace glift::detail {
 /// Bindings: list, count, result, seen, counts, taken (four). result[k], and seen[k], is the index in the ascending
 /// list at which pages from k * pages_of_plane on begin. Copies, to each of `lists` lists, the pages of the planes
 /// [bounds[0], bounds[1]), then those of [bounds[2], bounds[3]), and writes their number to counts[first_list],
-/// counts[first_list + 1], ... `size` is the number of invocations: 64 for each 64 planes, and 64 * groups_of_list for
+/// counts[first_list + 1], ... `size` is the number of invocations: 64 * groups_of_planes, and 64 * groups_of_list for
 /// each list.
 struct CutPages {
     static constexpr std::uint32_t most_lists = 4;
 
-    std::uint32_t size, planes, pages_of_plane, count_word, capacity, lists, first_list, groups_of_list;
+    std::uint32_t size, planes, pages_of_plane, count_word, capacity, groups_of_planes, lists, first_list,
+        groups_of_list, unused;
     std::uint32_t bounds[4 * most_lists];
     std::uint64_t addresses[5 + most_lists];
 };

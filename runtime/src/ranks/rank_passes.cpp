@@ -46,14 +46,15 @@ void RankStream::cut_pages(const Paging& paging, const Cuts& cuts, std::uint32_t
         const bool is_there = k < p.lists;
         memories[5 + k] = is_there ? paging.sublists[first_list + k].memory : paging.unused[k];
         if (!is_there) continue;
-        const auto& [lower, upper, memory, is_used] = paging.sublists[first_list + k];
+        const auto& [lower, upper, memory, age] = paging.sublists[first_list + k];
         const std::uint32_t bounds[] = {lower.first, lower.end, upper.first, upper.end};
         std::ranges::copy(bounds, p.bounds + 4 * k);
         most = std::max(most, paging.most_pages({0, lower.count() + upper.count()}));
     }
-    constexpr std::uint32_t pages_of_group = 256, most_groups = 4096;
-    p.groups_of_list = std::clamp((most + pages_of_group - 1) / pages_of_group, 1u, most_groups);
-    p.size = up_to(planes, 64) + 64 * p.groups_of_list * p.lists;
+    const auto groups_for = [](std::uint32_t pages) { return std::clamp((pages + 255) / 256, 1u, 4096u); };
+    p.groups_of_planes = groups_for(paging.capacity);
+    p.groups_of_list = groups_for(most);
+    p.size = 64 * (p.groups_of_planes + p.groups_of_list * p.lists);
     local().dispatch(
         cut_pages_kernel,
         {.form = FormName::general, .memories = memories, .parameters = glift::bytes_of(p), .size = {p.size, 1, 1, 1}});
@@ -61,10 +62,10 @@ void RankStream::cut_pages(const Paging& paging, const Cuts& cuts, std::uint32_t
 }
 
 /// After the list of pages has changed: finds the planes, which the host sees later, and makes the sublists anew that
-/// were used since the list changed before.
+/// were used not long ago.
 void RankStream::refresh(Paging& paging, const Cuts& cuts) {
     if (!paging.is_stale) return;
-    paging.forget_unused_sublists();
+    paging.forget_old_sublists();
     cut_pages(paging, cuts, 0);
     paging.is_stale = false;
 }
@@ -81,7 +82,7 @@ std::uint32_t RankStream::sublist(Paging& paging, const Cuts& cuts, Planes lower
     for (std::uint32_t k = 0; k < paging.sublists.size(); ++k) {
         Paging::Sublist& list = paging.sublists[k];
         if (list.lower != lower || list.upper != upper) continue;
-        list.is_used = true;
+        list.age = 0;
         return k;
     }
     if (paging.sublists.size() == Paging::most_sublists) paging.forget_sublists();

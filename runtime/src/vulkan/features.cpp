@@ -33,9 +33,9 @@ private:
 std::vector<const char*> usable_extensions(const Instance& instance, VkPhysicalDevice physical) {
     const PresentExtensions present(instance, physical);
     std::vector<const char*> result;
-    for (const char* wanted :
-         {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME, VK_EXT_SHADER_ATOMIC_FLOAT_EXTENSION_NAME,
-          VK_EXT_SHADER_ATOMIC_FLOAT_2_EXTENSION_NAME, VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME}) {
+    for (const char* wanted : {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME, VK_EXT_SHADER_ATOMIC_FLOAT_EXTENSION_NAME,
+                               VK_EXT_SHADER_ATOMIC_FLOAT_2_EXTENSION_NAME, VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME,
+                               VK_EXT_CALIBRATED_TIMESTAMPS_EXTENSION_NAME}) {
         if (present.has(wanted)) result.push_back(wanted);
     }
     return result;

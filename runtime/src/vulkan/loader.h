@@ -147,6 +147,7 @@ private:
 
 #define GLIFT_DEVICE_EXTENSION_FUNCTIONS(X) \
     X(vkCmdPushDescriptorSetWithTemplateKHR) \
+    X(vkGetCalibratedTimestampsEXT) \
     X(vkGetMemoryHostPointerPropertiesEXT)
 // clang-format on
 

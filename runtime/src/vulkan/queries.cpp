@@ -51,6 +51,10 @@ std::optional<std::uint64_t> Queries::ticks(Query query, VkQueryResultFlags flag
                                                               &ticks, sizeof ticks, VK_QUERY_RESULT_64_BIT | flags);
     context_.check(result, "vkGetQueryPoolResults");
     if (result == VK_NOT_READY) return std::nullopt;
+    return valid_part(ticks);
+}
+
+std::uint64_t Queries::valid_part(std::uint64_t ticks) const {
     if (context_.timestamp_bits < 64) ticks &= (std::uint64_t(1) << context_.timestamp_bits) - 1;
     return ticks;
 }
@@ -61,12 +65,26 @@ double Queries::seconds(Query query) {
 }
 
 // Clocks may count from 1970: doubles, of 53 bits, would round nanoseconds to hundreds.
+std::int64_t Queries::nanoseconds_of(std::uint64_t ticks) const {
+    const double tick = context_.properties.timestamp_seconds * 1e9;
+    if (std::abs(tick - 1) < 1e-6) return static_cast<std::int64_t>(ticks);
+    return static_cast<std::int64_t>(static_cast<long double>(ticks) * tick);
+}
+
 std::optional<std::int64_t> Queries::nanoseconds(Query query) {
     const std::optional<std::uint64_t> count = ticks(query, 0);
     if (!count) return std::nullopt;
-    const double tick = context_.properties.timestamp_seconds * 1e9;
-    if (std::abs(tick - 1) < 1e-6) return static_cast<std::int64_t>(*count);
-    return static_cast<std::int64_t>(static_cast<long double>(*count) * tick);
+    return nanoseconds_of(*count);
+}
+
+std::optional<std::int64_t> Queries::now() {
+    if (!context_.vk.vkGetCalibratedTimestampsEXT || !context_.timestamp_bits) return std::nullopt;
+    const VkCalibratedTimestampInfoEXT info = {.sType = VK_STRUCTURE_TYPE_CALIBRATED_TIMESTAMP_INFO_EXT,
+                                               .timeDomain = VK_TIME_DOMAIN_DEVICE_EXT};
+    std::uint64_t ticks = 0, deviation = 0;
+    context_.check(context_.vk.vkGetCalibratedTimestampsEXT(context_.device, 1, &info, &ticks, &deviation),
+                   "vkGetCalibratedTimestampsEXT");
+    return nanoseconds_of(valid_part(ticks));
 }
 
 }  // namespace glift::detail

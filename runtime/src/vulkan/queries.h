@@ -27,9 +27,12 @@ public:
     double seconds(Query query);  ///< of a query that the device has written
     /// Nothing if the device has not written the query.
     std::optional<std::int64_t> nanoseconds(Query query);
+    std::optional<std::int64_t> now();  ///< the device's clock; nothing if it cannot be read
 
 private:
     std::optional<std::uint64_t> ticks(Query query, VkQueryResultFlags flags);
+    std::uint64_t valid_part(std::uint64_t ticks) const;
+    std::int64_t nanoseconds_of(std::uint64_t ticks) const;
 
     Context& context_;
     std::mutex mutex_;

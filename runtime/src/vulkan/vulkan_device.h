@@ -44,6 +44,7 @@ public:
     Statistics statistics() override;
     std::vector<std::string> validation_messages() override { return context_->instance->take_messages(); }
     void start_profile() override;
+    std::optional<Nanoseconds> now() override { return queries_->now(); }
     void finish_profile() override;
 
     /// The device's lock, held around everything that records, submits or allocates.
