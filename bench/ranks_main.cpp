@@ -1,6 +1,7 @@
-// bench_ranks [--ranks N] [--what diffusion|band] [--side N] [--strong] [--steps N] [--halo N] [--no-overlap] [--json
-// FILE]: the time of a step on several devices of this host, a process for each (GLIFT_DEVICE=host or lavapipe: all use
-// that device).
+// bench_ranks [--ranks N] [--what diffusion|band] [--side N] [--strong] [--steps N] [--halo N] [--no-overlap] [--cores
+// N]
+// [--json FILE]: the time of a step on several devices of this host, a process for each (GLIFT_DEVICE=host or lavapipe:
+// all use that device).
 //
 //   diffusion  examples/heat over `side`^3 voxels; unless --strong, so many for each rank (side along x and y)
 //   band       examples/narrow_band/moving_shell.glift: topology and two stencils of the pages around a moving shell,
@@ -15,6 +16,8 @@
 
 #include <glift/ranks/processes.h>
 #include <glift/ranks/world.h>
+
+#include <sched.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -33,6 +36,7 @@ struct Options {
     std::string what = "band", json;
     std::uint32_t side = 1024, steps = 32, halo = 2;
     int runs = 5;
+    unsigned cores = 0;
     bool strong = false, no_overlap = false;
 };
 
@@ -109,8 +113,17 @@ Figures band_of(glift::ranks::World& world, const Options& options) {
     return figures;
 }
 
+/// This process uses cores [first, first + count) alone.
+void stay_on_cores(unsigned first, unsigned count) {
+    cpu_set_t cores;
+    CPU_ZERO(&cores);
+    for (unsigned k = 0; k < count; ++k) CPU_SET(first + k, &cores);
+    if (sched_setaffinity(0, sizeof cores, &cores) != 0) std::fputs("bench_ranks: cannot choose cores\n", stderr);
+}
+
 int run(std::shared_ptr<glift::ranks::Transport> transport, const Options& options) {
     const unsigned rank = transport->rank();
+    if (options.cores != 0) stay_on_cores(rank * options.cores, options.cores);
     const glift::Device device = glift::ranks::device_of(*transport);
     glift::ranks::World world(std::move(transport), device, {.overlaps = !options.no_overlap});
     const Figures f = options.what == "band" ? band_of(world, options) : diffusion(world, options);
@@ -133,6 +146,7 @@ int run(std::shared_ptr<glift::ranks::Transport> transport, const Options& optio
                                                               {"exchange_seconds", f.exchange},
                                                               {"bytes", f.bytes},
                                                               {"exchanges", f.exchanges},
+                                                              {"distributed", f.distributed},
                                                               {"imbalance", f.imbalance}}
                                            .dump(2)
                                     << "\n";
@@ -154,6 +168,8 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     app.add_flag("--strong", options.strong, "the same domain for any number of ranks");
     app.add_flag("--no-overlap", options.no_overlap, "compute nothing while elements are on their way");
+    app.add_option("--cores", options.cores,
+                   "on the host device: so many of the processor's cores for each rank; 0: all");
     app.add_option("--json", options.json, "where the figures go");
     CLI11_PARSE(app, argc, argv);
     try {
