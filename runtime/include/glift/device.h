@@ -74,7 +74,9 @@ struct Statistics {
     std::uint64_t waits = 0;           ///< calls of wait and Download::get, and the first seconds() of each Timestamp
     std::uint64_t memories = 0;        ///< whose storage is not freed yet; host: parts of images count, too
     std::uint64_t bytes_used = 0;      ///< by memories, staging and parameters
-    std::uint64_t bytes_reserved = 0;  ///< taken from the device, in blocks
+    /// Taken from the device, in blocks. Blocks that are free are kept for new memories: up to an eighth of the device's
+    /// memory, on CPUs a thirty-second.
+    std::uint64_t bytes_reserved = 0;
 };
 
 /// A cheap handle: copies mean the same device. Several threads may use a device at the same time.

@@ -27,7 +27,7 @@ void cut_pages_on_host(const HostCall& call) {
     const std::uint32_t* list = words(call, 0);
     const std::uint32_t* end = list + std::min(words(call, 1)[p.count_word], p.capacity);
     std::uint32_t* begins = words_to_write(call, 2);
-    for (std::uint32_t plane = 0; plane < p.planes; ++plane)
+    for (std::uint32_t plane = 0; plane < p.planes && p.groups_of_planes != 0; ++plane)
         begins[plane] = words_to_write(call, 3)[plane] =
             static_cast<std::uint32_t>(std::lower_bound(list, end, plane * p.pages_of_plane) - list);
     for (std::uint32_t k = 0; k < p.lists; ++k) {

@@ -29,7 +29,8 @@ bool must_gather(const Binding& binding, const Coverage& coverage, const PassPla
 
 }  // namespace
 
-/// Finds where each plane of pages begins in the list, and makes the sublists from `first_list` on.
+/// Makes the sublists from `first_list` on; finds where each plane of pages begins in the list, if that has changed (not
+/// again: messages under way may be reading it).
 void RankStream::cut_pages(const Paging& paging, const Cuts& cuts, std::uint32_t first_list) {
     const auto end = static_cast<std::uint32_t>(paging.sublists.size());
     const std::uint32_t planes = cuts.planes() + 1;
@@ -52,7 +53,7 @@ void RankStream::cut_pages(const Paging& paging, const Cuts& cuts, std::uint32_t
         most = std::max(most, paging.most_pages({0, lower.count() + upper.count()}));
     }
     const auto groups_for = [](std::uint32_t pages) { return std::clamp((pages + 255) / 256, 1u, 4096u); };
-    p.groups_of_planes = groups_for(paging.capacity);
+    p.groups_of_planes = paging.is_stale && first_list == 0 ? groups_for(paging.capacity) : 0;
     p.groups_of_list = groups_for(most);
     p.size = 64 * (p.groups_of_planes + p.groups_of_list * p.lists);
     local().dispatch(

@@ -162,6 +162,29 @@ TEST_P(Memories, AreFreedWhenTheLastHandleIsGone) {
     EXPECT_LE(after.bytes_reserved, before.bytes_reserved + (100 << 20));
 }
 
+/// A pipeline's temporary, which each call makes anew: the device keeps its block, and puts nothing small there.
+TEST_P(Memories, OfLargeTemporariesAreKeptForTheNextOnes) {
+    const std::uint64_t large = std::uint64_t{300} << 20;
+    const auto make_and_drop = [&] {
+        const auto f = buffer(device, "f", large);
+        device.wait();
+    };
+    make_and_drop();
+    const auto small = buffer(device, "g", 1024);  // an allocation reclaims memory that the device has finished using
+    const auto first = device.statistics();
+    const glift::DeviceProperties& properties = device.properties();
+    if (properties.kind != glift::DeviceKind::host && properties.memory_bytes / 32 >= large) {
+        EXPECT_GE(first.bytes_reserved, large);
+    }
+    for (int round = 0; round < 3; ++round) {
+        make_and_drop();
+        buffer(device, "h", 16);
+    }
+    const auto after = device.statistics();
+    EXPECT_EQ(after.bytes_reserved, first.bytes_reserved);
+    EXPECT_LT(after.bytes_used, large);
+}
+
 TEST_P(Memories, HandlesMayGoBeforeTheDeviceIsDone) {
     glift::Download download;
     {

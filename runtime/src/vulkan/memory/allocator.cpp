@@ -33,7 +33,8 @@ constexpr VkDeviceSize largest_block = VkDeviceSize(256) << 20;
 }  // namespace
 
 Allocator::Allocator(Context& context)
-    : context_(context), limit_(memory_limit()), is_cpu_(context.properties.kind == DeviceKind::cpu) {}
+    : context_(context), limit_(memory_limit()), is_cpu_(context.properties.kind == DeviceKind::cpu),
+      most_empty_(std::max(largest_block, context.properties.memory_bytes / (is_cpu_ ? 32 : 8))) {}
 
 Allocator::~Allocator() {
     for (auto& pool : pools_) {
@@ -131,6 +132,14 @@ void Allocator::release_block(Pool& pool, std::size_t index) {
     pool.blocks.erase(pool.blocks.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
+std::uint64_t Allocator::empty_bytes() const {
+    std::uint64_t bytes = 0;
+    for (const auto& pool : pools_)
+        for (const auto& block : pool->blocks)
+            if (!block->used) bytes += block->bytes;
+    return bytes;
+}
+
 // Frees the empty blocks that are kept for reuse, to make room for a memory that does not fit in them. False if there
 // were none.
 bool Allocator::release_empty_blocks() {
@@ -151,7 +160,9 @@ bool Allocator::allocate(const VkMemoryRequirements& needs, MemoryUse use, bool 
     Block* block = nullptr;
     VkDeviceSize offset = 0;
     for (auto& candidate : from.blocks) {
-        if (take(*candidate, needs.size, alignment, offset)) {
+        // An empty block that was a large memory waits for one as large: the next call's temporary.
+        const bool is_for_larger = candidate->bytes > largest_block && needs.size < candidate->bytes / 2;
+        if (!is_for_larger && take(*candidate, needs.size, alignment, offset)) {
             block = candidate.get();
             break;
         }
@@ -176,14 +187,8 @@ void Allocator::free(const Allocation& allocation) {
     allocation.block->used -= allocation.bytes;
     used_ -= allocation.bytes;
     if (allocation.block->used) return;
-    // Each pool keeps one empty block of at most largest_block bytes for its next memory.
+    if (empty_bytes() <= most_empty_) return;
     Pool& pool = *pools_[allocation.block->pool];
-    const auto spare = [&](const auto& block) {
-        return block.get() != allocation.block && !block->used && block->bytes <= largest_block;
-    };
-    const bool keep =
-        allocation.block->bytes <= largest_block && std::none_of(pool.blocks.begin(), pool.blocks.end(), spare);
-    if (keep) return;
     for (std::size_t k = 0; k < pool.blocks.size(); ++k) {
         if (pool.blocks[k].get() == allocation.block) return release_block(pool, k);
     }

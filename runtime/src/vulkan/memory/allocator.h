@@ -51,12 +51,16 @@ private:
     Block* allocate_block(Pool& pool, VkDeviceSize bytes);
     void release_block(Pool& pool, std::size_t index);
     bool release_empty_blocks();
+    std::uint64_t empty_bytes() const;
     bool choose_type(std::uint32_t allowed, MemoryUse use, std::uint32_t& type) const;
 
     Context& context_;
     std::vector<std::unique_ptr<Pool>> pools_;
     std::uint64_t used_ = 0, reserved_ = 0, limit_;
     bool is_cpu_;  ///< the device is a CPU: its memory is the machine's
+    /// Of blocks without a memory, which are kept for the next ones: to allocate a temporary of 1 GiB anew for each call
+    /// of a pipeline took an H200 97 ms.
+    std::uint64_t most_empty_;
 };
 
 }  // namespace glift::detail
