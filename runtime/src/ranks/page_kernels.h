@@ -6,10 +6,10 @@
 namespace glift::detail {
 
 /// Bindings: list, count, result, seen, counts, taken (four). result[k], and seen[k], is the index in the ascending
-/// list at which pages from k * pages_of_plane on begin, but where groups_of_planes is 0. Copies, to each of `lists` lists, the pages of the planes
-/// [bounds[0], bounds[1]), then those of [bounds[2], bounds[3]), and writes their number to counts[first_list],
-/// counts[first_list + 1], ... `size` is the number of invocations: 64 * groups_of_planes, and 64 * groups_of_list for
-/// each list.
+/// list at which pages from k * pages_of_plane on begin, but where groups_of_planes is 0. Copies, to each of `lists`
+/// lists, the pages of the planes [bounds[0], bounds[1]), then those of [bounds[2], bounds[3]), and writes their number
+/// to counts[first_list], counts[first_list + 1], ... `size` is the number of invocations: 64 * groups_of_planes, and
+/// 64 * groups_of_list for each list.
 struct CutPages {
     static constexpr std::uint32_t most_lists = 4;
 
