@@ -147,7 +147,7 @@ const glift::Binding smooth_bindings[] = {
     {.name = "f.data", .address_offset = 72, .element_bytes = sizeof(float), .reach = glift::Reach::window,
         .radius = 1},
     {.name = "g.data", .access = glift::Access::write, .address_offset = 80, .element_bytes = sizeof(float),
-        .parameter = 1, .reach = glift::Reach::element, .update = glift::Update::store, .number = glift::Number::real},
+        .parameter = 1, .reach = glift::Reach::element, .update = glift::Update::assign, .number = glift::Number::real},
 };
 constexpr glift::Parameter smooth_parameters[] = {{"f_extent", 0, 12}};
 }  // namespace

@@ -210,7 +210,7 @@ const glift::Binding right_bindings[] = {
         .radius = 2},
     {.name = "g.table.data", .address_offset = 104, .element_bytes = sizeof(uint), .parameter = 1},
     {.name = "g.frames.data", .access = glift::Access::write, .address_offset = 112, .element_bytes = sizeof(float),
-        .parameter = 1, .reach = glift::Reach::element, .update = glift::Update::store, .number = glift::Number::real},
+        .parameter = 1, .reach = glift::Reach::element, .update = glift::Update::assign, .number = glift::Number::real},
 };
 constexpr glift::Parameter right_parameters[] = {{"size", 0, 8}, {"f_active_extent", 8, 4}, {"div_ceil_x", 12, 4},
     {"div_ceil_x_2", 16, 4}, {"f_table_extent", 20, 4}, {"f_frames_extent", 24, 8}, {"f_extent", 32, 8}};
