@@ -130,7 +130,7 @@ void VulkanLink::copy(VkBuffer from, VkBuffer to, std::span<const CopyRegion> re
         .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &barrier};
     context.vk.vkCmdPipelineBarrier2(commands_, &dependency);
     context.check(context.vk.vkEndCommandBuffer(commands_), "vkEndCommandBuffer");
-    timeline_.poll(timeline_.submit(commands_));
+    timeline_.poll(timeline_.submit(commands_, device_.timeline().now()));
 }
 
 }  // namespace glift::detail

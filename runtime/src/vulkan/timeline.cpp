@@ -35,7 +35,7 @@ Timeline::~Timeline() {
     context_.vk.vkDestroySemaphore(context_.device, gate_semaphore_, nullptr);
 }
 
-std::uint64_t Timeline::submit(VkCommandBuffer commands, std::uint64_t gate) {
+std::uint64_t Timeline::submit(VkCommandBuffer commands, const Moment& after) {
     const std::uint64_t value = submitted_ + 1;
     const VkCommandBufferSubmitInfo buffer = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
                                               .commandBuffer = commands};
@@ -44,11 +44,11 @@ std::uint64_t Timeline::submit(VkCommandBuffer commands, std::uint64_t gate) {
                                           .value = value,
                                           .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
     const VkSemaphoreSubmitInfo wait = {.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
-                                        .semaphore = gate_semaphore_,
-                                        .value = gate,
+                                        .semaphore = after.semaphore,
+                                        .value = after.value,
                                         .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
     const VkSubmitInfo2 info = {.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
-                                .waitSemaphoreInfoCount = gate != 0 ? 1u : 0u,
+                                .waitSemaphoreInfoCount = after.semaphore ? 1u : 0u,
                                 .pWaitSemaphoreInfos = &wait,
                                 .commandBufferInfoCount = 1,
                                 .pCommandBufferInfos = &buffer,

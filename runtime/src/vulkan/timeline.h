@@ -9,18 +9,26 @@
 
 namespace glift::detail {
 
+/// A value that a timeline semaphore has reached, or will.
+struct Moment {
+    VkSemaphore semaphore = VK_NULL_HANDLE;  ///< null: any moment
+    std::uint64_t value = 0;
+};
+
 class Timeline {
 public:
     Timeline(Context& context, VkQueue queue);
     ~Timeline();
     Timeline(const Timeline&) = delete;
 
-    /// One thread at a time: for the device's queue its lock is held. The commands begin when this gate is open; 0: at
-    /// once. Returns the submission's number.
-    std::uint64_t submit(VkCommandBuffer commands, std::uint64_t gate = 0);
+    /// One thread at a time: for the device's queue its lock is held. The commands begin after a moment, and see what
+    /// was written before it. Returns the submission's number.
+    std::uint64_t submit(VkCommandBuffer commands, const Moment& after = {});
     std::uint64_t submitted() const { return submitted_.load(std::memory_order_acquire); }
     /// The number of a new gate, from 1 on. The device's lock is held.
     std::uint64_t new_gate() { return ++gates_; }
+    Moment opening_of(std::uint64_t gate) const { return {gate_semaphore_, gate}; }
+    Moment now() { return {semaphore_, completed()}; }
 
     /// These may be called from any thread.
     std::uint64_t completed();

@@ -265,7 +265,7 @@ Statistics VulkanDevice::statistics() {
 std::uint64_t VulkanDevice::submit(VkCommandBuffer commands, std::uint64_t gate) {
     context_->require_not_lost();
     if (!is_exit_prepared_ && pipelines_->created()) prepare_exit();
-    const std::uint64_t value = timeline_->submit(commands, gate);
+    const std::uint64_t value = timeline_->submit(commands, gate != 0 ? timeline_->opening_of(gate) : Moment());
     retire_value_ = value;
     ++counters_.submissions;
     return value;

@@ -78,7 +78,8 @@ public:
     std::uint32_t printing_kernel(const Pipeline& pipeline);  ///< its number in PrintingKernels
     /// A submission with this value on the timeline prints.
     void note_printing(std::uint64_t value) { printing_value_ = value; }
-    std::uint64_t submit(VkCommandBuffer commands, std::uint64_t gate = 0);  ///< as Timeline::submit
+    /// The commands begin when the gate is open; 0: at once.
+    std::uint64_t submit(VkCommandBuffer commands, std::uint64_t gate = 0);
     /// Lets the user's program use the queue: what Glift submits from now on is ordered after what the program
     /// submitted.
     void share_queue();
