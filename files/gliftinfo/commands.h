@@ -14,5 +14,7 @@ int check(const std::vector<std::string>& files);
 int diff(const std::string& first, const std::string& second);
 /// Writes the numbers at a path to a file of the kind that its name ends with: .npy, .vti.
 int convert(const std::string& file, const std::string& path, const std::string& to);
+/// Saves a NumPy array as a structure of this name, to a file of its own. The last axes are those of an element.
+int convert_npy(const std::string& array, const std::string& name, const std::string& to, unsigned element_axes);
 
 }  // namespace gliftinfo

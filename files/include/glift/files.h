@@ -54,9 +54,10 @@ public:
     /// Closes the file: hashes it, waits until the disk has it, gives it its name.
     void commit();
 
-private:
+    /// What save() does, for a structure that has no class: gliftinfo makes such from arrays.
     void write(const files::Part& part, const Device& device, const FileProgress& progress);
 
+private:
     struct State;
     std::unique_ptr<State> state_;
 };

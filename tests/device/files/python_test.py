@@ -70,6 +70,24 @@ for field in "density", "velocity", "on", "heat":
     assert found.dtype == expected.dtype and numpy.array_equal(found, expected), field
     info("convert", file, f"volume/data/{field}", folder / f"{field}.vti")
 
+# NumPy arrays as structures, and back: equal, whatever the type, the order and the version of the format.
+random = numpy.random.default_rng(3)
+for name in "bool int8 int16 int32 int64 uint8 uint16 uint32 uint64 float16 float32 float64".split():
+    for shape, axes in ((5,), 0), ((3, 4), 0), ((2, 3, 4), 1), ((2, 3, 4, 5), 0), ((2, 1, 3, 4, 2), 2), ((0, 3), 0):
+        array = random.integers(0, 2 if name == "bool" else 100, shape).astype(name)
+        for version in (1, 0), (2, 0), (3, 0):
+            with open(folder / "in.npy", "wb") as out:
+                numpy.lib.format.write_array(out, array, version=version)
+            info("convert", "--element-axes", axes, folder / "in.npy", "array", folder / "in.h5")
+            info("convert", folder / "in.h5", "array", folder / "out.npy")
+            found = numpy.load(folder / "out.npy")
+            assert found.dtype == array.dtype and numpy.array_equal(found, array), (name, shape, version)
+numpy.save(folder / "in.npy", numpy.zeros((2, 3), order="F"))
+expect("ascontiguousarray", info("convert", folder / "in.npy", "array", folder / "in.h5", status=2))
+numpy.save(folder / "in.npy", numpy.zeros(3, dtype=">f4"))
+expect("newbyteorder('<')", info("convert", folder / "in.npy", "array", folder / "in.h5", status=2))
+expect("ends with .h5", info("convert", folder / "in.npy", "array", folder / "out.npy", status=2))
+
 # VTK image data.
 try:
     from vtkmodules.util.numpy_support import vtk_to_numpy
