@@ -23,8 +23,8 @@ int main(int count, char** arguments) {
     diff->add_option("first", file)->required();
     diff->add_option("second", second)->required();
     CLI::App* const convert = app.add_subcommand(
-        "convert", "Write the numbers at a path, which print shows, to a .npy or .vti file; or save a .npy file as a "
-                   "structure");
+        "convert", "Write the numbers at a path, which print shows, to a .npy, .vti or .nvdb file; or save a .npy "
+                   "file as a structure");
     convert->add_option("file", file, "The file, or a NumPy array: .npy")->required();
     convert->add_option("path", path, "The path of the numbers; for an array the structure's name")->required();
     convert->add_option("to", to, "The file to be written; for an array .h5")->required();

@@ -157,10 +157,12 @@ void Pieces::verify_all() {
     for (std::uint64_t i = 0; i < count(); ++i) verify_piece(i);
 }
 
-std::vector<std::uint64_t> Pieces::damaged() {
+std::vector<std::uint64_t> Pieces::damaged(const std::function<void(std::uint64_t bytes)>& progress) {
     std::vector<std::uint64_t> found;
-    for (std::uint64_t i = 0; i < count(); ++i)
+    for (std::uint64_t i = 0; i < count(); ++i) {
         if (!is_whole(i)) found.push_back(i);
+        if (progress) progress(piece_bytes);
+    }
     return found;
 }
 

@@ -49,8 +49,8 @@ public:
     /// Reads bytes, and verifies all pieces in which they lie.
     void read(std::uint64_t offset, std::span<std::byte> to);
     void verify_all();
-    /// The numbers of the pieces that are not what was written.
-    std::vector<std::uint64_t> damaged();
+    /// The numbers of the pieces that are not what was written. `progress` is called with the bytes of each piece.
+    std::vector<std::uint64_t> damaged(const std::function<void(std::uint64_t bytes)>& progress = {});
     std::uint64_t end() const { return end_; }
 
 private:
