@@ -78,6 +78,7 @@ Pieces::Pieces(ByteSource source) : source_(std::move(source)) {
     std::vector<std::byte> list(source_.size - end_);
     if (source_.read(end_, list) != list.size() || hash_of(list) != get<Hash>(block, at_list_hash))
         throw_bad(source_.name, "its list of hashes is damaged");
+    hash_of_list_ = hash_of(list);
     hashes_.resize(pieces);
     if (pieces > 0) std::memcpy(hashes_.data(), list.data(), pieces * sizeof(Hash));
     is_verified_.resize(pieces);

@@ -52,6 +52,8 @@ public:
     /// The numbers of the pieces that are not what was written. `progress` is called with the bytes of each piece.
     std::vector<std::uint64_t> damaged(const std::function<void(std::uint64_t bytes)>& progress = {});
     std::uint64_t end() const { return end_; }
+    /// Files with the same bytes have the same.
+    const Hash& hash_of_list() const { return hash_of_list_; }
 
 private:
     void verify_piece(std::uint64_t piece);
@@ -62,6 +64,7 @@ private:
 
     ByteSource source_;
     std::uint64_t end_ = 0;
+    Hash hash_of_list_{};
     std::vector<Hash> hashes_;
     std::vector<bool> has_metadata_, is_verified_;
     std::vector<std::byte> buffer_;
