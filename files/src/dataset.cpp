@@ -57,7 +57,7 @@ std::vector<hsize_t> with_field(const std::vector<std::uint64_t>& grid, const Fi
 
 bool DataMap::lies_at(std::uint64_t offset, std::span<const std::byte> bytes) const {
     std::vector<std::byte> there(bytes.size());
-    return file_.read(offset, there) == there.size() && std::ranges::equal(there, bytes);
+    return from_.read(offset, there) == there.size() && std::ranges::equal(there, bytes);
 }
 
 void DataMap::add(std::uint64_t address, std::span<const std::byte> bytes) {
@@ -66,9 +66,38 @@ void DataMap::add(std::uint64_t address, std::span<const std::byte> bytes) {
         if (is_plain == is_shifted) return;  // not to be told from these bytes; their pieces count as metadata
         shift_ = is_shifted ? user_block_bytes : 0;
     }
-    ranges_.push_back({address + *shift_, address + *shift_ + bytes.size()});
-    add_hashes(address + *shift_, bytes, hashes_);
-    file_.begin_sync(address + *shift_, bytes.size());
+    const std::uint64_t begin = address + *shift_;
+    ranges_.push_back({begin, begin + bytes.size()});
+    if (&from_ != &to_) {
+        writer_.write(begin, bytes);
+        from_.forget(begin, bytes.size());
+    } else {
+        to_.begin_sync(begin, bytes.size());
+    }
+    hasher_.add(begin, bytes);
+}
+
+void DataMap::move(std::uint64_t begin, std::uint64_t end) const {
+    std::vector<std::byte> bytes;
+    for (; begin < end; begin += bytes.size()) {
+        bytes.resize(std::min<std::uint64_t>(end - begin, piece_bytes));
+        if (from_.read(begin, bytes) != bytes.size()) throw_system("read", from_.path());
+        to_.write(begin, bytes);
+    }
+}
+
+void DataMap::finish() {
+    writer_.finish();
+    if (&from_ == &to_) return;
+    std::ranges::sort(ranges_, {}, &DataRange::begin);
+    std::uint64_t at = 0;
+    for (const DataRange& range : ranges_) {
+        if (at < range.begin) move(at, range.begin);
+        at = std::max(at, range.end);
+    }
+    const std::uint64_t end = from_.size();
+    if (at < end) move(at, end);
+    to_.resize(end);
 }
 
 NewDataset::NewDataset(hid_t file, const std::string& path, const Field& field, const Tiling& tiling,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "descriptor.h"
+#include "direct_writer.h"
 #include "hdf5_handle.h"
 #include "pieces.h"
 #include "tiling.h"
@@ -17,24 +18,30 @@ namespace glift::files {
 /// The axes of a chunk or of a dataset in HDF5: those of the grid, then those of the field.
 std::vector<hsize_t> with_field(const std::vector<std::uint64_t>& grid, const Field& field);
 
-/// Where chunks of a file being written lie. HDF5 versions differ in whether the addresses that they give count the
-/// user block; the first chunk that is found in the file says it.
+/// The chunks of a file being written: where they lie, and their way to the disk. HDF5 writes a file in memory, from
+/// which the chunks are taken; what else it wrote follows at the end. HDF5 versions differ in whether the addresses
+/// that they give count the user block; the first chunk that is found in the file says it.
 class DataMap {
 public:
-    explicit DataMap(const Descriptor& file) : file_(file) {}
+    /// `from`: what HDF5 writes; `to`: the file on the disk, or the same.
+    DataMap(const Descriptor& from, const Descriptor& to) : from_(from), to_(to), writer_(to) {}
 
-    /// Notes that these bytes were written where HDF5 says `address`.
+    /// Moves bytes that were written where HDF5 says `address`.
     void add(std::uint64_t address, std::span<const std::byte> bytes);
+    /// Moves all else; HDF5 has closed its file.
+    void finish();
     const std::vector<DataRange>& ranges() const { return ranges_; }
-    const KnownHashes& hashes() const { return hashes_; }
+    const KnownHashes& hashes() const { return hasher_.hashes(); }
 
 private:
     bool lies_at(std::uint64_t offset, std::span<const std::byte> bytes) const;
+    void move(std::uint64_t begin, std::uint64_t end) const;
 
-    const Descriptor& file_;
+    const Descriptor &from_, &to_;
+    DirectWriter writer_;
+    PieceHasher hasher_;
     std::optional<std::uint64_t> shift_;
     std::vector<DataRange> ranges_;
-    KnownHashes hashes_;
 };
 
 class NewDataset {

@@ -84,15 +84,20 @@ struct NewFile::State {
         const files::Hdf5Lock lock;
         descriptor = files::open_locked(temporary);
         is_locked = true;
-        hdf5 = files::create_hdf5(temporary);
+        in_memory = files::Descriptor::in_memory_for(descriptor);
+        const bool has_memory = in_memory.number() >= 0;
+        if (has_memory) descriptor.resize(0);
+        hdf5 = files::create_hdf5(has_memory ? in_memory.path() : temporary);
+        if (has_memory) ::unlink(in_memory.path().c_str());
+        data.emplace(has_memory ? in_memory : descriptor, descriptor);
     }
     void commit();
 
     std::string path, temporary = path + ".saving";
     files::Together together;
-    files::Descriptor descriptor;  ///< of the rank that writes, as is `hdf5`
-    files::Id hdf5;
-    files::DataMap data{descriptor};
+    files::Descriptor descriptor, in_memory;  ///< of the rank that writes, as is all until `names`
+    files::Id hdf5;                           ///< in memory, where the system has such files
+    std::optional<files::DataMap> data;
     std::set<std::string> names;
     bool is_locked = false, is_committed = false;
 };
@@ -100,10 +105,11 @@ struct NewFile::State {
 void NewFile::State::commit() {
     const files::Hdf5Lock lock;
     files::check(hdf5.close(), "H5Fclose");
+    data->finish();
     const std::uint64_t end = descriptor.size();
     const files::ByteSource source{
         path, end, [&](std::uint64_t offset, std::span<std::byte> to) { return descriptor.read(offset, to); }};
-    const files::Seal seal = files::seal_of(source, end, data.ranges(), data.hashes());
+    const files::Seal seal = files::seal_of(source, end, data->ranges(), data->hashes());
     descriptor.write(end, seal.list);
     descriptor.write(0, seal.user_block);
     descriptor.sync();
@@ -136,10 +142,11 @@ void NewFile::write(const files::Part& part, const Device& device, const FilePro
         const files::Hdf5Lock lock;
         files::ProgressCount count(part, progress);
         files::StructureWriter* calling = nullptr;
-        files::StructureWriter writer(state_->hdf5, commands, state_->data, [&](std::uint64_t bytes) {
-            count.add(bytes);
-            together.note(bytes, calling->error());
-        });
+        files::StructureWriter writer(state_->hdf5, commands, state_->data ? &*state_->data : nullptr,
+                                      [&](std::uint64_t bytes) {
+                                          count.add(bytes);
+                                          together.note(bytes, calling->error());
+                                      });
         calling = &writer;
         if (!together.is_alone()) writer.write_for_all(together.is_writer());
         writer.write(part);

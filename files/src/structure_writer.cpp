@@ -179,10 +179,10 @@ void StructureWriter::write_buffers(const StoredMemory& memory, const FiledMemor
                 on_file([&, number_of_dataset = at++] {
                     NewDataset& dataset = datasets[number_of_dataset];
                     if (packed_bytes(field) == type.bytes && field.scalar != Scalar::boolean)
-                        return dataset.write(batch, elements[i], data_);
+                        return dataset.write(batch, elements[i], *data_);
                     packed.resize(batch.count * packed_bytes(field));
                     gather(field, type.bytes, elements[i], packed);
-                    dataset.write(batch, packed, data_);
+                    dataset.write(batch, packed, *data_);
                 });
             progress_(elements[i].size());
         }
@@ -201,7 +201,7 @@ void StructureWriter::write_elements(const Elements& elements, const FiledMemory
             for (std::size_t i = 0; i < filed.fields.size(); ++i) {
                 packed.resize(batch.count * packed_bytes(filed.fields[i]));
                 gather(filed.fields[i], elements.type.bytes, values, packed);
-                datasets[i].write(batch, packed, data_);
+                datasets[i].write(batch, packed, *data_);
             }
         });
         progress_(values.size());
@@ -222,7 +222,7 @@ void StructureWriter::write_image(const Memory& image, const std::string& path) 
             const ImageRegion region = region_of(batch, mip);
             const Download download = commands_.download_image(image, std::span(&region, 1), batch.count * bytes);
             const std::span<const std::byte> texels = download.get().first(batch.count * bytes);
-            on_file([&] { dataset->write(batch, texels, data_); });
+            on_file([&] { dataset->write(batch, texels, *data_); });
             progress_(batch.count * bytes);
         }
     }

@@ -15,7 +15,7 @@ namespace glift::files {
 class StructureWriter {
 public:
     /// `progress` is called with the bytes of memory that were stored since its last call.
-    StructureWriter(hid_t file, const Commands& commands, DataMap& data, std::function<void(std::uint64_t)> progress)
+    StructureWriter(hid_t file, const Commands& commands, DataMap* data, std::function<void(std::uint64_t)> progress)
         : file_(file), commands_(commands), data_(data), progress_(std::move(progress)) {}
 
     /// Ranks of a world call the device alike, and one of them writes. It does so on even after its file failed, which
@@ -46,7 +46,7 @@ private:
 
     hid_t file_;
     const Commands& commands_;
-    DataMap& data_;
+    DataMap* data_;  ///< null: of a rank that does not write
     std::function<void(std::uint64_t)> progress_;
     std::map<const void*, std::string> paths_;  ///< where memories are that were written
     bool has_file_ = true, defers_ = false;
