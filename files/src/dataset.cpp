@@ -55,49 +55,31 @@ std::vector<hsize_t> with_field(const std::vector<std::uint64_t>& grid, const Fi
     return extent;
 }
 
-bool DataMap::lies_at(std::uint64_t offset, std::span<const std::byte> bytes) const {
-    std::vector<std::byte> there(bytes.size());
-    return from_.read(offset, there) == there.size() && std::ranges::equal(there, bytes);
+template <class Run> bool DataMap::succeeds(Run run) {
+    try {
+        run();
+    } catch (...) {
+        failure_ = std::current_exception();
+        return false;
+    }
+    return true;
 }
 
-void DataMap::add(std::uint64_t address, std::span<const std::byte> bytes) {
-    if (!shift_) {
-        const bool is_plain = lies_at(address, bytes), is_shifted = lies_at(address + user_block_bytes, bytes);
-        if (is_plain == is_shifted) return;  // not to be told from these bytes; their pieces count as metadata
-        shift_ = is_shifted ? user_block_bytes : 0;
-    }
-    const std::uint64_t begin = address + *shift_;
-    ranges_.push_back({begin, begin + bytes.size()});
-    if (&from_ != &to_) {
-        writer_.write(begin, bytes);
-        from_.forget(begin, bytes.size());
-    } else {
-        to_.begin_sync(begin, bytes.size());
-    }
-    hasher_.add(begin, bytes);
+bool DataMap::write(std::uint64_t offset, std::span<const std::byte> bytes) {
+    return succeeds([&] {
+        if (bytes.data() != expected_.data() || bytes.size() != expected_.size()) return file_.write(offset, bytes);
+        writer_.write(offset, bytes);
+        hasher_.add(offset, bytes);
+        ranges_.push_back({offset, offset + bytes.size()});
+    });
 }
 
-void DataMap::move(std::uint64_t begin, std::uint64_t end) const {
-    std::vector<std::byte> bytes;
-    for (; begin < end; begin += bytes.size()) {
-        bytes.resize(std::min<std::uint64_t>(end - begin, piece_bytes));
-        if (from_.read(begin, bytes) != bytes.size()) throw_system("read", from_.path());
-        to_.write(begin, bytes);
-    }
+bool DataMap::read(std::uint64_t offset, std::span<std::byte> to) {
+    return succeeds([&] { std::ranges::fill(to.subspan(file_.read(offset, to)), std::byte{0}); });
 }
 
-void DataMap::finish() {
-    writer_.finish();
-    if (&from_ == &to_) return;
-    std::ranges::sort(ranges_, {}, &DataRange::begin);
-    std::uint64_t at = 0;
-    for (const DataRange& range : ranges_) {
-        if (at < range.begin) move(at, range.begin);
-        at = std::max(at, range.end);
-    }
-    const std::uint64_t end = from_.size();
-    if (at < end) move(at, end);
-    to_.resize(end);
+bool DataMap::resize(std::uint64_t bytes) {
+    return succeeds([&] { file_.resize(bytes); });
 }
 
 NewDataset::NewDataset(hid_t file, const std::string& path, const Field& field, const Tiling& tiling,
@@ -125,8 +107,11 @@ void NewDataset::write(const Batch& batch, std::span<const std::byte> packed, Da
         bytes = padded_.data();
     }
     const std::vector<hsize_t> offset = chunk_offset(batch, is_shown_, field_);
-    check(H5Dwrite_chunk(dataset_, H5P_DEFAULT, 0, offset.data(), chunk_bytes_, bytes), "H5Dwrite_chunk");
-    if (const auto address = address_of(dataset_, offset)) map.add(*address, {bytes, chunk_bytes_});
+    map.expect({bytes, chunk_bytes_});
+    const herr_t result = H5Dwrite_chunk(dataset_, H5P_DEFAULT, 0, offset.data(), chunk_bytes_, bytes);
+    map.expect({});
+    map.rethrow();
+    check(result, "H5Dwrite_chunk");
 }
 
 StoredDataset::StoredDataset(hid_t file, const std::string& path, const Field& field,

@@ -18,30 +18,34 @@ namespace glift::files {
 /// The axes of a chunk or of a dataset in HDF5: those of the grid, then those of the field.
 std::vector<hsize_t> with_field(const std::vector<std::uint64_t>& grid, const Field& field);
 
-/// The chunks of a file being written: where they lie, and their way to the disk. HDF5 writes a file in memory, from
-/// which the chunks are taken; what else it wrote follows at the end. HDF5 versions differ in whether the addresses
-/// that they give count the user block; the first chunk that is found in the file says it.
+/// The bytes of a file being written: HDF5's metadata goes to the file at once; chunks are hashed, and written by a
+/// DirectWriter. Functions that HDF5 calls return false where something fails, which rethrow() then throws.
 class DataMap {
 public:
-    /// `from`: what HDF5 writes; `to`: the file on the disk, or the same.
-    DataMap(const Descriptor& from, const Descriptor& to) : from_(from), to_(to), writer_(to) {}
+    explicit DataMap(const Descriptor& file) : file_(file), writer_(file) {}
 
-    /// Moves bytes that were written where HDF5 says `address`.
-    void add(std::uint64_t address, std::span<const std::byte> bytes);
-    /// Moves all else; HDF5 has closed its file.
-    void finish();
+    /// The next write of exactly these bytes in memory is that of a chunk.
+    void expect(std::span<const std::byte> chunk) { expected_ = chunk; }
+    bool write(std::uint64_t offset, std::span<const std::byte> bytes);
+    bool read(std::uint64_t offset, std::span<std::byte> to);
+    bool resize(std::uint64_t bytes);
+    /// Waits until all chunks are in the file. Throws wrong_argument where that failed.
+    void finish() { writer_.finish(); }
+    void rethrow() const {
+        if (failure_) std::rethrow_exception(failure_);
+    }
     const std::vector<DataRange>& ranges() const { return ranges_; }
     const KnownHashes& hashes() const { return hasher_.hashes(); }
 
 private:
-    bool lies_at(std::uint64_t offset, std::span<const std::byte> bytes) const;
-    void move(std::uint64_t begin, std::uint64_t end) const;
+    template <class Run> bool succeeds(Run run);
 
-    const Descriptor &from_, &to_;
+    const Descriptor& file_;
     DirectWriter writer_;
     PieceHasher hasher_;
-    std::optional<std::uint64_t> shift_;
+    std::span<const std::byte> expected_;
     std::vector<DataRange> ranges_;
+    std::exception_ptr failure_;
 };
 
 class NewDataset {

@@ -4,9 +4,7 @@
 
 #include <cerrno>
 #include <fcntl.h>
-#include <linux/magic.h>
 #include <sys/stat.h>
-#include <sys/vfs.h>
 #include <unistd.h>
 
 namespace glift::files {
@@ -18,18 +16,6 @@ Descriptor::Descriptor(std::string path, int flags) : path_(std::move(path)) {
 
 Descriptor::~Descriptor() {
     if (number_ >= 0) ::close(number_);
-}
-
-Descriptor Descriptor::in_memory_for(const Descriptor& other) {
-    Descriptor file;
-    struct statfs system {};
-    struct stat status {};
-    if (::statfs("/dev/shm", &system) != 0 || system.f_type != TMPFS_MAGIC || ::fstat(other.number_, &status) != 0)
-        return file;
-    file.path_ = "/dev/shm/glift-" + std::to_string(status.st_dev) + "-" + std::to_string(status.st_ino);
-    ::unlink(file.path_.c_str());
-    file.number_ = ::open(file.path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-    return file;
 }
 
 std::uint64_t Descriptor::size() const {
@@ -66,17 +52,6 @@ void Descriptor::sync() const {
 
 void Descriptor::resize(std::uint64_t bytes) const {
     if (::ftruncate(number_, static_cast<off_t>(bytes)) != 0) throw_system("ftruncate", path_);
-}
-
-void Descriptor::forget(std::uint64_t offset, std::uint64_t bytes) const {
-    // Only spares memory.
-    (void)!::fallocate(number_, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, static_cast<off_t>(offset),
-                       static_cast<off_t>(bytes));
-}
-
-void Descriptor::begin_sync(std::uint64_t offset, std::uint64_t bytes) const {
-    // Only a hint: file systems that cannot do it write later, in sync().
-    ::sync_file_range(number_, static_cast<off64_t>(offset), static_cast<off64_t>(bytes), SYNC_FILE_RANGE_WRITE);
 }
 
 }  // namespace glift::files

@@ -20,9 +20,6 @@ public:
         return *this;
     }
     ~Descriptor();
-    /// A file in memory, whose name is to be removed; none, with the number -1, where the system has no such files. Its
-    /// name is made from the other file, which the caller has locked: one that a killed process left is replaced.
-    static Descriptor in_memory_for(const Descriptor& other);
     /// A name under which this process can open the file again.
     std::string name_in_process() const { return "/proc/self/fd/" + std::to_string(number_); }
 
@@ -34,10 +31,6 @@ public:
     void write(std::uint64_t offset, std::span<const std::byte> from) const;
     void sync() const;
     void resize(std::uint64_t bytes) const;
-    /// Of a file in memory: gives the memory of these bytes back; they are zeros afterwards.
-    void forget(std::uint64_t offset, std::uint64_t bytes) const;
-    /// Tells the system to begin to write these bytes to the disk; does not wait for it.
-    void begin_sync(std::uint64_t offset, std::uint64_t bytes) const;
 
 private:
     std::string path_;

@@ -1,6 +1,7 @@
 // Writing a file: under another name, hashed, synchronised, renamed.
 #include "descriptor.h"
 #include "error.h"
+#include "hdf5_driver.h"
 #include "pieces.h"
 #include "progress.h"
 #include "structure_writer.h"
@@ -44,16 +45,6 @@ Descriptor open_locked(const std::string& path) {
     }
 }
 
-Id create_hdf5(const std::string& path) {
-    const Id creation(H5Pcreate(H5P_FILE_CREATE), "H5Pcreate");
-    check(H5Pset_userblock(creation, user_block_bytes), "H5Pset_userblock");
-    const Id access(H5Pcreate(H5P_FILE_ACCESS), "H5Pcreate");
-    check(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110), "H5Pset_libver_bounds");
-    check(H5Pset_meta_block_size(access, 8192), "H5Pset_meta_block_size");
-    check(H5Pset_file_locking(access, false, true), "H5Pset_file_locking");
-    return Id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), "H5Fcreate");
-}
-
 void sync_folder(const std::string& path) {
     const std::string folder = std::filesystem::path(path).parent_path().string();
     Descriptor(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY).sync();
@@ -84,27 +75,26 @@ struct NewFile::State {
         const files::Hdf5Lock lock;
         descriptor = files::open_locked(temporary);
         is_locked = true;
-        in_memory = files::Descriptor::in_memory_for(descriptor);
-        const bool has_memory = in_memory.number() >= 0;
-        if (has_memory) descriptor.resize(0);
-        hdf5 = files::create_hdf5(has_memory ? in_memory.path() : temporary);
-        if (has_memory) ::unlink(in_memory.path().c_str());
-        data.emplace(has_memory ? in_memory : descriptor, descriptor);
+        descriptor.resize(0);
+        data.emplace(descriptor);
+        hdf5 = files::create_hdf5(*data);
     }
     void commit();
 
     std::string path, temporary = path + ".saving";
     files::Together together;
-    files::Descriptor descriptor, in_memory;  ///< of the rank that writes, as is all until `names`
-    files::Id hdf5;                           ///< in memory, where the system has such files
+    files::Descriptor descriptor;  ///< of the rank that writes, as is all until `names`
     std::optional<files::DataMap> data;
+    files::Id hdf5;
     std::set<std::string> names;
     bool is_locked = false, is_committed = false;
 };
 
 void NewFile::State::commit() {
     const files::Hdf5Lock lock;
-    files::check(hdf5.close(), "H5Fclose");
+    const herr_t result = hdf5.close();
+    data->rethrow();
+    files::check(result, "H5Fclose");
     data->finish();
     const std::uint64_t end = descriptor.size();
     const files::ByteSource source{
