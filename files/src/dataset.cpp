@@ -57,7 +57,7 @@ std::vector<hsize_t> with_field(const std::vector<std::uint64_t>& grid, const Fi
 
 template <class Run> bool DataMap::succeeds(Run run) {
     try {
-        run();
+        if (!is_discarded_) run();
     } catch (...) {
         failure_ = std::current_exception();
         return false;
@@ -68,7 +68,7 @@ template <class Run> bool DataMap::succeeds(Run run) {
 bool DataMap::write(std::uint64_t offset, std::span<const std::byte> bytes) {
     return succeeds([&] {
         if (bytes.data() != expected_.data() || bytes.size() != expected_.size()) return file_.write(offset, bytes);
-        writer_.write(offset, bytes);
+        writer_->write(offset, bytes);
         hasher_.add(offset, bytes);
         ranges_.push_back({offset, offset + bytes.size()});
     });

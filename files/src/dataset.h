@@ -8,6 +8,7 @@
 #include "pieces.h"
 #include "tiling.h"
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,9 +21,12 @@ std::vector<hsize_t> with_field(const std::vector<std::uint64_t>& grid, const Fi
 
 /// The bytes of a file being written: HDF5's metadata goes to the file at once; chunks are hashed, and written by a
 /// DirectWriter. Functions that HDF5 calls return false where something fails, which rethrow() then throws.
-class DataMap {
+class DataMap : public std::enable_shared_from_this<DataMap> {
 public:
-    explicit DataMap(const Descriptor& file) : file_(file), writer_(file) {}
+    explicit DataMap(const Descriptor& file) : file_(file), writer_(std::in_place, file) {}
+
+    /// From now on HDF5 may write and nothing happens: a file that it could not close it closes at the program's end.
+    void discard() { is_discarded_ = true, writer_.reset(); }
 
     /// The next write of exactly these bytes in memory is that of a chunk.
     void expect(std::span<const std::byte> chunk) { expected_ = chunk; }
@@ -30,7 +34,7 @@ public:
     bool read(std::uint64_t offset, std::span<std::byte> to);
     bool resize(std::uint64_t bytes);
     /// Waits until all chunks are in the file. Throws wrong_argument where that failed.
-    void finish() { writer_.finish(); }
+    void finish() { writer_->finish(); }
     void rethrow() const {
         if (failure_) std::rethrow_exception(failure_);
     }
@@ -41,7 +45,8 @@ private:
     template <class Run> bool succeeds(Run run);
 
     const Descriptor& file_;
-    DirectWriter writer_;
+    std::optional<DirectWriter> writer_;
+    bool is_discarded_ = false;
     PieceHasher hasher_;
     std::span<const std::byte> expected_;
     std::vector<DataRange> ranges_;
@@ -65,8 +70,8 @@ private:
     std::vector<std::byte> padded_;
 };
 
-/// What is to be added to the addresses that HDF5 gives (DataMap) for the place in the file; learned from the first
-/// chunk that says it.
+/// What is to be added to the addresses that HDF5 gives for the place in the file, since its versions differ in whether
+/// they count the user block; learned from the first chunk that says it.
 struct AddressShift {
     std::optional<std::uint64_t> known;
     /// `chunk`: what HDF5 reads where it says `address`.

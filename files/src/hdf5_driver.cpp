@@ -13,7 +13,7 @@ namespace {
 /// What HDF5 knows as a file. Offsets count the user block.
 struct DriverFile {
     H5FD_t common{};  // HDF5's own, which must come first
-    DataMap* data = nullptr;
+    std::shared_ptr<DataMap> data;
     haddr_t end_of_allocations = 0, end = 0;
 };
 
@@ -24,7 +24,7 @@ H5FD_t* open(const char*, unsigned, hid_t access, haddr_t) {
     const void* const info = H5Pget_driver_info(access);
     if (!info) return nullptr;
     auto* const file = new DriverFile;
-    file->data = *static_cast<DataMap* const*>(info);
+    file->data = (*static_cast<DataMap* const*>(info))->shared_from_this();
     return &file->common;
 }
 

@@ -6,7 +6,7 @@
 
 namespace glift::files {
 
-/// Creates a file whose bytes HDF5 gives to `data`, which must outlive it. The file is empty so far.
+/// Creates a file whose bytes HDF5 gives to `data`, which a shared pointer owns. The file is empty so far.
 Id create_hdf5(DataMap& data);
 
 }  // namespace glift::files

@@ -67,6 +67,7 @@ struct NewFile::State {
     State(std::string file, files::Together ranks) : path(std::move(file)), together(std::move(ranks)) {}
     ~State() {
         const files::Hdf5Lock lock;
+        if (data) data->discard();
         hdf5.close();
         if (is_locked && !is_committed) ::unlink(temporary.c_str());
     }
@@ -76,7 +77,7 @@ struct NewFile::State {
         descriptor = files::open_locked(temporary);
         is_locked = true;
         descriptor.resize(0);
-        data.emplace(descriptor);
+        data = std::make_shared<files::DataMap>(descriptor);
         hdf5 = files::create_hdf5(*data);
     }
     void commit();
@@ -84,7 +85,7 @@ struct NewFile::State {
     std::string path, temporary = path + ".saving";
     files::Together together;
     files::Descriptor descriptor;  ///< of the rank that writes, as is all until `names`
-    std::optional<files::DataMap> data;
+    std::shared_ptr<files::DataMap> data;
     files::Id hdf5;
     std::set<std::string> names;
     bool is_locked = false, is_committed = false;
@@ -132,11 +133,10 @@ void NewFile::write(const files::Part& part, const Device& device, const FilePro
         const files::Hdf5Lock lock;
         files::ProgressCount count(part, progress);
         files::StructureWriter* calling = nullptr;
-        files::StructureWriter writer(state_->hdf5, commands, state_->data ? &*state_->data : nullptr,
-                                      [&](std::uint64_t bytes) {
-                                          count.add(bytes);
-                                          together.note(bytes, calling->error());
-                                      });
+        files::StructureWriter writer(state_->hdf5, commands, state_->data.get(), [&](std::uint64_t bytes) {
+            count.add(bytes);
+            together.note(bytes, calling->error());
+        });
         calling = &writer;
         if (!together.is_alone()) writer.write_for_all(together.is_writer());
         writer.write(part);

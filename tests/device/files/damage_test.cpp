@@ -11,6 +11,7 @@
 #include <random>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -122,6 +123,24 @@ TEST_F(LargeFile, CutOffWhileOpen) {
     Altered(path()).cut(20 << 20);
     damage::Line line(host(), elements);
     EXPECT_THROW(file.load("line", line), Error);
+}
+
+/// The disk is full, or the file may not be so large.
+TEST_F(LargeFile, ThatCannotBeWritten) {
+    damage::Line line(host(), elements);
+    line.write(values_);
+    rlimit before{};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    ::signal(SIGXFSZ, SIG_IGN);
+    for (rlim_t most : {rlim_t{0}, rlim_t{1000}, rlim_t{5} << 20, rlim_t{40} << 20}) {
+        const rlimit limited{most, before.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limited);
+        EXPECT_THROW(save(path("other.h5"), "line", line), Error) << most;
+        ::setrlimit(RLIMIT_FSIZE, &before);
+        EXPECT_FALSE(std::filesystem::exists(path("other.h5")) || std::filesystem::exists(path("other.h5.saving")));
+    }
+    save(path("other.h5"), "line", line);
+    EXPECT_EQ(load<damage::Line>(path("other.h5"), "line", host()).read(), values_);
 }
 
 /// Zeros are not written: chunks with elements lie between them.
