@@ -55,18 +55,17 @@ std::vector<hsize_t> with_field(const std::vector<std::uint64_t>& grid, const Fi
     return extent;
 }
 
-template <class Run> bool DataMap::succeeds(Run run) {
+template <class Run> void DataMap::attempt(Run run) {
+    if (failure_ || is_discarded_) return;
     try {
-        if (!is_discarded_) run();
+        run();
     } catch (...) {
         failure_ = std::current_exception();
-        return false;
     }
-    return true;
 }
 
-bool DataMap::write(std::uint64_t offset, std::span<const std::byte> bytes) {
-    return succeeds([&] {
+void DataMap::write(std::uint64_t offset, std::span<const std::byte> bytes) {
+    attempt([&] {
         if (bytes.data() != expected_.data() || bytes.size() != expected_.size()) return file_.write(offset, bytes);
         writer_->write(offset, bytes);
         hasher_.add(offset, bytes);
@@ -74,12 +73,12 @@ bool DataMap::write(std::uint64_t offset, std::span<const std::byte> bytes) {
     });
 }
 
-bool DataMap::read(std::uint64_t offset, std::span<std::byte> to) {
-    return succeeds([&] { std::ranges::fill(to.subspan(file_.read(offset, to)), std::byte{0}); });
+void DataMap::read(std::uint64_t offset, std::span<std::byte> to) {
+    attempt([&] { std::ranges::fill(to.subspan(file_.read(offset, to)), std::byte{0}); });
 }
 
-bool DataMap::resize(std::uint64_t bytes) {
-    return succeeds([&] { file_.resize(bytes); });
+void DataMap::resize(std::uint64_t bytes) {
+    attempt([&] { file_.resize(bytes); });
 }
 
 NewDataset::NewDataset(hid_t file, const std::string& path, const Field& field, const Tiling& tiling,

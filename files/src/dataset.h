@@ -20,7 +20,8 @@ namespace glift::files {
 std::vector<hsize_t> with_field(const std::vector<std::uint64_t>& grid, const Field& field);
 
 /// The bytes of a file being written: HDF5's metadata goes to the file at once; chunks are hashed, and written by a
-/// DirectWriter. Functions that HDF5 calls return false where something fails, which rethrow() then throws.
+/// DirectWriter. What fails is kept for rethrow(), and HDF5 is not told: it crashes at the program's end after it could
+/// not close a file.
 class DataMap : public std::enable_shared_from_this<DataMap> {
 public:
     explicit DataMap(const Descriptor& file) : file_(file), writer_(std::in_place, file) {}
@@ -30,9 +31,9 @@ public:
 
     /// The next write of exactly these bytes in memory is that of a chunk.
     void expect(std::span<const std::byte> chunk) { expected_ = chunk; }
-    bool write(std::uint64_t offset, std::span<const std::byte> bytes);
-    bool read(std::uint64_t offset, std::span<std::byte> to);
-    bool resize(std::uint64_t bytes);
+    void write(std::uint64_t offset, std::span<const std::byte> bytes);
+    void read(std::uint64_t offset, std::span<std::byte> to);
+    void resize(std::uint64_t bytes);
     /// Waits until all chunks are in the file. Throws wrong_argument where that failed.
     void finish() { writer_->finish(); }
     void rethrow() const {
@@ -42,7 +43,7 @@ public:
     const KnownHashes& hashes() const { return hasher_.hashes(); }
 
 private:
-    template <class Run> bool succeeds(Run run);
+    template <class Run> void attempt(Run run);
 
     const Descriptor& file_;
     std::optional<DirectWriter> writer_;

@@ -79,6 +79,7 @@ struct NewFile::State {
         descriptor.resize(0);
         data = std::make_shared<files::DataMap>(descriptor);
         hdf5 = files::create_hdf5(*data);
+        data->rethrow();
     }
     void commit();
 
