@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "progress_line.h"
 #include "verified_file.h"
 
 #include <glift/error.h>
@@ -15,7 +16,10 @@ namespace {
 bool is_whole(const std::string& name) {
     const Descriptor file(name, O_RDONLY);
     Pieces pieces(source_of(file));
-    const std::vector<std::uint64_t> damaged = pieces.damaged();
+    const std::vector<std::uint64_t> damaged = [&] {
+        ProgressLine line("check", pieces.count() * piece_bytes);
+        return pieces.damaged([&](std::uint64_t bytes) { line.add(bytes); });
+    }();
     for (const std::uint64_t piece : damaged)
         std::printf("%s: bytes %llu to %llu are damaged\n", name.c_str(),
                     static_cast<unsigned long long>(user_block_bytes + piece * piece_bytes),

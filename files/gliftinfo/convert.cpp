@@ -1,5 +1,6 @@
 #include "commands.h"
 #include "output.h"
+#include "progress_line.h"
 
 #include <glift/error.h>
 
@@ -40,11 +41,14 @@ void Output::close() {
 int convert(const std::string& name, const std::string& path, const std::string& to) {
     VerifiedFile file(name);
     const Content content = content_at(file, path);
-    if (to.ends_with(".npy")) write_npy(file, content, to);
-    else if (to.ends_with(".vti")) write_vti(file, content, to);
+    ProgressLine line("convert", content.bytes());
+    const Progress progress = [&](std::uint64_t bytes) { line.add(bytes); };
+    if (to.ends_with(".npy")) write_npy(file, content, to, progress);
+    else if (to.ends_with(".vti")) write_vti(file, content, to, progress);
+    else if (to.ends_with(".nvdb")) write_nvdb(file, content, to, progress);
     else
         throw glift::Error(glift::ErrorCode::wrong_argument, "gliftinfo does not write files of this kind", to, "",
-                           "give it a name that ends with .npy or .vti");
+                           "give it a name that ends with .npy, .vti or .nvdb");
     return 0;
 }
 

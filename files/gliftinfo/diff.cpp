@@ -1,5 +1,6 @@
 #include "commands.h"
 #include "content.h"
+#include "progress_line.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -35,10 +36,13 @@ void compare_values(const std::string& path, const FiledPart& a, const FiledPart
     }
 }
 
-std::vector<std::byte> all_of(VerifiedFile& file, const Content& content) {
+std::vector<std::byte> all_of(VerifiedFile& file, const Content& content, ProgressLine& line) {
     std::vector<std::byte> bytes;
     bytes.reserve(content.bytes());
-    read(file, content, [&](std::span<const std::byte> part) { bytes.insert(bytes.end(), part.begin(), part.end()); });
+    read(file, content, [&](std::span<const std::byte> part) {
+        bytes.insert(bytes.end(), part.begin(), part.end());
+        line.add(part.size());
+    });
     return bytes;
 }
 
@@ -46,7 +50,12 @@ void compare_numbers(VerifiedFile& first, VerifiedFile& second, const Content& a
                      Difference& difference) {
     if (a.axes() != b.axes() || type_text(a.field) != type_text(b.field))
         return difference.note(a.path + ": other extent or type");
-    const std::vector<std::byte> x = all_of(first, a), y = all_of(second, b);
+    std::vector<std::byte> x, y;
+    {
+        ProgressLine line("diff " + a.path, a.bytes() + b.bytes());
+        x = all_of(first, a, line);
+        y = all_of(second, b, line);
+    }
     std::size_t differing = 0, first_at = 0;
     const std::size_t number = file_bytes(a.field.scalar);
     for (std::size_t i = 0; i + number <= x.size(); i += number)

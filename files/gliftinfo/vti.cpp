@@ -43,7 +43,7 @@ std::vector<std::byte> as_floats(std::span<const std::byte> halves) {
 
 }  // namespace
 
-void write_vti(VerifiedFile& file, const Content& content, const std::string& to) {
+void write_vti(VerifiedFile& file, const Content& content, const std::string& to, const Progress& progress) {
     const std::vector<std::uint64_t> axes = content.axes();
     const bool is_half = content.field.scalar == Scalar::float16;
     if (axes.size() > 3 || (!content.is_by_address && axes.size() < 2))
@@ -67,6 +67,7 @@ void write_vti(VerifiedFile& file, const Content& content, const std::string& to
     read(file, content, [&](std::span<const std::byte> part) {
         if (is_half) output.write(as_floats(part));
         else output.write(part);
+        progress(part.size());
     });
     output.write("\n</AppendedData>\n</VTKFile>\n");
     output.close();

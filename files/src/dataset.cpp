@@ -55,20 +55,30 @@ std::vector<hsize_t> with_field(const std::vector<std::uint64_t>& grid, const Fi
     return extent;
 }
 
-bool DataMap::lies_at(std::uint64_t offset, std::span<const std::byte> bytes) const {
-    std::vector<std::byte> there(bytes.size());
-    return file_.read(offset, there) == there.size() && std::ranges::equal(there, bytes);
+template <class Run> void DataMap::attempt(Run run) {
+    if (failure_ || is_discarded_) return;
+    try {
+        run();
+    } catch (...) {
+        failure_ = std::current_exception();
+    }
 }
 
-void DataMap::add(std::uint64_t address, std::span<const std::byte> bytes) {
-    if (!shift_) {
-        const bool is_plain = lies_at(address, bytes), is_shifted = lies_at(address + user_block_bytes, bytes);
-        if (is_plain == is_shifted) return;  // not to be told from these bytes; their pieces count as metadata
-        shift_ = is_shifted ? user_block_bytes : 0;
-    }
-    ranges_.push_back({address + *shift_, address + *shift_ + bytes.size()});
-    add_hashes(address + *shift_, bytes, hashes_);
-    file_.begin_sync(address + *shift_, bytes.size());
+void DataMap::write(std::uint64_t offset, std::span<const std::byte> bytes) {
+    attempt([&] {
+        if (bytes.data() != expected_.data() || bytes.size() != expected_.size()) return file_.write(offset, bytes);
+        writer_->write(offset, bytes);
+        hasher_.add(offset, bytes);
+        ranges_.push_back({offset, offset + bytes.size()});
+    });
+}
+
+void DataMap::read(std::uint64_t offset, std::span<std::byte> to) {
+    attempt([&] { std::ranges::fill(to.subspan(file_.read(offset, to)), std::byte{0}); });
+}
+
+void DataMap::resize(std::uint64_t bytes) {
+    attempt([&] { file_.resize(bytes); });
 }
 
 NewDataset::NewDataset(hid_t file, const std::string& path, const Field& field, const Tiling& tiling,
@@ -96,8 +106,11 @@ void NewDataset::write(const Batch& batch, std::span<const std::byte> packed, Da
         bytes = padded_.data();
     }
     const std::vector<hsize_t> offset = chunk_offset(batch, is_shown_, field_);
-    check(H5Dwrite_chunk(dataset_, H5P_DEFAULT, 0, offset.data(), chunk_bytes_, bytes), "H5Dwrite_chunk");
-    if (const auto address = address_of(dataset_, offset)) map.add(*address, {bytes, chunk_bytes_});
+    map.expect({bytes, chunk_bytes_});
+    const herr_t result = H5Dwrite_chunk(dataset_, H5P_DEFAULT, 0, offset.data(), chunk_bytes_, bytes);
+    map.expect({});
+    map.rethrow();
+    check(result, "H5Dwrite_chunk");
 }
 
 StoredDataset::StoredDataset(hid_t file, const std::string& path, const Field& field,

@@ -50,13 +50,8 @@ void Descriptor::sync() const {
     if (::fsync(number_) != 0) throw_system("fsync", path_);
 }
 
-void Descriptor::begin_sync(std::uint64_t offset, std::uint64_t bytes) const {
-    // Only a hint: file systems that cannot do it write later, in sync().
-    ::sync_file_range(number_, static_cast<off64_t>(offset), static_cast<off64_t>(bytes), SYNC_FILE_RANGE_WRITE);
-}
-
-void Descriptor::expect(std::uint64_t offset, std::uint64_t bytes) const {
-    ::posix_fadvise(number_, static_cast<off_t>(offset), static_cast<off_t>(bytes), POSIX_FADV_WILLNEED);
+void Descriptor::resize(std::uint64_t bytes) const {
+    if (::ftruncate(number_, static_cast<off_t>(bytes)) != 0) throw_system("ftruncate", path_);
 }
 
 }  // namespace glift::files

@@ -20,6 +20,8 @@ public:
         return *this;
     }
     ~Descriptor();
+    /// A name under which this process can open the file again.
+    std::string name_in_process() const { return "/proc/self/fd/" + std::to_string(number_); }
 
     const std::string& path() const { return path_; }
     int number() const { return number_; }
@@ -28,10 +30,7 @@ public:
     std::size_t read(std::uint64_t offset, std::span<std::byte> to) const;
     void write(std::uint64_t offset, std::span<const std::byte> from) const;
     void sync() const;
-    /// Tells the system to begin to write these bytes to the disk; does not wait for it.
-    void begin_sync(std::uint64_t offset, std::uint64_t bytes) const;
-    /// Tells the system that these bytes will be read; does not wait for them.
-    void expect(std::uint64_t offset, std::uint64_t bytes) const;
+    void resize(std::uint64_t bytes) const;
 
 private:
     std::string path_;

@@ -1,9 +1,11 @@
 // Writing a file: under another name, hashed, synchronised, renamed.
 #include "descriptor.h"
 #include "error.h"
+#include "hdf5_driver.h"
 #include "pieces.h"
 #include "progress.h"
 #include "structure_writer.h"
+#include "together.h"
 
 #include <glift/error.h>
 #include <glift/files.h>
@@ -43,16 +45,6 @@ Descriptor open_locked(const std::string& path) {
     }
 }
 
-Id create_hdf5(const std::string& path) {
-    const Id creation(H5Pcreate(H5P_FILE_CREATE), "H5Pcreate");
-    check(H5Pset_userblock(creation, user_block_bytes), "H5Pset_userblock");
-    const Id access(H5Pcreate(H5P_FILE_ACCESS), "H5Pcreate");
-    check(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110), "H5Pset_libver_bounds");
-    check(H5Pset_meta_block_size(access, 8192), "H5Pset_meta_block_size");
-    check(H5Pset_file_locking(access, false, true), "H5Pset_file_locking");
-    return Id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), "H5Fcreate");
-}
-
 void sync_folder(const std::string& path) {
     const std::string folder = std::filesystem::path(path).parent_path().string();
     Descriptor(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY).sync();
@@ -72,25 +64,59 @@ void check_name(const std::string& name, const std::set<std::string>& names, con
 }  // namespace files
 
 struct NewFile::State {
-    explicit State(std::string file)
-        : path(std::move(file)), temporary(path + ".saving"), descriptor(files::open_locked(temporary)),
-          hdf5(files::create_hdf5(temporary)), data(descriptor) {}
+    State(std::string file, files::Together ranks) : path(std::move(file)), together(std::move(ranks)) {}
     ~State() {
         const files::Hdf5Lock lock;
+        if (data) data->discard();
         hdf5.close();
-        if (!is_committed) ::unlink(temporary.c_str());
+        if (is_locked && !is_committed) ::unlink(temporary.c_str());
     }
+    void open() {
+        if (!together.is_writer()) return;
+        const files::Hdf5Lock lock;
+        descriptor = files::open_locked(temporary);
+        is_locked = true;
+        descriptor.resize(0);
+        data = std::make_shared<files::DataMap>(descriptor);
+        hdf5 = files::create_hdf5(*data);
+        data->rethrow();
+    }
+    void commit();
 
-    files::Hdf5Lock lock;  // held while the members are made
-    std::string path, temporary;
-    files::Descriptor descriptor;
+    std::string path, temporary = path + ".saving";
+    files::Together together;
+    files::Descriptor descriptor;  ///< of the rank that writes, as is all until `names`
+    std::shared_ptr<files::DataMap> data;
     files::Id hdf5;
-    files::DataMap data;
     std::set<std::string> names;
-    bool is_committed = false;
+    bool is_locked = false, is_committed = false;
 };
 
-NewFile::NewFile(std::string path) : state_(std::make_unique<State>(std::move(path))) { state_->lock.release(); }
+void NewFile::State::commit() {
+    const files::Hdf5Lock lock;
+    const herr_t result = hdf5.close();
+    data->rethrow();
+    files::check(result, "H5Fclose");
+    data->finish();
+    const std::uint64_t end = descriptor.size();
+    const files::ByteSource source{
+        path, end, [&](std::uint64_t offset, std::span<std::byte> to) { return descriptor.read(offset, to); }};
+    const files::Seal seal = files::seal_of(source, end, data->ranges(), data->hashes());
+    descriptor.write(end, seal.list);
+    descriptor.write(0, seal.user_block);
+    descriptor.sync();
+    if (::rename(temporary.c_str(), path.c_str()) != 0) files::throw_system("rename", path);
+    is_committed = true;
+    files::sync_folder(path);
+}
+
+NewFile::NewFile(std::string path) : state_(std::make_unique<State>(std::move(path), files::Together())) {
+    state_->open();
+}
+NewFile::NewFile(std::string path, const Device& device)
+    : state_(std::make_unique<State>(std::move(path), files::Together(device))) {
+    state_->together.run([&] { state_->open(); });
+}
 NewFile::NewFile(NewFile&&) noexcept = default;
 NewFile& NewFile::operator=(NewFile&&) noexcept = default;
 NewFile::~NewFile() = default;
@@ -101,11 +127,22 @@ void NewFile::write(const files::Part& part, const Device& device, const FilePro
                     "save all structures before commit()");
     const Commands commands(device);
     if (commands.is_recording()) detail::throw_not_in_recording("NewFile::save");
+    files::Together& together = state_->together;
+    files::require_together(together, device, state_->path, "NewFile(path, world.device())");
     files::check_name(part.name, state_->names, state_->path);
-    const files::Hdf5Lock lock;
-    files::ProgressCount count(part, progress);
-    files::StructureWriter writer(state_->hdf5, commands, state_->data, [&](std::uint64_t bytes) { count.add(bytes); });
-    writer.write(part);
+    together.run([&] {
+        const files::Hdf5Lock lock;
+        files::ProgressCount count(part, progress);
+        files::StructureWriter* calling = nullptr;
+        files::StructureWriter writer(state_->hdf5, commands, state_->data.get(), [&](std::uint64_t bytes) {
+            count.add(bytes);
+            together.note(bytes, calling->error());
+        });
+        calling = &writer;
+        if (!together.is_alone()) writer.write_for_all(together.is_writer());
+        writer.write(part);
+        if (writer.error()) std::rethrow_exception(writer.error());
+    });
     state_->names.insert(part.name);
 }
 
@@ -113,19 +150,8 @@ void NewFile::commit() {
     if (!state_ || state_->is_committed)
         throw Error(ErrorCode::wrong_argument, "the file was closed already", "NewFile::commit", "",
                     "call commit() once");
-    const files::Hdf5Lock lock;
-    files::check(state_->hdf5.close(), "H5Fclose");
-    const files::Descriptor& file = state_->descriptor;
-    const std::uint64_t end = file.size();
-    const files::ByteSource source{
-        state_->path, end, [&](std::uint64_t offset, std::span<std::byte> to) { return file.read(offset, to); }};
-    const files::Seal seal = files::seal_of(source, end, state_->data.ranges(), state_->data.hashes());
-    file.write(end, seal.list);
-    file.write(0, seal.user_block);
-    file.sync();
-    if (::rename(state_->temporary.c_str(), state_->path.c_str()) != 0) files::throw_system("rename", state_->path);
+    state_->together.run_on_writer([&] { state_->commit(); });
     state_->is_committed = true;
-    files::sync_folder(state_->path);
 }
 
 }  // namespace glift

@@ -46,15 +46,17 @@ bool has_metadata(const DataRange& piece, const std::vector<DataRange>& data) {
     return at < piece.end;
 }
 
-}  // namespace
-
-Hash hash_of(std::span<const std::byte> bytes) {
+Hash canonical(XXH128_hash_t number) {
     XXH128_canonical_t canonical;
-    XXH128_canonicalFromHash(&canonical, XXH3_128bits(bytes.data(), bytes.size()));
+    XXH128_canonicalFromHash(&canonical, number);
     Hash hash;
     std::memcpy(hash.data(), canonical.digest, hash.size());
     return hash;
 }
+
+}  // namespace
+
+Hash hash_of(std::span<const std::byte> bytes) { return canonical(XXH3_128bits(bytes.data(), bytes.size())); }
 
 Pieces::Pieces(ByteSource source) : source_(std::move(source)) {
     std::array<std::byte, user_block_bytes> block;
@@ -78,6 +80,7 @@ Pieces::Pieces(ByteSource source) : source_(std::move(source)) {
     std::vector<std::byte> list(source_.size - end_);
     if (source_.read(end_, list) != list.size() || hash_of(list) != get<Hash>(block, at_list_hash))
         throw_bad(source_.name, "its list of hashes is damaged");
+    hash_of_list_ = hash_of(list);
     hashes_.resize(pieces);
     if (pieces > 0) std::memcpy(hashes_.data(), list.data(), pieces * sizeof(Hash));
     is_verified_.resize(pieces);
@@ -86,17 +89,28 @@ Pieces::Pieces(ByteSource source) : source_(std::move(source)) {
         has_metadata_[i] = (list[pieces * sizeof(Hash) + i / 8] >> (i % 8) & std::byte{1}) != std::byte{0};
 }
 
-bool Pieces::is_whole(std::uint64_t piece) {
-    if (is_verified_[piece]) return true;
+std::size_t Pieces::read_source(std::uint64_t offset, std::span<std::byte> to, Reading reading) {
+    return reading == Reading::once && source_.read_once ? source_.read_once(offset, to) : source_.read(offset, to);
+}
+
+void Pieces::fill_buffer(std::uint64_t piece, Reading reading) {
+    if (buffered_ == piece) return;
     const DataRange range = range_of(piece, end_);
+    buffered_ = UINT64_MAX;
     buffer_.resize(range.end - range.begin);
-    if (source_.read(range.begin, buffer_) != buffer_.size() || hash_of(buffer_) != hashes_[piece]) return false;
+    if (read_source(range.begin, buffer_, reading) == buffer_.size()) buffered_ = piece;
+}
+
+bool Pieces::is_whole(std::uint64_t piece, Reading reading) {
+    if (is_verified_[piece]) return true;
+    fill_buffer(piece, reading);
+    if (buffered_ != piece || hash_of(buffer_) != hashes_[piece]) return false;
     is_verified_[piece] = true;
     return true;
 }
 
-void Pieces::verify_piece(std::uint64_t piece) {
-    if (!is_whole(piece)) throw_damaged(piece);
+void Pieces::verify_piece(std::uint64_t piece, Reading reading) {
+    if (!is_whole(piece, reading)) throw_damaged(piece);
 }
 
 void Pieces::throw_damaged(std::uint64_t piece) const {
@@ -107,7 +121,7 @@ void Pieces::throw_damaged(std::uint64_t piece) const {
 
 void Pieces::verify_metadata() {
     for (std::uint64_t i = 0; i < count(); ++i)
-        if (has_metadata_[i]) verify_piece(i);
+        if (has_metadata_[i]) verify_piece(i, Reading::again);
 }
 
 void Pieces::verify(std::uint64_t offset, std::uint64_t bytes) {
@@ -115,7 +129,7 @@ void Pieces::verify(std::uint64_t offset, std::uint64_t bytes) {
     require_inside(offset, bytes);
     for (std::uint64_t i = (offset - user_block_bytes) / piece_bytes;
          i <= (offset + bytes - 1 - user_block_bytes) / piece_bytes; ++i)
-        verify_piece(i);
+        verify_piece(i, Reading::again);
 }
 
 void Pieces::require_inside(std::uint64_t offset, std::uint64_t bytes) const {
@@ -123,30 +137,24 @@ void Pieces::require_inside(std::uint64_t offset, std::uint64_t bytes) const {
         throw_bad(source_.name, "it refers to bytes beyond its end");
 }
 
-/// Keeps the source reading ahead of the offset: elements lie in the order in which they are read.
-void Pieces::announce(std::uint64_t offset) {
-    constexpr std::uint64_t ahead = 32 * piece_bytes;
-    if (!source_.expect || offset + ahead / 2 < expected_ || offset >= end_) return;
-    const std::uint64_t begin = std::max(offset, expected_), last = std::min(offset + ahead, end_);
-    if (begin < last) source_.expect(begin, last - begin);
-    expected_ = last;
-}
-
 void Pieces::read(std::uint64_t offset, std::span<std::byte> to) {
     if (to.empty()) return;
     require_inside(offset, to.size());
-    announce(offset);
     while (!to.empty()) {
         const std::uint64_t piece = (offset - user_block_bytes) / piece_bytes;
         const DataRange range = range_of(piece, end_);
         const std::span<std::byte> part = to.first(std::min<std::uint64_t>(to.size(), range.end - offset));
-        const bool is_all = offset == range.begin && part.size() == range.end - range.begin;
-        // A whole piece is read to where it is wanted, and verified there.
-        if (!is_all) verify_piece(piece);
-        if (source_.read(offset, part) != part.size()) throw_damaged(piece);
-        if (is_all && !is_verified_[piece]) {
-            if (hash_of(part) != hashes_[piece]) throw_damaged(piece);
+        if (part.size() == range.end - range.begin) {
+            // A whole piece is read to where it is wanted, and verified there.
+            if (read_source(offset, part, Reading::once) != part.size()) throw_damaged(piece);
+            if (!is_verified_[piece] && hash_of(part) != hashes_[piece]) throw_damaged(piece);
             is_verified_[piece] = true;
+        } else {
+            // The rest of the piece is mostly what is read next: it stays in the buffer.
+            verify_piece(piece, Reading::once);
+            fill_buffer(piece, Reading::once);
+            if (buffered_ != piece) throw_damaged(piece);
+            std::memcpy(part.data(), buffer_.data() + (offset - range.begin), part.size());
         }
         offset += part.size();
         to = to.subspan(part.size());
@@ -154,23 +162,43 @@ void Pieces::read(std::uint64_t offset, std::span<std::byte> to) {
 }
 
 void Pieces::verify_all() {
-    for (std::uint64_t i = 0; i < count(); ++i) verify_piece(i);
+    for (std::uint64_t i = 0; i < count(); ++i) verify_piece(i, Reading::once);
 }
 
-std::vector<std::uint64_t> Pieces::damaged() {
+std::vector<std::uint64_t> Pieces::damaged(const std::function<void(std::uint64_t bytes)>& progress) {
     std::vector<std::uint64_t> found;
-    for (std::uint64_t i = 0; i < count(); ++i)
-        if (!is_whole(i)) found.push_back(i);
+    for (std::uint64_t i = 0; i < count(); ++i) {
+        if (!is_whole(i, Reading::once)) found.push_back(i);
+        if (progress) progress(piece_bytes);
+    }
     return found;
 }
 
-void add_hashes(std::uint64_t offset, std::span<const std::byte> bytes, KnownHashes& to) {
-    const std::uint64_t end = offset + bytes.size();
-    std::uint64_t piece = (offset - user_block_bytes + piece_bytes - 1) / piece_bytes;
-    for (;; ++piece) {
-        const std::uint64_t begin = user_block_bytes + piece * piece_bytes;
-        if (begin + piece_bytes > end) return;
-        to[piece] = hash_of(bytes.subspan(begin - offset, piece_bytes));
+struct PieceHasher::State {
+    XXH3_state_t* hash = XXH3_createState();
+    State() = default;
+    State(const State&) = delete;
+    ~State() { XXH3_freeState(hash); }
+};
+
+PieceHasher::PieceHasher() : state_(std::make_unique<State>()) {}
+PieceHasher::~PieceHasher() = default;
+
+void PieceHasher::add(std::uint64_t offset, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const std::uint64_t piece = (offset - user_block_bytes) / piece_bytes;
+        const std::uint64_t begin = user_block_bytes + piece * piece_bytes, end = begin + piece_bytes;
+        const std::span<const std::byte> part = bytes.first(std::min<std::uint64_t>(bytes.size(), end - offset));
+        if (part.size() == piece_bytes) {
+            hashes_[piece] = hash_of(part);
+        } else if (offset == begin || offset == next_) {
+            if (offset == begin) XXH3_128bits_reset(state_->hash);
+            XXH3_128bits_update(state_->hash, part.data(), part.size());
+            next_ = offset + part.size();
+            if (next_ == end) hashes_[piece] = canonical(XXH3_128bits_digest(state_->hash)), next_ = 0;
+        }
+        offset += part.size();
+        bytes = bytes.subspan(part.size());
     }
 }
 

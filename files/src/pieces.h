@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,7 +33,8 @@ struct ByteSource {
     std::uint64_t size = 0;
     /// Reads from an offset; returns how many bytes there were.
     std::function<std::size_t(std::uint64_t offset, std::span<std::byte> to)> read;
-    std::function<void(std::uint64_t offset, std::uint64_t bytes)> expect{};  ///< may be empty: these will be read soon
+    /// The same for bytes that are read in their order and once, as elements are; may be empty.
+    std::function<std::size_t(std::uint64_t offset, std::span<std::byte> to)> read_once{};
 };
 
 /// The pieces of a file. All functions throw bad_file where the file is not what was written.
@@ -49,23 +51,28 @@ public:
     /// Reads bytes, and verifies all pieces in which they lie.
     void read(std::uint64_t offset, std::span<std::byte> to);
     void verify_all();
-    /// The numbers of the pieces that are not what was written.
-    std::vector<std::uint64_t> damaged();
+    /// The numbers of the pieces that are not what was written. `progress` is called with the bytes of each piece.
+    std::vector<std::uint64_t> damaged(const std::function<void(std::uint64_t bytes)>& progress = {});
     std::uint64_t end() const { return end_; }
+    /// Files with the same bytes have the same.
+    const Hash& hash_of_list() const { return hash_of_list_; }
 
 private:
-    void verify_piece(std::uint64_t piece);
-    bool is_whole(std::uint64_t piece);
-    void announce(std::uint64_t offset);
+    enum class Reading : std::uint8_t { again, once };
+    void verify_piece(std::uint64_t piece, Reading reading);
+    bool is_whole(std::uint64_t piece, Reading reading);
+    void fill_buffer(std::uint64_t piece, Reading reading);
+    std::size_t read_source(std::uint64_t offset, std::span<std::byte> to, Reading reading);
     void require_inside(std::uint64_t offset, std::uint64_t bytes) const;
     [[noreturn]] void throw_damaged(std::uint64_t piece) const;
 
     ByteSource source_;
     std::uint64_t end_ = 0;
+    Hash hash_of_list_{};
     std::vector<Hash> hashes_;
     std::vector<bool> has_metadata_, is_verified_;
-    std::vector<std::byte> buffer_;
-    std::uint64_t expected_ = 0;  ///< bytes before this were announced to the source
+    std::vector<std::byte> buffer_;  ///< the bytes of the piece `buffered_`
+    std::uint64_t buffered_ = UINT64_MAX;
 };
 
 /// What of a file being written holds elements alone.
@@ -75,8 +82,24 @@ struct DataRange {
 
 /// The hashes of pieces by their number.
 using KnownHashes = std::map<std::uint64_t, Hash>;
-/// Adds the hashes of the pieces that lie in bytes written at `offset`, from the first to the last.
-void add_hashes(std::uint64_t offset, std::span<const std::byte> bytes, KnownHashes& to);
+
+/// Hashes the pieces of a file as it is written: those that lie in runs of bytes of which each begins where the one
+/// before it ends.
+class PieceHasher {
+public:
+    PieceHasher();
+    ~PieceHasher();
+    PieceHasher(const PieceHasher&) = delete;
+
+    void add(std::uint64_t offset, std::span<const std::byte> bytes);
+    const KnownHashes& hashes() const { return hashes_; }
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;  ///< of the piece whose begin the last run had
+    std::uint64_t next_ = 0;        ///< where that run ended; 0: it ended with a piece
+    KnownHashes hashes_;
+};
 
 /// The list for a file whose HDF5 part ends at `end`: the bytes that follow it, and the user block. Pieces whose hash
 /// is not known are read.

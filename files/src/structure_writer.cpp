@@ -91,8 +91,10 @@ Extent address_extent(const std::vector<std::uint64_t>& lengths) {
 void StructureWriter::write(const Part& root) {
     const std::string path = "/" + root.name;
     const std::string schema = text_of(write_part(root, path, true));
-    const Id group(H5Gopen2(file_, path.c_str(), H5P_DEFAULT), "H5Gopen2");
-    write_attribute(group, "glift.schema", schema);
+    on_file([&] {
+        const Id group(H5Gopen2(file_, path.c_str(), H5P_DEFAULT), "H5Gopen2");
+        write_attribute(group, "glift.schema", schema);
+    });
 }
 
 FiledPart StructureWriter::write_part(const Part& part, const std::string& path, bool has_group) {
@@ -100,11 +102,12 @@ FiledPart StructureWriter::write_part(const Part& part, const std::string& path,
     for (const Value& value : part.values) result.values.push_back(filed(value));
     // A structure that was given has no group if all of its memories were written already.
     has_group = has_group && (part.role != Role::given || !is_written(part, paths_));
-    if (has_group) {
-        const Id group(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "H5Gcreate2");
-        write_attribute(group, "glift.type", part.type);
-        for (const Value& value : part.values) write_value(group, value);
-    }
+    if (has_group)
+        on_file([&] {
+            const Id group(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "H5Gcreate2");
+            write_attribute(group, "glift.type", part.type);
+            for (const Value& value : part.values) write_value(group, value);
+        });
     for (const StoredMemory& memory : part.memories)
         result.memories.push_back(write_memory(part, memory, path + "/" + memory.name));
     for (const Part& inner : part.parts) result.parts.push_back(write_part(inner, path + "/" + inner.name, has_group));
@@ -147,12 +150,19 @@ FiledMemory StructureWriter::write_memory(const Part& part, const StoredMemory& 
     return result;
 }
 
-void StructureWriter::write_buffers(const StoredMemory& memory, const FiledMemory& filed) {
-    const Tiling tiling = Tiling::of(filed.shape, elements_at_a_time(filed.fields));
+std::vector<NewDataset> StructureWriter::make_datasets(const FiledMemory& filed, const Tiling& tiling) {
     const std::vector<bool> is_shown(filed.shape.size(), true);
     std::vector<NewDataset> datasets;
-    for (const Field& field : filed.fields)
-        datasets.emplace_back(file_, path_of(filed, field), field, tiling, is_shown);
+    on_file([&] {
+        for (const Field& field : filed.fields)
+            datasets.emplace_back(file_, path_of(filed, field), field, tiling, is_shown);
+    });
+    return datasets;
+}
+
+void StructureWriter::write_buffers(const StoredMemory& memory, const FiledMemory& filed) {
+    const Tiling tiling = Tiling::of(filed.shape, elements_at_a_time(filed.fields));
+    std::vector<NewDataset> datasets = make_datasets(filed, tiling);
     const std::uint64_t count = tiling.count();
     std::vector<Download> next;
     std::vector<std::byte> packed;
@@ -165,16 +175,15 @@ void StructureWriter::write_buffers(const StoredMemory& memory, const FiledMemor
         std::size_t at = 0;
         for (std::size_t i = 0; i < memory.planes.size(); ++i) {
             const ElementType& type = memory.planes[i].type;
-            for (const Field& field : type.fields) {
-                NewDataset& dataset = datasets[at++];
-                if (packed_bytes(field) == type.bytes && field.scalar != Scalar::boolean) {
-                    dataset.write(batch, elements[i], data_);
-                    continue;
-                }
-                packed.resize(batch.count * packed_bytes(field));
-                gather(field, type.bytes, elements[i], packed);
-                dataset.write(batch, packed, data_);
-            }
+            for (const Field& field : type.fields)
+                on_file([&, number_of_dataset = at++] {
+                    NewDataset& dataset = datasets[number_of_dataset];
+                    if (packed_bytes(field) == type.bytes && field.scalar != Scalar::boolean)
+                        return dataset.write(batch, elements[i], *data_);
+                    packed.resize(batch.count * packed_bytes(field));
+                    gather(field, type.bytes, elements[i], packed);
+                    dataset.write(batch, packed, *data_);
+                });
             progress_(elements[i].size());
         }
     }
@@ -182,20 +191,19 @@ void StructureWriter::write_buffers(const StoredMemory& memory, const FiledMemor
 
 void StructureWriter::write_elements(const Elements& elements, const FiledMemory& filed) {
     const Tiling tiling = Tiling::of(filed.shape, elements_at_a_time(filed.fields));
-    const std::vector<bool> is_shown(filed.shape.size(), true);
-    std::vector<NewDataset> datasets;
-    for (const Field& field : filed.fields)
-        datasets.emplace_back(file_, path_of(filed, field), field, tiling, is_shown);
+    std::vector<NewDataset> datasets = make_datasets(filed, tiling);
     std::vector<std::byte> values, packed;
     for (std::uint64_t number = 0; number < tiling.count(); ++number) {
         const Batch batch = tiling.batch(number);
         Extent size = address_extent(batch.size);
         elements.read(address_extent(batch.origin), size, values);
-        for (std::size_t i = 0; i < filed.fields.size(); ++i) {
-            packed.resize(batch.count * packed_bytes(filed.fields[i]));
-            gather(filed.fields[i], elements.type.bytes, values, packed);
-            datasets[i].write(batch, packed, data_);
-        }
+        on_file([&] {
+            for (std::size_t i = 0; i < filed.fields.size(); ++i) {
+                packed.resize(batch.count * packed_bytes(filed.fields[i]));
+                gather(filed.fields[i], elements.type.bytes, values, packed);
+                datasets[i].write(batch, packed, *data_);
+            }
+        });
         progress_(values.size());
     }
 }
@@ -206,12 +214,15 @@ void StructureWriter::write_image(const Memory& image, const std::string& path) 
     const std::uint64_t bytes = texel_bytes(made.format);
     for (std::uint32_t mip = 0; mip < made.mips; ++mip) {
         const Tiling tiling = Tiling::of(level_shape(made, mip), chunk_bytes / bytes, 1);
-        NewDataset dataset(file_, path_of_level(path, made.mips, mip), field, tiling, shown_axes(made.kind));
+        std::optional<NewDataset> dataset;
+        on_file(
+            [&] { dataset.emplace(file_, path_of_level(path, made.mips, mip), field, tiling, shown_axes(made.kind)); });
         for (std::uint64_t number = 0; number < tiling.count(); ++number) {
             const Batch batch = tiling.batch(number);
             const ImageRegion region = region_of(batch, mip);
             const Download download = commands_.download_image(image, std::span(&region, 1), batch.count * bytes);
-            dataset.write(batch, download.get().first(batch.count * bytes), data_);
+            const std::span<const std::byte> texels = download.get().first(batch.count * bytes);
+            on_file([&] { dataset->write(batch, texels, *data_); });
             progress_(batch.count * bytes);
         }
     }

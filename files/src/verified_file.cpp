@@ -1,5 +1,7 @@
 #include "verified_file.h"
 
+#include "direct_reader.h"
+
 #include <glift/error.h>
 
 #include <algorithm>
@@ -23,9 +25,10 @@ herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* names) {
 }  // namespace
 
 ByteSource source_of(const Descriptor& file) {
+    const auto reader = std::make_shared<DirectReader>(file);
     return {file.path(), file.size(),
             [&file](std::uint64_t offset, std::span<std::byte> to) { return file.read(offset, to); },
-            [&file](std::uint64_t offset, std::uint64_t bytes) { file.expect(offset, bytes); }};
+            [reader](std::uint64_t offset, std::span<std::byte> to) { return reader->read(offset, to); }};
 }
 
 VerifiedFile::VerifiedFile(std::string path)

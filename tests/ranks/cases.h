@@ -49,8 +49,9 @@ int check_balance(glift::ranks::World& world);
 /// What a device of several ranks refuses, with an error that says so. Returns 1 if it does not.
 int check_refusals(glift::ranks::World& world);
 
-/// Computes half of a diffusion and saves it in a file, or reads that file and computes the rest, which is compared
-/// with all of it computed on one device.
+/// Computes half of a diffusion and of a front's motion, and saves them with glift::save; or loads that file and
+/// computes the rest, which is compared with all of it computed on one device. Also checks that what fails on one rank
+/// is an error on all. Returns 1 if something differs. They do nothing where glift::files was not built.
 int save_half(glift::ranks::World& world, const std::string& file);
 int load_half(glift::ranks::World& world, const std::string& file);
 

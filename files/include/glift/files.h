@@ -8,6 +8,9 @@
 // of its memories, with those of structures that it was given. No container is known by name: generated classes hand
 // over their parts (`visit_state`). docs/reference/file-formats.md describes the file.
 //
+// Structures of a world's device (ranks/world.h) are saved and loaded by all its ranks together: each rank makes the
+// same calls. They may be as many ranks as they like; every rank gets all elements.
+//
 // All functions wait for the device, and throw wrong_argument within a body of Device::record. Memory beyond the
 // structure's own is bounded: some chunks of 4 MiB, whatever the structure's size.
 #pragma once
@@ -41,6 +44,9 @@ class GLIFT_FILES_API NewFile {
 public:
     /// Throws wrong_argument where the file cannot be made, or another process is writing it.
     explicit NewFile(std::string path);
+    /// For structures of a world's device (ranks/world.h): all ranks make the file, save to it and commit it alike. The
+    /// first rank writes; what fails there is thrown on every rank. For other devices the same as without one.
+    NewFile(std::string path, const Device& device);
     NewFile(NewFile&&) noexcept;
     NewFile& operator=(NewFile&&) noexcept;
     ~NewFile();  ///< without commit(): discards what was written
@@ -54,9 +60,10 @@ public:
     /// Closes the file: hashes it, waits until the disk has it, gives it its name.
     void commit();
 
-private:
+    /// What save() does, for a structure that has no class: gliftinfo makes such from arrays.
     void write(const files::Part& part, const Device& device, const FileProgress& progress);
 
+private:
     struct State;
     std::unique_ptr<State> state_;
 };
@@ -67,6 +74,9 @@ class GLIFT_FILES_API File {
 public:
     /// Throws bad_file where the file is damaged, cut off, or of another format; wrong_argument where there is none.
     explicit File(std::string path);
+    /// For structures of a world's device: all ranks open the file, which each of them reads, and load from it alike.
+    /// What fails on one is thrown on every rank; bad_file, too, where the files of ranks differ.
+    File(std::string path, const Device& device);
     File(File&&) noexcept;
     File& operator=(File&&) noexcept;
     ~File();
@@ -111,7 +121,7 @@ private:
 /// Saves one structure as a file of its own: NewFile, save and commit.
 template <class S>
 void save(const std::string& path, const std::string& name, const S& structure, const FileProgress& progress = {}) {
-    NewFile file(path);
+    NewFile file(path, structure.device());
     file.save(name, structure, progress);
     file.commit();
 }
@@ -119,13 +129,13 @@ void save(const std::string& path, const std::string& name, const S& structure, 
 /// As File::load into a structure that exists.
 template <class S>
 LoadReport load(const std::string& path, const std::string& name, S& structure, const FileProgress& progress = {}) {
-    return File(path).load(name, structure, progress);
+    return File(path, structure.device()).load(name, structure, progress);
 }
 
 /// As File::load that makes the structure.
 template <class S>
 S load(const std::string& path, const std::string& name, const Device& device, const FileProgress& progress = {}) {
-    return File(path).load<S>(name, device, progress);
+    return File(path, device).load<S>(name, device, progress);
 }
 
 }  // namespace glift

@@ -23,8 +23,8 @@ void throw_lost_ranks(const ranks::Transport& transport, std::vector<unsigned> s
         }
     }
     std::ranges::sort(silent);
-    const auto repeated = std::ranges::unique(silent);
-    silent.erase(repeated.begin(), repeated.end());
+    const auto repeated = std::unique(silent.begin(), silent.end());
+    silent.erase(repeated, silent.end());
     std::string names;
     for (unsigned rank : silent)
         names += (names.empty() ? "rank " : ", rank ") + std::to_string(rank) + " (" + transport.name_of(rank) + ")";

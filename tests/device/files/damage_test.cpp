@@ -11,6 +11,7 @@
 #include <random>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -78,6 +79,79 @@ TEST_F(Damage, EachThousandthByteOfElements) {
     line.write(values);
     save(path(), "line", line);
     alter<damage::Line>("line", 7, 1000);
+}
+
+/// Of many blocks: elements are read ahead, past the page cache, and written so.
+class LargeFile : public Damage {
+protected:
+    static constexpr uint elements = 11'000'003;  // 42 MiB, and no whole number of anything
+
+    LargeFile() : values_(elements) {
+        for (uint i = 0; i < elements; ++i) values_[i] = i * 2654435761u;
+        damage::Line line(host(), elements);
+        line.write(values_);
+        save(path(), "line", line);
+    }
+    std::vector<uint> values_;
+};
+
+TEST_F(LargeFile, IsLoaded) {
+    EXPECT_EQ(load<damage::Line>(path(), "line", host()).read(), values_);  // mostly from the cache, or not
+    const int file = ::open(path().c_str(), O_RDONLY);
+    ::posix_fadvise(file, 0, 0, POSIX_FADV_DONTNEED);
+    ::close(file);
+    EXPECT_EQ(load<damage::Line>(path(), "line", host()).read(), values_);
+    contents(path());  // now the cache has it
+    EXPECT_EQ(load<damage::Line>(path(), "line", host()).read(), values_);
+}
+
+TEST_F(LargeFile, Damaged) {
+    const std::string whole = contents(path());
+    Altered file(path());
+    for (std::size_t at :
+         {std::size_t{3'000'000}, std::size_t{17'000'000}, whole.size() / 2, std::size_t{43'000'000}}) {
+        file.put(at, static_cast<char>(~whole[at]));
+        EXPECT_EQ(error_of_load<damage::Line>("line"), ErrorCode::bad_file) << "byte " << at;
+        file.put(at, whole[at]);
+    }
+    EXPECT_EQ(error_of_load<damage::Line>("line"), std::nullopt);
+}
+
+/// A file that becomes shorter while it is open.
+TEST_F(LargeFile, CutOffWhileOpen) {
+    File file(path());
+    Altered(path()).cut(20 << 20);
+    damage::Line line(host(), elements);
+    EXPECT_THROW(file.load("line", line), Error);
+}
+
+/// The disk is full, or the file may not be so large.
+TEST_F(LargeFile, ThatCannotBeWritten) {
+    damage::Line line(host(), elements);
+    line.write(values_);
+    rlimit before{};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    ::signal(SIGXFSZ, SIG_IGN);
+    for (rlim_t most : {rlim_t{0}, rlim_t{1000}, rlim_t{5} << 20, rlim_t{40} << 20}) {
+        const rlimit limited{most, before.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limited);
+        EXPECT_THROW(save(path("other.h5"), "line", line), Error) << most;
+        ::setrlimit(RLIMIT_FSIZE, &before);
+        EXPECT_FALSE(std::filesystem::exists(path("other.h5")) || std::filesystem::exists(path("other.h5.saving")));
+    }
+    save(path("other.h5"), "line", line);
+    EXPECT_EQ(load<damage::Line>(path("other.h5"), "line", host()).read(), values_);
+}
+
+/// Zeros are not written: chunks with elements lie between them.
+TEST_F(LargeFile, WithZeros) {
+    for (uint i = 0; i < elements; ++i)
+        if (i / 3'000'000 % 2 == 1) values_[i] = 0;
+    damage::Line line(host(), elements);
+    line.write(values_);
+    save(path(), "line", line);
+    EXPECT_LT(std::filesystem::file_size(path()), elements * 4 * 3 / 4);
+    EXPECT_EQ(load<damage::Line>(path(), "line", host()).read(), values_);
 }
 
 TEST_F(Damage, CutOffAtEvery4096Bytes) {
