@@ -4,6 +4,9 @@
 #include "front.glift.hpp"
 #include "front_picture.glift.hpp"
 
+#ifdef WITH_FILES
+#include <glift/files.h>
+#endif
 #include <glift/host/math.h>
 
 #include <CLI/CLI.hpp>
@@ -26,6 +29,7 @@ struct Arguments {
     std::uint32_t extent = 1024, steps = 240, every = 10, balls = 14, pages = 100000, size = 640;
     std::uint64_t seed = 4;
     std::filesystem::path out = ".";
+    std::string from, save;
 };
 
 Arguments read_arguments(CLI::App& app, int argc, char** argv) {
@@ -42,6 +46,11 @@ Arguments read_arguments(CLI::App& app, int argc, char** argv) {
     app.add_option("--size", a.size, "of a picture's side")->check(CLI::Range(16u, 8192u))->capture_default_str();
     app.add_option("--seed", a.seed, "of the places of the balls")->capture_default_str();
     app.add_option("--out", a.out, "folder of the pictures")->capture_default_str();
+#ifdef WITH_FILES
+    app.add_option("--save", a.save, "a file for the band after the last step");
+    app.add_option("--from", a.from, "goes on with a band that --save wrote, in place of balls")
+        ->check(CLI::ExistingFile);
+#endif
     app.parse(argc, argv);
     return a;
 }
@@ -63,6 +72,14 @@ std::vector<front::Ball> balls_of(const Arguments& a) {
     return balls;
 }
 
+/// The band of the file --from, or one without pages.
+band::Band band_of(const glift::Device& device, const Arguments& a) {
+#ifdef WITH_FILES
+    if (!a.from.empty()) return glift::load<band::Band>(a.from, "band", device);
+#endif
+    return {device, {a.extent, a.extent, a.extent}, a.pages, {far, far}};
+}
+
 front_picture::Viewpoint view_of(std::uint32_t extent) {
     const float side = static_cast<float>(extent);
     const float3 middle{0.5f * side, 0.5f * side, 0.5f * side}, eye{0.5f * side, -0.45f * side, 1.15f * side};
@@ -75,16 +92,12 @@ front_picture::Viewpoint view_of(std::uint32_t extent) {
 class Run {
 public:
     Run(glift::Device device, const Arguments& arguments)
-        : arguments_(arguments), device_(std::move(device)),
-          band_(device_, {arguments.extent, arguments.extent, arguments.extent}, arguments.pages, {far, far}),
+        : arguments_(arguments), device_(std::move(device)), band_(band_of(device_, arguments)),
           picture_(device_, {arguments.size, arguments.size}) {
-        const std::vector<front::Ball> balls = balls_of(arguments);
-        front::Balls given(device_, static_cast<glift::uint>(balls.size()));
-        given.write(balls);
-        for (const front::Ball& ball : balls) front::ask_near(device_, band_, ball);
-        front::begin(device_, band_, given);
+        arguments_.extent = band_.domain().x;
+        if (arguments.from.empty()) begin();
         most_refused_ = band_.status(device_).refused;
-        const float middle = 0.5f * static_cast<float>(arguments.extent);
+        const float middle = 0.5f * static_cast<float>(arguments_.extent);
         const front::Motion motion{{middle, middle, middle}, 0.9f * middle, 0.35f, 0.15f};
         step_ = device_.record([&](const glift::Commands& commands) { front::step(commands, band_, motion); });
     }
@@ -108,6 +121,9 @@ public:
             draw(done);
         }
         line_.clear();
+#ifdef WITH_FILES
+        if (!arguments_.save.empty()) glift::save(arguments_.save, "band", band_);
+#endif
         if (!last_.empty()) std::printf("at the end: %s\n", last_.c_str());
         std::printf("%s: %u steps, %llu submissions, %llu waits\n", device_.properties().name.c_str(), arguments_.steps,
                     static_cast<unsigned long long>(submissions), static_cast<unsigned long long>(waits));
@@ -118,6 +134,14 @@ public:
     bool is_whole() const { return most_refused_ == 0; }
 
 private:
+    void begin() {
+        const std::vector<front::Ball> balls = balls_of(arguments_);
+        front::Balls given(device_, static_cast<glift::uint>(balls.size()));
+        given.write(balls);
+        for (const front::Ball& ball : balls) front::ask_near(device_, band_, ball);
+        front::begin(device_, band_, given);
+    }
+
     void report(std::uint32_t done, double seconds) {
         const auto status = band_.status(device_);
         most_refused_ = std::max(most_refused_, status.refused);

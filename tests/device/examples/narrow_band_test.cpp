@@ -53,6 +53,22 @@ TEST_F(NarrowBand, MovesAlikeOnBothDevices) {
     EXPECT_GT(inside(after), inside(before));  // the front expands
 }
 
+TEST_F(NarrowBand, GoesOnWithABandOfAFile) {
+    if (run("host", {"--help"}).out.find("--save") == std::string::npos) GTEST_SKIP() << "libglift_files is not built";
+    const std::string file = folder.path() / "band.h5";
+    ASSERT_EQ(run("host", {"--balls", "9", "--steps", "24"}).exit_code, 0);
+    const Picture whole = picture_of("host", "slice_0024.png");
+    ASSERT_EQ(run("host", {"--balls", "9", "--steps", "12", "--save", file}).exit_code, 0);
+    const auto rest = run("host", {"--steps", "12", "--from", file});
+    ASSERT_EQ(rest.exit_code, 0) << rest.err;
+    const Picture resumed = picture_of("host", "slice_0012.png");
+    ASSERT_EQ(resumed.pixels.size(), whole.pixels.size());
+    for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
+        ASSERT_EQ(resumed.pixels[i].x, whole.pixels[i].x);
+        ASSERT_EQ(resumed.pixels[i].z, whole.pixels[i].z);
+    }
+}
+
 TEST_F(NarrowBand, SaysWhenThePoolIsTooSmall) {
     const auto result = run("host", {"--balls", "9", "--steps", "2", "--pages", "20"});
     EXPECT_EQ(result.exit_code, 1);
