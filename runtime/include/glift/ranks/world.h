@@ -49,7 +49,9 @@ struct Statistics {
     std::uint64_t migrated_bytes = 0;      ///< that this rank sent as elements changed their owner (World::balance)
     std::uint64_t distributed_passes = 0;  ///< of which each rank computed its part
     std::uint64_t whole_passes = 0;        ///< that each rank computed wholly
-    double exchange_seconds = 0;           ///< of the host, in exchanges; the device may compute meanwhile
+    /// Of exchanges, from when the device has packed this rank's elements until the others' have arrived. The device
+    /// computes meanwhile.
+    double exchange_seconds = 0;
 };
 
 }  // namespace glift::ranks
@@ -158,7 +160,7 @@ public:
         return imbalance(detail::paged_shape_of(structure));
     }
 
-    Statistics statistics() const;
+    Statistics statistics() const;  ///< waits for exchanges that are under way
     void barrier();  ///< returns when every rank has called it
 
 private:
