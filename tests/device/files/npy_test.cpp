@@ -29,7 +29,7 @@ std::string header_of(const std::string& type, const std::string& shape, bool is
 
 template <class T> std::string bytes_of(const std::vector<T>& values) {
     std::string bytes(values.size() * sizeof(T), '\0');
-    std::memcpy(bytes.data(), values.data(), bytes.size());
+    if (!bytes.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
     return bytes;
 }
 
@@ -57,7 +57,7 @@ protected:
             for (char& byte : bytes) byte = static_cast<char>(random() & (std::is_same_v<T, Bool> ? 0 : 0x3b));
             if constexpr (std::is_same_v<T, Bool>)
                 for (std::size_t i = 0; i < bytes.size(); i += 4) bytes[i] = static_cast<char>(random() & 1);
-            std::memcpy(static_cast<void*>(values.data()), bytes.data(), bytes.size());
+            if (!bytes.empty()) std::memcpy(static_cast<void*>(values.data()), bytes.data(), bytes.size());
             saved.write(values);
             const std::string before = bytes_of(saved.read());
             save_npy(file(), saved);
