@@ -69,13 +69,13 @@ struct Statistics {
     /// Calls of kernels; those in a recording count at each replay, those of record_into (vulkan.h) once. The host
     /// device leaves out calls whose conditions do not hold.
     std::uint64_t passes = 0;
-    std::uint64_t barriers = 0;        ///< recorded between passes and copies (a replay counts none)
-    std::uint64_t pipelines = 0;       ///< created for kernels
-    std::uint64_t waits = 0;           ///< calls of wait and Download::get, and the first seconds() of each Timestamp
-    std::uint64_t memories = 0;        ///< whose storage is not freed yet; host: parts of images count, too
-    std::uint64_t bytes_used = 0;      ///< by memories, staging and parameters
-    /// Taken from the device, in blocks. Blocks that are free are kept for new memories: up to an eighth of the device's
-    /// memory, on CPUs a thirty-second.
+    std::uint64_t barriers = 0;    ///< recorded between passes and copies (a replay counts none)
+    std::uint64_t pipelines = 0;   ///< created for kernels
+    std::uint64_t waits = 0;       ///< calls of wait and Download::get, and the first seconds() of each Timestamp
+    std::uint64_t memories = 0;    ///< whose storage is not freed yet; host: parts of images count, too
+    std::uint64_t bytes_used = 0;  ///< by memories, staging and parameters
+    /// Taken from the device, in blocks. Blocks that are free are kept for new memories: up to an eighth of the
+    /// device's memory, on CPUs a thirty-second.
     std::uint64_t bytes_reserved = 0;
 };
 

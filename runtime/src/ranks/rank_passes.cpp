@@ -29,8 +29,8 @@ bool must_gather(const Binding& binding, const Coverage& coverage, const PassPla
 
 }  // namespace
 
-/// Makes the sublists from `first_list` on; finds where each plane of pages begins in the list, if that has changed (not
-/// again: messages under way may be reading it).
+/// Makes the sublists from `first_list` on; finds where each plane of pages begins in the list, if that has changed
+/// (not again: messages under way may be reading it).
 void RankStream::cut_pages(const Paging& paging, const Cuts& cuts, std::uint32_t first_list) {
     const auto end = static_cast<std::uint32_t>(paging.sublists.size());
     const std::uint32_t planes = cuts.planes() + 1;

@@ -161,7 +161,7 @@ public:
     }
 
     Statistics statistics() const;  ///< waits for exchanges that are under way
-    void barrier();  ///< returns when every rank has called it
+    void barrier();                 ///< returns when every rank has called it
 
 private:
     void distribute(const char* type_name, const detail::RangeShape& shape, const std::vector<Memory>& memories,

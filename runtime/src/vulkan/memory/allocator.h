@@ -58,8 +58,8 @@ private:
     std::vector<std::unique_ptr<Pool>> pools_;
     std::uint64_t used_ = 0, reserved_ = 0, limit_;
     bool is_cpu_;  ///< the device is a CPU: its memory is the machine's
-    /// Of blocks without a memory, which are kept for the next ones: to allocate a temporary of 1 GiB anew for each call
-    /// of a pipeline took an H200 40 ms.
+    /// Of blocks without a memory, which are kept for the next ones: to allocate a temporary of 1 GiB anew for each
+    /// call of a pipeline took an H200 40 ms.
     std::uint64_t most_empty_;
 };
 
