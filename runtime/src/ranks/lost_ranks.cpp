@@ -5,12 +5,6 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace glift::ranks {
-
-std::span<std::byte> Transport::area(unsigned) const { return {}; }
-
-}  // namespace glift::ranks
-
 namespace glift::detail {
 
 void throw_lost_ranks(const ranks::Transport& transport, std::vector<unsigned> silent,

@@ -21,21 +21,25 @@ constexpr std::uint64_t most_invocations = std::uint64_t{1} << 18;
 
 std::uint32_t words(std::uint64_t bytes) { return static_cast<std::uint32_t>(bytes / 4); }
 
-std::uint64_t up_to(std::uint64_t bytes, std::uint64_t multiple) {
-    return (bytes + multiple - 1) / multiple * multiple;
-}
+std::uint64_t aligned(std::uint64_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
 
-std::uint64_t grown(std::uint64_t bytes) { return up_to(bytes + bytes / 4 + 1, page); }
+/// Whole pages, with room for more.
+std::uint64_t grown(std::uint64_t bytes) { return (bytes + bytes / 4) / page * page + page; }
 
-/// The pieces as messages; says in `ends` how many bytes each rank sends at most.
-std::vector<Message> messages_of(const std::vector<Piece>& pieces, std::vector<std::uint64_t>& ends) {
+/// The bytes that each rank sends and receives at most.
+struct Totals {
+    explicit Totals(unsigned ranks) : sent(ranks), received(ranks) {}
+
+    std::vector<std::uint64_t> sent, received;
+};
+
+/// The pieces as messages; adds them to the totals.
+std::vector<Message> messages_of(const std::vector<Piece>& pieces, Totals& totals) {
     std::vector<Message> messages;
-    std::vector<std::uint64_t> received(ends.size());
     for (const Piece& piece : pieces) {
-        const std::uint64_t bytes = up_to(piece.most_bytes(), alignment);
-        messages.push_back({piece, ends[piece.from], received[piece.to]});
-        ends[piece.from] += bytes;
-        received[piece.to] += bytes;
+        messages.push_back({piece, totals.sent[piece.from], totals.received[piece.to]});
+        totals.sent[piece.from] += aligned(piece.most_bytes());
+        totals.received[piece.to] += aligned(piece.most_bytes());
     }
     return messages;
 }
@@ -60,11 +64,13 @@ const Messenger::Staging& Messenger::staging(Staging& staging, std::uint64_t byt
 
 const Messenger::HostRoom& Messenger::room(HostRoom& room, std::uint64_t bytes) {
     if (room.own && room.bytes.size() >= bytes) return room;
+    HostRoom larger;
     const std::uint64_t size = grown(bytes);
-    room.own.reset(static_cast<std::byte*>(std::aligned_alloc(page, size)), std::free);
-    if (!room.own) throw std::bad_alloc();
-    room.bytes = {room.own.get(), size};
-    room.attached = link_->attach(room.bytes);
+    larger.own.reset(static_cast<std::byte*>(std::aligned_alloc(page, size)), std::free);
+    if (!larger.own) throw std::bad_alloc();
+    larger.bytes = {larger.own.get(), size};
+    larger.attached = link_->attach(larger.bytes);
+    std::swap(room, larger);
     return room;
 }
 
@@ -109,10 +115,9 @@ void Messenger::move_pieces(const Message& message, const Memory& staging, bool 
 Messenger::Started Messenger::start(const std::vector<Piece>& pieces, Traffic& traffic) {
     Started started;
     started.traffic = &traffic;
-    std::vector<std::uint64_t> ends(size());
-    std::uint64_t in = 0;
+    Totals totals(size());
     std::set<unsigned> others, senders;
-    for (const Message& message : messages_of(pieces, ends)) {
+    for (const Message& message : messages_of(pieces, totals)) {
         if (message.piece.from == rank()) {
             started.sent.push_back(message);
             others.insert(message.piece.to);
@@ -121,18 +126,17 @@ Messenger::Started Messenger::start(const std::vector<Piece>& pieces, Traffic& t
             started.received.push_back(message);
             others.insert(message.piece.from);
             senders.insert(message.piece.from);
-            in = message.received_at + up_to(message.piece.most_bytes(), alignment);
         }
     }
     if (started.is_empty()) return started;
-    const std::uint64_t out = ends[rank()];
+    const std::uint64_t out = totals.sent[rank()], in = totals.received[rank()];
     started.others.assign(others.begin(), others.end());
     const Staging packed = staging(packed_, out), arrived = staging(arrived_, in);
     started.packed = packed.memory;
     started.arrived = arrived.memory;
-    if (link_ && std::ranges::max(ends) <= transport_->area(rank()).size()) {
+    if (link_ && std::ranges::max(totals.sent) <= transport_->area(rank()).size()) {
         senders.insert(rank());
-        for (const unsigned sender : senders) started.areas.emplace_back(sender, area(sender, ends[sender]));
+        for (const unsigned sender : senders) started.areas.emplace_back(sender, area(sender, totals.sent[sender]));
     } else if (link_) {
         started.to = room(to_, out);
         started.from = room(from_, in);

@@ -34,9 +34,9 @@ public:
     };
     /// Bytes of the host, which the link can copy.
     struct HostRoom {
-        std::span<std::byte> bytes;
-        std::shared_ptr<AttachedObject> attached;
         std::shared_ptr<std::byte> own;  ///< null: an area of the transport
+        std::span<std::byte> bytes;
+        std::shared_ptr<AttachedObject> attached;  ///< after `own`, which has to outlive it
     };
     /// Messages on their way. The host may give commands meanwhile.
     struct Started {

@@ -51,27 +51,9 @@ bool DescriptorSets::reset() {
 }
 
 CommandBatch::CommandBatch(Context& context_, ChunkPool& chunks)
-    : context(context_), parameters(chunks, MemoryUse::parameters), upload(chunks, MemoryUse::upload),
-      readback(chunks, MemoryUse::readback), sets(context_) {
-    const VkCommandPoolCreateInfo pool_info = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                                               .queueFamilyIndex = context.queue_family};
-    context.check(context.vk.vkCreateCommandPool(context.device, &pool_info, nullptr, &pool), "vkCreateCommandPool");
-    const VkCommandBufferAllocateInfo info = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-                                              .commandPool = pool,
-                                              .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
-                                              .commandBufferCount = 1};
-    const VkResult result = context.vk.vkAllocateCommandBuffers(context.device, &info, &commands);
-    if (result >= 0) return;
-    context.vk.vkDestroyCommandPool(context.device, pool, nullptr);
-    context.fail(result, "vkAllocateCommandBuffers");
-}
-
-CommandBatch::~CommandBatch() { context.vk.vkDestroyCommandPool(context.device, pool, nullptr); }
-
-void CommandBatch::begin(VkCommandBufferUsageFlags usage) {
-    const VkCommandBufferBeginInfo info = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO, .flags = usage};
-    context.check(context.vk.vkBeginCommandBuffer(commands, &info), "vkBeginCommandBuffer");
-}
+    : context(context_), pool(context_, context_.queue_family), commands(pool.commands()),
+      parameters(chunks, MemoryUse::parameters), upload(chunks, MemoryUse::upload),
+      readback(chunks, MemoryUse::readback), sets(context_) {}
 
 bool CommandBatch::reset() {
     parameters.clear();
@@ -80,7 +62,7 @@ bool CommandBatch::reset() {
     operations = passes = gate = 0;
     times.reset();
     prints = false;
-    return context.vk.vkResetCommandPool(context.device, pool, 0) == VK_SUCCESS && sets.reset();
+    return pool.reset() && sets.reset();
 }
 
 }  // namespace glift::detail

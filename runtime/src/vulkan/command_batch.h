@@ -1,6 +1,7 @@
 // A command buffer and what must live as long as it: parameters, staging, descriptor sets.
 #pragma once
 
+#include "command_pool.h"
 #include "pass_times.h"
 #include "pipelines.h"
 #include "vulkan/memory/chunks.h"
@@ -24,15 +25,14 @@ private:
 
 struct CommandBatch {
     CommandBatch(Context& context, ChunkPool& chunks);
-    ~CommandBatch();
     CommandBatch(const CommandBatch&) = delete;
 
-    void begin(VkCommandBufferUsageFlags usage);
+    void begin(VkCommandBufferUsageFlags usage) { pool.begin(usage); }
     [[nodiscard]] bool reset();  ///< false: it failed, and the batch is unusable
 
     Context& context;
-    VkCommandPool pool = VK_NULL_HANDLE;
-    VkCommandBuffer commands = VK_NULL_HANDLE;
+    CommandPool pool;
+    const VkCommandBuffer commands;
     Arena parameters, upload, readback;
     DescriptorSets sets;
     std::shared_ptr<RecordedTimes> times;  ///< of a recording that was made while the device was profiled; else null

@@ -55,7 +55,8 @@ public:
     VkQueue transfer_queue = VK_NULL_HANDLE;  ///< of a family that only copies; null: there is none
     std::uint32_t transfer_family = 0;
     VkDeviceSize host_import_alignment = 0;  ///< of memory of the host that is imported; 0: none can be
-    bool can_link() const { return transfer_queue && host_import_alignment; }
+    /// Memory of the host is imported by its pages, which a few systems have larger than 4 KiB.
+    bool can_link() const { return transfer_queue && host_import_alignment && host_import_alignment <= 4096; }
     std::uint32_t timestamp_bits = 0;
     bool owned = false;  ///< opened by Glift, else adopted: `device` is then the program's
     /// Whether the user's program submits to the queue, too: always for an adopted device; for one that Glift opened,

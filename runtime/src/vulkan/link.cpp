@@ -46,7 +46,7 @@ private:
         VkMemoryRequirements2 needs = {.sType = VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2};
         context_.vk.vkGetDeviceBufferMemoryRequirements(context_.device, &asked, &needs);
         const std::uint32_t types = pointer.memoryTypeBits & needs.memoryRequirements.memoryTypeBits;
-        if (types == 0) context_.fail(VK_ERROR_OUT_OF_HOST_MEMORY, "vkGetMemoryHostPointerPropertiesEXT");
+        if (types == 0) context_.fail(VK_ERROR_INVALID_EXTERNAL_HANDLE, "vkGetMemoryHostPointerPropertiesEXT");
         const VkImportMemoryHostPointerInfoEXT imported = {.sType =
                                                                VK_STRUCTURE_TYPE_IMPORT_MEMORY_HOST_POINTER_INFO_EXT,
                                                            .handleType = handle_type,
@@ -74,25 +74,8 @@ VkBuffer buffer_of(const AttachedObject& attached) { return static_cast<const At
 }  // namespace
 
 VulkanLink::VulkanLink(VulkanDevice& device)
-    : device_(device), timeline_(device.context(), device.context().transfer_queue) {
-    Context& context = device.context();
-    const VkCommandPoolCreateInfo pool = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                                          .queueFamilyIndex = context.transfer_family};
-    context.check(context.vk.vkCreateCommandPool(context.device, &pool, nullptr, &pool_), "vkCreateCommandPool");
-    const VkCommandBufferAllocateInfo info = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-                                              .commandPool = pool_,
-                                              .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
-                                              .commandBufferCount = 1};
-    const VkResult result = context.vk.vkAllocateCommandBuffers(context.device, &info, &commands_);
-    if (result >= 0) return;
-    context.vk.vkDestroyCommandPool(context.device, pool_, nullptr);
-    context.fail(result, "vkAllocateCommandBuffers");
-}
-
-VulkanLink::~VulkanLink() {
-    const Context& context = device_.context();
-    context.vk.vkDestroyCommandPool(context.device, pool_, nullptr);
-}
+    : device_(device), timeline_(device.context(), device.context().transfer_queue),
+      pool_(device.context(), device.context().transfer_family) {}
 
 Memory VulkanLink::allocate(const MemoryDescription& description) {
     const std::lock_guard lock(device_.mutex());
@@ -114,13 +97,12 @@ void VulkanLink::put(AttachedObject& from, const Memory& to, std::span<const Cop
 void VulkanLink::copy(VkBuffer from, VkBuffer to, std::span<const CopyRegion> regions) {
     if (regions.empty()) return;
     Context& context = device_.context();
-    context.check(context.vk.vkResetCommandPool(context.device, pool_, 0), "vkResetCommandPool");
-    const VkCommandBufferBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                                            .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
-    context.check(context.vk.vkBeginCommandBuffer(commands_, &begin), "vkBeginCommandBuffer");
+    if (!pool_.reset()) context.fail(VK_ERROR_OUT_OF_DEVICE_MEMORY, "vkResetCommandPool");
+    pool_.begin(VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT);
+    const VkCommandBuffer commands = pool_.commands();
     std::vector<VkBufferCopy> copies;
     for (const CopyRegion& region : regions) copies.push_back({region.from, region.to, region.bytes});
-    context.vk.vkCmdCopyBuffer(commands_, from, to, static_cast<std::uint32_t>(copies.size()), copies.data());
+    context.vk.vkCmdCopyBuffer(commands, from, to, static_cast<std::uint32_t>(copies.size()), copies.data());
     const VkMemoryBarrier2 barrier = {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
                                       .srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT,
                                       .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
@@ -128,9 +110,9 @@ void VulkanLink::copy(VkBuffer from, VkBuffer to, std::span<const CopyRegion> re
                                       .dstAccessMask = VK_ACCESS_2_HOST_READ_BIT};
     const VkDependencyInfo dependency = {
         .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &barrier};
-    context.vk.vkCmdPipelineBarrier2(commands_, &dependency);
-    context.check(context.vk.vkEndCommandBuffer(commands_), "vkEndCommandBuffer");
-    timeline_.poll(timeline_.submit(commands_, device_.timeline().now()));
+    context.vk.vkCmdPipelineBarrier2(commands, &dependency);
+    context.check(context.vk.vkEndCommandBuffer(commands), "vkEndCommandBuffer");
+    timeline_.poll(timeline_.submit(commands, device_.timeline().now()));
 }
 
 }  // namespace glift::detail

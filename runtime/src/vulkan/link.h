@@ -1,6 +1,7 @@
 // Copies between a Vulkan device and the host on a queue of its own.
 #pragma once
 
+#include "command_pool.h"
 #include "objects.h"
 #include "timeline.h"
 
@@ -12,7 +13,6 @@ class VulkanDevice;
 class VulkanLink final : public LinkObject {
 public:
     explicit VulkanLink(VulkanDevice& device);
-    ~VulkanLink() override;
 
     Memory allocate(const MemoryDescription& description) override;
     std::shared_ptr<AttachedObject> attach(std::span<std::byte> bytes) override;
@@ -24,8 +24,7 @@ private:
 
     VulkanDevice& device_;
     Timeline timeline_;
-    VkCommandPool pool_ = VK_NULL_HANDLE;
-    VkCommandBuffer commands_ = VK_NULL_HANDLE;
+    CommandPool pool_;
 };
 
 }  // namespace glift::detail

@@ -1,4 +1,5 @@
-// Copies a run of words of each page of some planes from its frame to a buffer: ranks/page_kernels.h.
+// Copies a run of words of each page of some planes between its frame and a buffer, into which it goes if PACKS is
+// defined: ranks/page_kernels.h.
 #version 460
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require
@@ -37,6 +38,10 @@ void main() {
     const uint words = (planes.word[end_plane] - first) * run;
     for (uint i = group * 64u + gl_LocalInvocationID.x; i < words; i += size) {
         const uint page = list.word[first + i / run];
+#ifdef PACKS
         packed_words.word[at + i] = frame_words_of(page).word[i % run];
+#else
+        frame_words_of(page).word[i % run] = packed_words.word[at + i];
+#endif
     }
 }
